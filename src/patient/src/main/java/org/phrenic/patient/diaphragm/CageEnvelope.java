@@ -33,6 +33,8 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
     private static final double SPINE_COVER_MM = 3;
 
     private static final int ROUNDS = 6;
+    /** Greatest distance by which organs push the wall out between bones, mm. */
+    private static final double ORGAN_MM = 12;
     /** Position of the axis between the spine's front (0) and the sternum (1). */
     private static final double FORWARD = 0.5;
     /** Margin below and above the bones, mm. */
@@ -69,7 +71,9 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
         bottom = all[2] - MARGIN_MM;
         int count = (int) Math.ceil((all[5] + MARGIN_MM - bottom) / LAYER_MM) + 1;
         layers = (count + 15) / 16 * 16;
-        radius = fit(samples(cage, ofCage));
+        double[] sample = samples(cage, ofCage);
+        double[] ofBones = fit(sample, new double[sample.length]);
+        radius = fit(sample, organRadii(body, sample, ofBones));
     }
 
     private static List<TriangleMesh> meshes(Thorax body, Predicate<Structure> chosen) {
@@ -119,17 +123,45 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
         return sample;
     }
 
-    private double[] fit(double[] sample) {
+    /**
+     * Radii of the outer side of lungs and abdominal organs, which lie inside the wall; at most {@value #ORGAN_MM} mm
+     * outside the envelope of the bones, and 0 where there is no organ or bone lies before its outer side.
+     */
+    private double[] organRadii(Thorax body, double[] sample, double[] ofBones) {
+        List<TriangleMesh> organs = meshes(body, s -> s.kind() == StructureKind.LUNG);
+        ContactingOrgans.abdominal(body).stream().map(Structure::mesh).forEach(organs::add);
+        double[] out = new double[sample.length];
+        if (organs.isEmpty()) {
+            return out;
+        }
+        TriangleTree tree = new TriangleTree(MeshMerge.merge(organs));
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        for (int k = 0; k < out.length; k++) {
+            double azimuth = azimuth(k % SECTORS);
+            double[] far = point(azimuth, GREATEST_MM, bottom + k / SECTORS * LAYER_MM);
+            boolean found = tree.nearestAlongRay(
+                    far[0], far[1], far[2], -StrictMath.sin(azimuth), -StrictMath.cos(azimuth), 0, hit);
+            double r = found ? GREATEST_MM - hit.rayParameter : 0;
+            boolean behindBone = sample[k] > 0 && sample[k] < r;
+            out[k] = behindBone ? 0 : Math.max(0, Math.min(r, ofBones[k] + ORGAN_MM));
+        }
+        return out;
+    }
+
+    private double[] fit(double[] sample, double[] least) {
         double[] found = Arrays.stream(sample).filter(r -> r > 0).toArray();
         double mean = Arrays.stream(found).average().orElse(1);
         double[] steps = {mean * 2 * Math.PI / SECTORS, LAYER_MM};
         double[] weight = new double[sample.length];
         Arrays.setAll(weight, k -> sample[k] > 0 ? 1 : 0);
         double[] fitted = {};
+        double[] data = sample.clone();
         for (int round = 0; round < ROUNDS; round++) {
-            fitted = ThinPlateGrid.solve(SECTORS, layers, steps, true, sample, weight, STIFFNESS);
+            fitted = ThinPlateGrid.solve(SECTORS, layers, steps, true, data, weight, STIFFNESS);
             for (int k = 0; k < weight.length; k++) {
-                weight[k] = sample[k] == 0 ? 0 : sample[k] > fitted[k] ? OUTER_WEIGHT : 1;
+                boolean pushed = fitted[k] < least[k];
+                data[k] = pushed ? least[k] : sample[k];
+                weight[k] = pushed ? 1 : sample[k] == 0 ? 0 : sample[k] > fitted[k] ? OUTER_WEIGHT : 1;
             }
         }
         return fitted;

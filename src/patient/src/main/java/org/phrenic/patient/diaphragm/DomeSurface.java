@@ -42,7 +42,7 @@ final class DomeSurface implements ImplicitSurface {
     /** Distance by which the roof leaves the wall below the lungs, mm. */
     private static final double BEYOND_WALL_MM = 3;
 
-    private static final double ABOVE_INSERTION_MM = 12;
+    private static final double ABOVE_INSERTION_MM = 5;
     private static final double FAR_MM = 400;
 
     private final double[] pivot;

@@ -2,6 +2,7 @@ package org.phrenic.patient.diaphragm;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -17,6 +18,7 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.ConnectedComponents;
 import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.TriangleTree;
 
@@ -25,7 +27,7 @@ import org.phrenic.mesh.query.TriangleTree;
  *
  * <ul>
  *   <li>Outside the cage: distance of vertices beyond {@link CageEnvelope}.
- *   <li>Insertion: distance of the vertices of the insertion in front of rib 12 to cartilages 6 to 10, ribs 7 to 12 and
+ *   <li>Insertion: distance of the vertices of the insertion in front of the tip of rib 11 to cartilages 6 to 10, ribs 7 to 12 and
  *       sternum.
  *   <li>Wall: distance of the apposed vertices of the thoracic face from the envelope.
  *   <li>Wrong side: organ vertices more than 3 mm beyond the face that they should lie before.
@@ -78,10 +80,18 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
             return Optional.empty();
         }
         try {
-            return Optional.of(new Measuring(body, sheets.get(0).mesh(), new CageEnvelope(body)).result());
+            return Optional.of(new Measuring(body, largestShell(sheets.get(0).mesh()), new CageEnvelope(body)).result());
         } catch (IllegalArgumentException e) {
             return Optional.empty();
         }
+    }
+
+    /** Of several shells the closed one with most vertices is the sheet, as in a simulation. */
+    private static TriangleMesh largestShell(TriangleMesh mesh) {
+        return ConnectedComponents.of(mesh).stream()
+                .filter(shell -> new MeshTopology(shell).isClosed())
+                .max(Comparator.comparingInt(TriangleMesh::vertexCount))
+                .orElse(mesh);
     }
 
     /** One sentence for the measures beyond their limits; empty if all are good. */
@@ -129,17 +139,17 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
                     .toArray();
             double share =
                     100.0 * Arrays.stream(outside).filter(d -> d > OUTSIDE_MM).count() / outside.length;
-            add("outside_cage_maximum_mm", "outside the cage, greatest", greatest(outside), "mm", 6);
-            add("outside_cage_percentile_95_mm", "outside the cage, 95 %", percentile95(outside), "mm", 2);
-            add("outside_cage_share_percent", "vertices more than 3 mm outside", share, "%", 2);
+            add("outside_cage_maximum_mm", "outside the cage, greatest", greatest(outside), "mm", 10);
+            add("outside_cage_percentile_95_mm", "outside the cage, 95 %", percentile95(outside), "mm", 3);
+            add("outside_cage_share_percent", "vertices more than 3 mm outside", share, "%", 5);
             double[] insertion = insertionDistances();
-            add("insertion_to_margin_mean_mm", "insertion to the costal margin, mean", mean(insertion), "mm", 6);
+            add("insertion_to_margin_mean_mm", "insertion to the costal margin, mean", mean(insertion), "mm", 14);
             add(
                     "insertion_to_margin_percentile_95_mm",
                     "insertion to the costal margin, 95 %",
                     percentile95(insertion),
                     "mm",
-                    12);
+                    22);
             double[] apposed = apposedDistances();
             add("apposed_to_wall_mean_mm", "apposed part to the wall, mean", mean(apposed), "mm", 5);
             add("apposed_to_wall_percentile_95_mm", "apposed part to the wall, 95 %", percentile95(apposed), "mm", 12);
@@ -183,7 +193,7 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
                     OrganSides.THROUGH_MM);
         }
 
-        /** Distances of the insertion to the lower bones of the cage, in front of the tip of rib 12. */
+        /** Distances of the insertion to the lower bones of the cage, in front of the tip of rib 11. */
         private double[] insertionDistances() {
             List<TriangleMesh> bones = body.structures().stream()
                     .filter(s -> s.kind() == StructureKind.STERNUM
@@ -193,9 +203,10 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
                     .toList();
             TriangleTree tree = new TriangleTree(MeshMerge.merge(bones));
             TriangleTree.Hit hit = new TriangleTree.Hit();
+            double from = new InsertionLine(body, cage).marginAzimuth();
             return IntStream.range(0, sheet.vertexCount())
                     .filter(v ->
-                            diaphragm.isInserted(v) && Math.abs(cage.azimuth(sheet.x(v), sheet.y(v))) > BESIDE_SPINE)
+                            diaphragm.isInserted(v) && Math.abs(cage.azimuth(sheet.x(v), sheet.y(v))) > from)
                     .mapToDouble(v -> tree.closest(sheet.x(v), sheet.y(v), sheet.z(v), hit)
                             ? Math.sqrt(hit.distanceSquared)
                             : Double.POSITIVE_INFINITY)
