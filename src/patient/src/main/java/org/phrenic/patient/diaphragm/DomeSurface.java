@@ -23,7 +23,7 @@ import org.phrenic.mesh.query.TriangleTree;
  */
 final class DomeSurface implements ImplicitSurface {
     /** Directions: the polar angle from the vertical and the azimuth as polar coordinates of a square grid. */
-    private static final double WIDEST_DEG = 128;
+    private static final double WIDEST_DEG = 152;
 
     private static final double STEP_DEG = 2;
     private static final int HALF = (int) (WIDEST_DEG / STEP_DEG);
@@ -43,6 +43,9 @@ final class DomeSurface implements ImplicitSurface {
     private static final double BEYOND_WALL_MM = 3;
 
     private static final double ABOVE_INSERTION_MM = 5;
+    /** Cosine of the polar angle of {@value #WIDEST_DEG} degrees less a cell; there is no roof beyond. */
+    private static final double DOWNWARD = Math.cos(Math.toRadians(WIDEST_DEG - 4));
+
     private static final double FAR_MM = 400;
 
     private final double[] pivot;
@@ -226,6 +229,9 @@ final class DomeSurface implements ImplicitSurface {
         double y = py - pivot[1];
         double z = pz - pivot[2];
         double distance = Math.max(1e-6, Math.sqrt(x * x + y * y + z * z));
+        if (z < DOWNWARD * distance) {
+            return -distance;
+        }
         double r = rho(x, y, z);
         double e = 0.02 * distance;
         double gx = (rho(x + e, y, z) - rho(x - e, y, z)) / (2 * e);

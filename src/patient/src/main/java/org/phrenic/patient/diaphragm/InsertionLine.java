@@ -21,14 +21,16 @@ import org.phrenic.mesh.edit.MeshMerge;
  */
 public final class InsertionLine {
     private static final int SECTORS = 360;
-    /** Height of the insertion above the lower border of the costal margin, mm. */
-    private static final double ABOVE_MARGIN_MM = 2;
+    /** Depth of the insertion below the lowest vertex of the costal margin at an azimuth, mm. */
+    private static final double BELOW_MARGIN_MM = 4;
     /** Height of the insertion above the tip of the sternum, mm. */
     private static final double ABOVE_XIPHOID_MM = 12;
-    /** Greatest depth of the insertion on rib 12 below the transverse process of L1, mm: the middle of L2. */
-    private static final double BELOW_PROCESS_MM = 30;
+    /** Depth of the arcuate ligaments below the transverse process of L1, mm: its lower border and that of L2 above. */
+    private static final double BELOW_PROCESS_MM = 15;
+    /** Greatest depth of the insertion on rib 12 below the arcuate ligaments, mm: the middle of L2. */
+    private static final double BELOW_ARCUATE_MM = 15;
     /** Half-breadth of the crura in front of the vertebral bodies, mm. */
-    private static final double CRUS_MM = 20;
+    private static final double CRUS_MM = 24;
     /** Share of a rib's vertices that form its tip. */
     private static final double TIP_SHARE = 0.04;
 
@@ -112,14 +114,15 @@ public final class InsertionLine {
             double a = (i + 0.5) / SECTORS * 2 * Math.PI - Math.PI;
             boolean onMargin = a * sign > from + MARGIN_RAD && a * sign < Math.PI - MARGIN_RAD;
             if (onMargin && lowest[i] < Double.POSITIVE_INFINITY) {
-                corners.add(new double[] {a, lowest[i] + ABOVE_MARGIN_MM});
+                corners.add(new double[] {a, lowest[i] - BELOW_MARGIN_MM});
             }
         }
         eleven.ifPresent(corners::add);
         Optional<double[]> process = process(body, side);
         twelve.filter(c -> Math.abs(c[0]) < from - MARGIN_RAD)
                 .map(c -> new double[] {
-                    c[0], Math.max(c[1], process.map(p -> p[1] - BELOW_PROCESS_MM).orElse(c[1]))
+                    c[0],
+                    Math.max(c[1], process.map(p -> p[1] - BELOW_ARCUATE_MM).orElse(c[1]))
                 })
                 .ifPresent(corners::add);
         return from;
@@ -160,7 +163,7 @@ public final class InsertionLine {
         });
     }
 
-    /** Azimuth and height of the tip of the transverse process of L1. */
+    /** Azimuth and height of the arcuate ligaments at the tip of the transverse process of L1. */
     private Optional<double[]> process(Thorax body, Side side) {
         return vertebra(body, 1).map(mesh -> {
             double[] box = mesh.bounds();
@@ -175,7 +178,7 @@ public final class InsertionLine {
                     count++;
                 }
             }
-            return new double[] {cage.azimuth(x, y / count), z / count};
+            return new double[] {cage.azimuth(x, y / count), z / count - BELOW_PROCESS_MM};
         });
     }
 

@@ -8,33 +8,37 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 
-/** Organ vertices that lie beyond the face of the diaphragm that they should lie before. */
+/** Organ vertices that lie beyond the middle of the diaphragm, on the side where they do not belong. */
 final class OrganSides {
     /** Vertices farther beyond are counted, mm. */
     static final double THROUGH_MM = 3;
 
     private final Diaphragm diaphragm;
-    private final int[] faceTriangles;
     private final double[] normals;
     private final TriangleTree tree;
+    private final TriangleTree otherFace;
+    private final TriangleTree.Hit opposite = new TriangleTree.Hit();
     private int count;
     private double greatest;
 
     /** @param thoracic whether the organs belong above the thoracic face; else below the abdominal face */
     OrganSides(Diaphragm diaphragm, boolean thoracic, List<Structure> organs) {
         this.diaphragm = diaphragm;
+        TriangleMesh face = face(thoracic);
+        normals = MeshMeasure.vertexNormals(face);
+        tree = new TriangleTree(face);
+        otherFace = new TriangleTree(face(!thoracic));
+        organs.forEach(organ -> measure(organ.mesh()));
+    }
+
+    private TriangleMesh face(boolean thoracic) {
         TriangleMesh sheet = diaphragm.sheet();
-        faceTriangles = IntStream.range(0, sheet.triangleCount())
+        int[] corners = IntStream.range(0, sheet.triangleCount())
                 .filter(t -> diaphragm.isThoracicTriangle(t) == thoracic)
-                .toArray();
-        int[] corners = IntStream.of(faceTriangles)
                 .flatMap(t -> IntStream.range(3 * t, 3 * t + 3))
                 .map(c -> sheet.triangles()[c])
                 .toArray();
-        TriangleMesh face = new TriangleMesh(sheet.positions(), corners);
-        normals = MeshMeasure.vertexNormals(face);
-        tree = new TriangleTree(face);
-        organs.forEach(organ -> measure(organ.mesh()));
+        return new TriangleMesh(sheet.positions(), corners);
     }
 
     private void measure(TriangleMesh organ) {
@@ -65,7 +69,10 @@ final class OrganSides {
                             + normals[3 * v + 1] * (y - hit.y)
                             + normals[3 * v + 2] * (z - hit.z));
         }
-        return out < 0 ? Math.sqrt(hit.distanceSquared) : 0;
+        if (out >= 0 || !otherFace.closest(hit.x, hit.y, hit.z, opposite)) {
+            return 0;
+        }
+        return Math.max(0, Math.sqrt(hit.distanceSquared) - 0.5 * Math.sqrt(opposite.distanceSquared));
     }
 
     int count() {

@@ -27,10 +27,10 @@ import org.phrenic.mesh.query.TriangleTree;
  *
  * <ul>
  *   <li>Outside the cage: distance of vertices beyond {@link CageEnvelope}.
- *   <li>Insertion: distance of the vertices of the insertion in front of the tip of rib 11 to cartilages 6 to 10, ribs 7 to 12 and
- *       sternum.
+ *   <li>Insertion: distance of the vertices of the insertion in front of the tip of rib 11 to cartilages 6 to 10, ribs
+ *       7 to 12 and sternum.
  *   <li>Wall: distance of the apposed vertices of the thoracic face from the envelope.
- *   <li>Wrong side: organ vertices more than 3 mm beyond the face that they should lie before.
+ *   <li>Wrong side: organ vertices more than 3 mm beyond the middle of the sheet.
  *   <li>Triangles: self-intersections, smallest angle, longest over shortest edge.
  * </ul>
  */
@@ -80,7 +80,8 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
             return Optional.empty();
         }
         try {
-            return Optional.of(new Measuring(body, largestShell(sheets.get(0).mesh()), new CageEnvelope(body)).result());
+            return Optional.of(
+                    new Measuring(body, largestShell(sheets.get(0).mesh()), new CageEnvelope(body)).result());
         } catch (IllegalArgumentException e) {
             return Optional.empty();
         }
@@ -205,8 +206,7 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
             TriangleTree.Hit hit = new TriangleTree.Hit();
             double from = new InsertionLine(body, cage).marginAzimuth();
             return IntStream.range(0, sheet.vertexCount())
-                    .filter(v ->
-                            diaphragm.isInserted(v) && Math.abs(cage.azimuth(sheet.x(v), sheet.y(v))) > from)
+                    .filter(v -> diaphragm.isInserted(v) && Math.abs(cage.azimuth(sheet.x(v), sheet.y(v))) > from)
                     .mapToDouble(v -> tree.closest(sheet.x(v), sheet.y(v), sheet.z(v), hit)
                             ? Math.sqrt(hit.distanceSquared)
                             : Double.POSITIVE_INFINITY)
