@@ -11,7 +11,7 @@ import org.phrenic.mesh.TriangleMesh;
 
 /**
  * Elliptic sections of the parts of the trunk that have no structures of their own: the neck above the first thoracic
- * vertebra and, in a body without bowel, the abdomen below the costal margin.
+ * vertebra and, in a body without bowel or skin, the abdomen below the costal margin.
  *
  * @param z height, mm
  * @param a half the breadth, mm
@@ -47,13 +47,15 @@ record TrunkSection(double z, double x, double y, double a, double b) {
     }
 
     private static void abdomen(List<Structure> body, List<TrunkSection> all) {
-        boolean bowel =
-                body.stream().anyMatch(s -> s.name().equals("colon") || s.name().equals("small_bowel"));
+        boolean filled = body.stream()
+                .anyMatch(s -> s.kind() == StructureKind.SKIN
+                        || s.name().equals("colon")
+                        || s.name().equals("small_bowel"));
         Optional<double[]> cage = box(body.stream()
                 .filter(s -> s.kind() == StructureKind.RIB || s.kind() == StructureKind.COSTAL_CARTILAGE)
                 .filter(s -> s.level() >= 7 && s.level() <= 10));
         Optional<double[]> t12 = box(body.stream().filter(s -> s.kind() == StructureKind.VERTEBRA && s.level() == T12));
-        if (bowel || cage.isEmpty() || t12.isEmpty()) {
+        if (filled || cage.isEmpty() || t12.isEmpty()) {
             return;
         }
         double[] c = cage.get();
