@@ -2,6 +2,7 @@ package org.phrenic.simulation;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.cage.LinearBlendSkinning;
@@ -11,9 +12,11 @@ import org.phrenic.engine.kinematics.HelicalBody;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.model.organ.LiverPart;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.LungMeasure;
 import org.phrenic.simulation.observe.Observation;
+import org.phrenic.simulation.observe.OrganMotion;
 import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.SceneObserver;
 import org.phrenic.simulation.observe.SceneOverlays;
@@ -26,6 +29,9 @@ public final class SceneSurfaces {
     private interface VertexSource {
         double[] positionsAt(double time, double[] now);
     }
+
+    /** Organs that are fixed to the spine or the neck. */
+    private static final Set<String> STILL_ORGANS = Set.of("spinal_cord", "thyroid_gland", "oesophagus", "esophagus");
 
     private final Simulation simulation;
     private final Scene scene;
@@ -103,6 +109,7 @@ public final class SceneSurfaces {
             case STERNUM -> addRigid(s, scene.pose().cage().sternum());
             case COSTAL_CARTILAGE -> addBlended(s);
             case SKIN -> deforming(s, new SkinMotion(scene, s, bones())::at);
+            case ORGAN, LESION -> addFollowing(s);
             default -> addRigid(s, RibCage.TRUNK);
         }
     }
@@ -123,6 +130,29 @@ public final class SceneSurfaces {
             motion.at(time, p, v);
             return p;
         });
+    }
+
+    /** Adds an organ without nodes, which follows the liver if it belongs to it, otherwise the diaphragm. */
+    private void addFollowing(Structure s) {
+        boolean ofLiver = s.kind() == StructureKind.LESION || s.name().equals("gallbladder");
+        if (STILL_ORGANS.contains(s.name())) {
+            addRigid(s, RibCage.TRUNK);
+        } else if (ofLiver && scene.liver().isPresent()) {
+            LiverPart liver = scene.liver().get();
+            OrganMotion motion = new OrganMotion(
+                    s.mesh().positions(), liver.positions(scene.restPositions(), scene.restPositions()));
+            deforming(s, (time, at) -> motion.at(liver.positions(scene.restPositions(), at)));
+        } else {
+            DiaphragmPart part = scene.diaphragm();
+            int from = 3 * part.firstNode;
+            double[] sheet = new double[3 * part.diaphragm.sheet().vertexCount()];
+            System.arraycopy(scene.restPositions(), from, sheet, 0, sheet.length);
+            OrganMotion motion = new OrganMotion(s.mesh().positions(), sheet);
+            deforming(s, (time, at) -> {
+                System.arraycopy(at, from, sheet, 0, sheet.length);
+                return motion.at(sheet);
+            });
+        }
     }
 
     private SkinningWeights bones() {
