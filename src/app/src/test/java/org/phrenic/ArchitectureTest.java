@@ -38,7 +38,7 @@ class ArchitectureTest {
         declare("anatomy", "document engine file mesh");
         declare("breathing", "document engine file");
         declare("model", "anatomy breathing document engine file mesh parameter");
-        declare("scenario", "anatomy breathing document engine file model parameter");
+        declare("scenario", "anatomy breathing document engine file mesh model parameter");
         declare("simulation", "anatomy breathing document engine file mesh model parameter scenario");
         declare("patient", "anatomy document engine file mesh");
         declare("fit", "anatomy document engine file mesh model parameter patient scenario simulation");

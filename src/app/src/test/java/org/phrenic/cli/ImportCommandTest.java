@@ -50,13 +50,14 @@ class ImportCommandTest {
     }
 
     @Test
-    void aTableSaysWhichLabelsCount() {
+    void aTableSaysWhichLabelsAreLeftOut() throws IOException {
         Path out = folder.resolve("two");
+        Path table = Files.writeString(folder.resolve("some.csv"), "label,structure\n1,lungs\n5,ignore\n");
         CommandLineRun run = CommandLineRun.of(
                 "import",
                 volume.toString(),
                 "--labels",
-                map.toString(),
+                table.toString(),
                 "--out",
                 out.toString(),
                 "--json",

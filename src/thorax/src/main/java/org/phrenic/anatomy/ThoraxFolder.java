@@ -21,6 +21,7 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.ConnectedComponents;
 import org.phrenic.mesh.edit.MeshRepair;
 import org.phrenic.mesh.io.MeshFiles;
+import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 
 /**
  * Reads a thorax from a folder of meshes. An optional {@code thorax.yaml} states {@code name}, {@code axes},
@@ -54,6 +55,7 @@ public final class ThoraxFolder {
 
     /** @throws BadInputException if the folder or a file in it cannot be read or has invalid content */
     public static Thorax load(Path folder) {
+        LabelVolumeFiles.refuse(folder, "a folder of meshes");
         if (!Files.isDirectory(folder)) {
             throw new BadInputException(folder + ": no such folder, expected a folder of meshes");
         }

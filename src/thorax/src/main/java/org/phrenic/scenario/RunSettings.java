@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.document.YamlMap;
+import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.NumberSetting;
@@ -72,6 +73,7 @@ public final class RunSettings {
         Path path = ParsedSetting.path(yaml, key, folder);
         if (!Files.isDirectory(path)) {
             String expected = String.join(", ", VIRTUAL_BODIES) + " or a folder of meshes";
+            LabelVolumeFiles.refuse(path, expected);
             throw yaml.bad(key, "found no folder '" + found + "', expected " + expected);
         }
         return path.toString();

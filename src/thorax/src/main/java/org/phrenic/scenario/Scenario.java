@@ -15,6 +15,7 @@ import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.assembly.TissueMaterial;
 import org.phrenic.model.material.Materials;
@@ -49,6 +50,7 @@ public final class Scenario implements SettingValues {
      * @throws BadInputException with one sentence that names file, line and key
      */
     public static Scenario read(Path file) {
+        LabelVolumeFiles.refuse(file, "a scenario");
         YamlMap yaml = YamlDocument.read(file);
         if (yaml.keys().isEmpty()) {
             throw new BadInputException(file + ": found no keys, expected 'key: value' lines such as 'preset: quiet'");

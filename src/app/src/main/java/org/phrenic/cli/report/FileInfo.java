@@ -56,6 +56,7 @@ public final class FileInfo {
         if (Files.isDirectory(file)) {
             info.put("kind", "thorax");
             putThorax(info, ThoraxFolder.load(file));
+            ScanInfo.putImport(info, file);
         } else if (name.endsWith(".yaml") || name.endsWith(".yml")) {
             info.put("kind", "scenario");
             putScenario(info, Scenario.read(file), YamlDocument.read(file).keys());
@@ -120,6 +121,7 @@ public final class FileInfo {
             }
         }
         info.put("labels_ml", labels);
+        ScanInfo.putLabels(info, volume);
         info.put("notes", volume.notes());
     }
 
@@ -204,13 +206,30 @@ public final class FileInfo {
 
     /** The result of {@link #of} as text: a heading, then one line per value. */
     public static String text(Map<String, Object> info) {
-        TextTable table = new TextTable(false, false, false);
+        StringBuilder text = new StringBuilder(info.get("file") + ": " + info.get("kind") + "\n");
+        TextTable[] table = {new TextTable(false, false, false)};
         info.forEach((key, value) -> {
-            if (!key.equals("file") && !key.equals("kind")) {
-                append(table, "  " + key, value);
+            List<String> lines = lines(value);
+            if (!lines.isEmpty()) {
+                // Sentences would widen the columns.
+                text.append(table[0].text()).append("  ").append(key).append('\n');
+                lines.forEach(line -> text.append("    ").append(line).append('\n'));
+                table[0] = new TextTable(false, false, false);
+            } else if (!key.equals("file") && !key.equals("kind") && !key.equals("labels_ml")) {
+                // The rows of labels state their volumes too.
+                append(table[0], "  " + key, value);
             }
         });
-        return info.get("file") + ": " + info.get("kind") + "\n" + table.text();
+        return text.append(table[0].text()).toString();
+    }
+
+    /** A list of sentences or of labels as lines; empty for any other value. */
+    private static List<String> lines(Object value) {
+        return value instanceof List<?> list && list.stream().anyMatch(i -> i instanceof String || i instanceof Map)
+                ? list.stream()
+                        .map(item -> item instanceof Map<?, ?> label ? ScanInfo.line(label) : item.toString())
+                        .toList()
+                : List.of();
     }
 
     private static void append(TextTable table, String label, Object value) {
@@ -220,9 +239,6 @@ public final class FileInfo {
         } else if (value instanceof Map<?, ?> map) {
             table.row(label, "", "");
             map.forEach((key, item) -> append(table, "  " + label.substring(0, 2) + key, item));
-        } else if (value instanceof List<?> list && list.stream().anyMatch(item -> item instanceof String)) {
-            table.row(label, "", "");
-            list.forEach(item -> table.row("    " + item, "", ""));
         } else if (value instanceof List<?> list) {
             String items = list.stream().map(QuantityKey::format).collect(Collectors.joining("  "));
             table.row(label, items.isEmpty() ? "none" : items, "");

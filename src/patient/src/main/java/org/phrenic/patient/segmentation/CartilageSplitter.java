@@ -15,6 +15,8 @@ public final class CartilageSplitter {
     private static final int CARTILAGES = 10;
     /** Maximum gap between rib and cartilage, in voxels. */
     private static final int GAP = 2;
+    /** Share of the cartilage left out from which a note is made. */
+    private static final double NOTED_SHARE = 0.01;
     /** Largest distance of a loose piece of cartilage from its rib, mm. */
     private static final double REACH_MM = 15;
     /** Number of voxels of a loose piece from which distances are measured. */
@@ -60,7 +62,7 @@ public final class CartilageSplitter {
                 segmentation.voxels[region.voxel(cell)] = segment[mark];
             }
         }
-        return lost == 0
+        return lost < NOTED_SHARE * total
                 ? Optional.empty()
                 : Optional.of(String.format(
                         Locale.ROOT,

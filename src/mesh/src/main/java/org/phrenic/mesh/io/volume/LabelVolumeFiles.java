@@ -46,6 +46,19 @@ public final class LabelVolumeFiles {
         throw new BadInputException(file + ": found another ending, expected one of " + String.join(", ", READABLE));
     }
 
+    /**
+     * Refuses a label volume where something else is expected.
+     *
+     * @param expected such as "a scenario"
+     * @throws BadInputException if the file has the extension of a volume and is no folder
+     */
+    public static void refuse(Path file, String expected) {
+        if (isVolume(file) && !Files.isDirectory(file)) {
+            throw new BadInputException(file + ": found a label volume, expected " + expected
+                    + "; phrenic import makes a thorax folder of it: phrenic import " + file + " --out patient");
+        }
+    }
+
     private interface Format {
         LabelVolume read(Path file, BufferedInputStream in) throws IOException;
     }
