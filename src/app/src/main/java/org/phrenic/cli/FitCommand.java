@@ -3,6 +3,7 @@ package org.phrenic.cli;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.cli.option.OptionValues;
@@ -19,8 +20,11 @@ import org.phrenic.fit.FitReport;
 import org.phrenic.fit.FitResult;
 import org.phrenic.fit.FitSetup;
 import org.phrenic.fit.FitTarget;
+import org.phrenic.fit.LandmarkTable;
+import org.phrenic.fit.Landmarks;
 import org.phrenic.fit.SyntheticPatient;
 import org.phrenic.fit.SyntheticStudy;
+import org.phrenic.fit.TargetAlignment;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.fit.search.FitSearch;
 import org.phrenic.scenario.Assignment;
@@ -88,6 +92,13 @@ final class FitCommand extends ReportingCommand {
             description = "What to tune and how far, instead of the usual.")
     private List<String> tune = new ArrayList<>();
 
+    @Option(
+            names = "--landmarks",
+            paramLabel = "FILE",
+            description = "Pairs of points inside the lungs (csv), at both levels and each in the axes of its scan, to"
+                    + " report on.")
+    private Path landmarks;
+
     @Option(names = "--out", paramLabel = "DIR", required = true, description = "Folder for the report.")
     private Path out;
 
@@ -144,9 +155,12 @@ final class FitCommand extends ReportingCommand {
                 ? Double.POSITIVE_INFINITY
                 : MINUTE_S * OptionValues.number("--minutes", minutes, 0, 1e5);
         FitSearch.Settings search = new FitSearch.Settings(seed(), size, evaluations(), limitS);
-        String alignment = "none: the targets are taken to be in the axes of the body";
-        FitSetup.Options options =
-                new FitSetup.Options(heldOut.contains(HALF), alignment, search, threads(), !noSensitivity);
+        TargetAlignment alignment = TargetAlignment.beside(targets.stream()
+                .map(t -> Path.of(t.substring(t.indexOf('=') + 1)))
+                .toList());
+        Optional<Landmarks> inside = Optional.ofNullable(landmarks).map(file -> Landmarks.read(file, alignment));
+        FitSetup.Options options = new FitSetup.Options(
+                heldOut.contains(HALF), alignment.sentence(), search, threads(), !noSensitivity, inside);
         FitSetup setup = new FitSetup(base, body, read, parameters, options);
         body.notes().forEach(printer::note);
         FitResult result = Fit.run(setup, out.resolve("journal.csv"), printer);
@@ -157,11 +171,17 @@ final class FitCommand extends ReportingCommand {
         writePages(out, "report", report.document(pictures));
         print(report.values(), () -> {
             String distances = TextTable.of(FitReport.DISTANCES, report.distances());
+            String carried = result.landmarks().map(FitCommand::inside).orElse("");
             String tuned = TextTable.of(FitReport.PARAMETERS, report.parameters());
             String limits = String.join("\n", report.limits());
-            return withDisclaimer(String.join("\n", distances, tuned, report.summary(), limits));
+            return withDisclaimer(String.join("\n", distances, carried + tuned, report.summary(), limits));
         });
         return ExitCode.SUCCESS;
+    }
+
+    private static String inside(Landmarks.Errors errors) {
+        LandmarkTable table = new LandmarkTable(errors);
+        return TextTable.of(LandmarkTable.COLUMNS, table.rows()) + table.shifts() + "\n\n";
     }
 
     private int synthetic(ConsoleProgress printer) {

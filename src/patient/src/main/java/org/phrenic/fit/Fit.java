@@ -215,6 +215,7 @@ public final class Fit {
                 initialMm,
                 found.trials().get(0).value(),
                 targets,
+                setup.options().landmarks().map(l -> l.errors(breath)),
                 effects,
                 observed,
                 scenario,

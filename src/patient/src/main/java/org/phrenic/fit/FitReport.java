@@ -159,6 +159,12 @@ public record FitReport(FitResult result) {
                     "Distance from the target: the body at end-expiration, and as fitted, in one scale.",
                     pictures.toArray(Picture[]::new));
         }
+        result.landmarks().ifPresent(errors -> {
+            LandmarkTable table = new LandmarkTable(errors);
+            page.section("Inside the lungs");
+            page.paragraph(table.shifts());
+            page.table("", LandmarkTable.COLUMNS, table.rows());
+        });
         page.section("Parameters");
         page.paragraph(
                 "A step is a twentieth of the way between the bounds (by the logarithm where they are far apart);"
@@ -216,6 +222,11 @@ public record FitReport(FitResult result) {
                         IntStream.range(0, result.values().length)
                                 .mapToObj(this::parameterValues)
                                 .toList())
+                .with(
+                        "landmarks",
+                        result.landmarks()
+                                .map(e -> new LandmarkTable(e).values())
+                                .orElse(null))
                 .with("observed", result.observed());
     }
 
@@ -253,7 +264,10 @@ public record FitReport(FitResult result) {
     }
 
     private static OrderedValues values(FitDistances distances) {
-        DistanceSummary d = distances.summary();
+        return values(distances.summary());
+    }
+
+    static OrderedValues values(DistanceSummary d) {
         return new OrderedValues()
                 .with("mean_mm", d.mean())
                 .with("sd_mm", d.deviation())

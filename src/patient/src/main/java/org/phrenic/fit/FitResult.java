@@ -2,6 +2,7 @@ package org.phrenic.fit;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.scenario.Scenario;
 
@@ -12,6 +13,7 @@ import org.phrenic.scenario.Scenario;
  * @param bestMm objective of the fitted body, mm: the weighted mean distance from the targets
  * @param initialMm objective at end-expiration, mm
  * @param untunedMm objective at the start of the search, mm
+ * @param landmarks errors inside the lungs, if there are landmarks
  * @param sensitivity effect of each parameter near the fitted values; empty if not requested
  * @param observed observables of the fitted body by name
  * @param scenario scenario with which {@code phrenic run} reaches the same state
@@ -25,6 +27,7 @@ public record FitResult(
         double initialMm,
         double untunedMm,
         List<TargetResult> targets,
+        Optional<Landmarks.Errors> landmarks,
         List<Effect> sensitivity,
         Map<String, Double> observed,
         Scenario scenario,

@@ -3,6 +3,7 @@ package org.phrenic.fit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.Hashes;
 import org.phrenic.fit.search.FitParameter;
@@ -25,13 +26,25 @@ public record FitSetup(
      * @param holdOutHalf whether only one half of every surface is fitted; the other half is only reported
      * @param alignment how the targets were aligned with the axes of the body, as a sentence
      * @param threads number of bodies simulated in parallel; the result does not depend on it
+     * @param landmarks pairs of points inside the lungs to report on
      * @param sensitivity whether the effect of each parameter near the fitted values is reported
      */
     public record Options(
-            boolean holdOutHalf, String alignment, FitSearch.Settings search, int threads, boolean sensitivity) {
+            boolean holdOutHalf,
+            String alignment,
+            FitSearch.Settings search,
+            int threads,
+            boolean sensitivity,
+            Optional<Landmarks> landmarks) {
+        /** Options without landmarks. */
+        public Options(
+                boolean holdOutHalf, String alignment, FitSearch.Settings search, int threads, boolean sensitivity) {
+            this(holdOutHalf, alignment, search, threads, sensitivity, Optional.empty());
+        }
+
         /** Options for targets that are already aligned with the body, without a held-out half. */
         public Options(FitSearch.Settings search, int threads, boolean sensitivity) {
-            this(false, "none: the targets are taken to be in the axes of the body", search, threads, sensitivity);
+            this(false, TargetAlignment.NONE.sentence(), search, threads, sensitivity);
         }
     }
 

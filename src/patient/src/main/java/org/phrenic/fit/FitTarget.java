@@ -20,8 +20,8 @@ import org.phrenic.patient.registration.DiaphragmaticSurface;
  * @param weight weight relative to other targets; 0 if the target is only reported
  */
 public record FitTarget(String name, FitPart part, TriangleMesh surface, double[] from, double[] to, double weight) {
-    private static final String[] FROM = {"x_mm", "y_mm", "z_mm"};
-    private static final String[] TO = {"to_x_mm", "to_y_mm", "to_z_mm"};
+    static final String[] FROM = {"x_mm", "y_mm", "z_mm"};
+    static final String[] TO = {"to_x_mm", "to_y_mm", "to_z_mm"};
 
     public FitTarget {
         if (from.length != to.length || from.length % 3 != 0) {
@@ -105,7 +105,7 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
         return of(part, mesh);
     }
 
-    private static double[] points(CsvTable table, String[] columns) {
+    static double[] points(CsvTable table, String[] columns) {
         double[] out = new double[3 * table.rowCount()];
         for (int axis = 0; axis < 3; axis++) {
             double[] column = table.numbers(columns[axis]);

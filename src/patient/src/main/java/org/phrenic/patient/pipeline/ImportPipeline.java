@@ -1,6 +1,7 @@
 package org.phrenic.patient.pipeline;
 
 import java.nio.file.Path;
+import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
@@ -29,11 +30,12 @@ public final class ImportPipeline {
         PatientBody scanned = new ScanImport(volume, file, MeshingSettings.PAPER, request.edgeMm(), progress)
                 .run(table(request, volume, progress), request.name());
         if (request.alignTo().isPresent()) {
-            return ImportResult.of(file, volume.grid(), aligned(request, scanned));
+            ScanAlignment.Aligned aligned = aligned(request, scanned);
+            return ImportResult.of(file, volume.grid(), aligned.body(), Optional.of(aligned.alignment()));
         }
         PatientBody body =
                 request.template().map(t -> completed(scanned, t, progress)).orElse(scanned);
-        ImportResult result = ImportResult.of(file, volume.grid(), body);
+        ImportResult result = ImportResult.of(file, volume.grid(), body, Optional.empty());
         if (request.template().isPresent()) {
             result.quality().flatMap(SheetQuality::refusal).ifPresent(why -> {
                 throw new BadInputException(file + ": " + why);
@@ -61,7 +63,7 @@ public final class ImportPipeline {
         return SkinEnvelope.complete(DiaphragmCompletion.complete(completed));
     }
 
-    private static PatientBody aligned(ImportRequest request, PatientBody scanned) {
+    private static ScanAlignment.Aligned aligned(ImportRequest request, PatientBody scanned) {
         Thorax first = request.alignTo().orElseThrow();
         try {
             return ScanAlignment.aligned(first, scanned);

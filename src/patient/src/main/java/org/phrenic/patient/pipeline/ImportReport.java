@@ -2,7 +2,9 @@ package org.phrenic.patient.pipeline;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import org.phrenic.document.OrderedValues;
+import org.phrenic.engine.kinematics.RigidMotion;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.query.DistanceSummary;
@@ -10,6 +12,7 @@ import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 import org.phrenic.patient.diaphragm.SheetQuality;
+import org.phrenic.patient.registration.ScanAlignment;
 
 /** The report of an import: the structures built from a volume, and their accuracy. */
 final class ImportReport {
@@ -30,7 +33,23 @@ final class ImportReport {
                 .with("missing", body.missing())
                 .with("can_breathe", body.canBreathe());
         result.quality().ifPresent(quality -> report.with("diaphragm_quality", quality(quality)));
+        result.alignment().ifPresent(a -> report.with("alignment", alignment(a)));
         return report.with("notes", body.notes());
+    }
+
+    private static OrderedValues alignment(ScanAlignment a) {
+        RigidMotion m = a.motion();
+        return new OrderedValues()
+                .with("fixed_part", a.fixedPart().label())
+                .with("turn_deg", a.rotationDeg())
+                .with(
+                        "rotation",
+                        IntStream.range(0, 9)
+                                .mapToObj(i -> m.rotation(i / 3, i % 3))
+                                .toList())
+                .with("translation_mm", List.of(m.translation(0), m.translation(1), m.translation(2)))
+                .with("residual_rms_mm", a.residual().rms())
+                .with("inlier_residual_rms_mm", a.inlierResidual().rms());
     }
 
     private static OrderedValues quality(SheetQuality quality) {

@@ -7,22 +7,30 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.diaphragm.SheetQuality;
+import org.phrenic.patient.registration.ScanAlignment;
 
 /**
  * An imported body.
  *
  * @param file name of the volume, for messages and reports
  * @param grid voxel grid of the volume
+ * @param alignment how a second scan was brought to the body of a first one; empty if it was not
  * @param quality quality of the diaphragm; empty if the body has none, or no cage that it could be measured against
  */
-public record ImportResult(String file, LabelGrid grid, PatientBody body, Optional<SheetQuality> quality) {
+public record ImportResult(
+        String file,
+        LabelGrid grid,
+        PatientBody body,
+        Optional<ScanAlignment> alignment,
+        Optional<SheetQuality> quality) {
     /** Measures the diaphragm of the body and adds a note if it is beyond a limit. */
-    static ImportResult of(String file, LabelGrid grid, PatientBody body) {
+    static ImportResult of(String file, LabelGrid grid, PatientBody body, Optional<ScanAlignment> alignment) {
         Optional<SheetQuality> quality = SheetQuality.of(body.thorax());
         return new ImportResult(
                 file,
                 grid,
                 body.withNotes(quality.flatMap(SheetQuality::warning).stream().toList()),
+                alignment,
                 quality);
     }
 

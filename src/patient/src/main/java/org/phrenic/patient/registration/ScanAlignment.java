@@ -48,6 +48,9 @@ public record ScanAlignment(
         }
     }
 
+    /** A second scan in the axes of a first one, and how it came there. */
+    public record Aligned(PatientBody body, ScanAlignment alignment) {}
+
     private static final int MIN_VERTEBRAE = 2;
     /** The apex is this upper fraction of the height of a lung. */
     private static final double APEX = 0.12;
@@ -131,7 +134,7 @@ public record ScanAlignment(
      *
      * @throws IllegalArgumentException if the scans share neither a spine nor a lung
      */
-    public static PatientBody aligned(Thorax first, PatientBody second) {
+    public static Aligned aligned(Thorax first, PatientBody second) {
         ScanAlignment alignment = of(first, second.thorax());
         PointTransform motion = alignment.motion::apply;
         PatientBody body = new PatientBody(
@@ -141,23 +144,26 @@ public record ScanAlignment(
                         .toList(),
                 second.missing(),
                 second.notes());
-        DistanceSummary inliers = alignment.inlierResidual;
-        DistanceSummary all = alignment.residual;
-        List<String> notes = new ArrayList<>(List.of(String.format(
-                Locale.ROOT,
-                "brought rigidly to %s by %s, turned by %.2f deg: of its %d points the nearer 70 %% lie %.2f mm apart"
-                        + " (rms), all %.2f mm (median %.2f)",
-                first.name(),
-                alignment.fixedPart.label,
-                alignment.rotationDeg(),
-                all.points(),
-                inliers.rms(),
-                all.rms(),
-                all.median())));
+        List<String> notes = new ArrayList<>(List.of(alignment.sentence(first.name())));
         LungDistances.between(first, body.thorax())
                 .forEach((side, d) -> notes.add("lungs, " + side + ", off " + first.name() + ": whole "
                         + text(d.whole()) + ", base " + text(d.base())));
-        return body.withNotes(notes);
+        return new Aligned(body.withNotes(notes), alignment);
+    }
+
+    /** How a scan was brought to a body. */
+    public String sentence(String body) {
+        return String.format(
+                Locale.ROOT,
+                "brought rigidly to %s by %s, turned by %.2f deg: of its %d points the nearer 70 %% lie %.2f mm apart"
+                        + " (rms), all %.2f mm (median %.2f)",
+                body,
+                fixedPart.label,
+                rotationDeg(),
+                residual.points(),
+                inlierResidual.rms(),
+                residual.rms(),
+                residual.median());
     }
 
     private static String text(DistanceSummary d) {

@@ -106,9 +106,9 @@ public final class PatientStudy {
                     pair.expiration() + ": found no whole lung, expected lungs to make a body from");
         }
         Thorax body = expired.thorax();
-        PatientBody inspired;
+        ScanAlignment.Aligned aligned;
         try {
-            inspired = ScanAlignment.aligned(body, imported(pair.inspiration(), axes, pair.name()));
+            aligned = ScanAlignment.aligned(body, imported(pair.inspiration(), axes, pair.name()));
         } catch (IllegalArgumentException apart) {
             throw new BadInputException(
                     pair.expiration() + " and " + pair.inspiration() + ": " + apart.getMessage(), apart);
@@ -117,16 +117,14 @@ public final class PatientStudy {
         for (FitPart part : List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT)) {
             targets.add(FitTarget.of(
                     part,
-                    inspired.structure(part.label())
+                    aligned.body()
+                            .structure(part.label())
                             .orElseThrow(() -> new BadInputException(
                                     pair.inspiration() + ": found no " + part.label() + ", expected both lungs"))
                             .structure()
                             .mesh()));
         }
-        String alignment = inspired.notes().stream()
-                .filter(note -> note.startsWith("brought rigidly"))
-                .findFirst()
-                .orElseThrow();
+        String alignment = aligned.alignment().sentence(body.name());
         List<String> notes = new ArrayList<>(expired.notes());
         notes.add("end of inhale: " + alignment);
         return new Imported(pair.name(), body, targets, alignment, notes);

@@ -1,0 +1,67 @@
+package org.phrenic.fit;
+
+import java.util.List;
+import java.util.Locale;
+import org.phrenic.document.OrderedValues;
+import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.mesh.query.DistanceSummary;
+
+/** Errors of landmarks as a table, a sentence and JSON values. */
+public record LandmarkTable(Landmarks.Errors errors) {
+    /** Columns of {@link #rows}. */
+    public static final List<Column> COLUMNS = List.of(
+            Column.text("landmarks"),
+            Column.number("mean"),
+            Column.number("SD"),
+            Column.number("RMS"),
+            Column.number("95 %"),
+            Column.number("over aligned"));
+
+    /** Errors, mm, one row per way to predict the points. */
+    public List<List<String>> rows() {
+        return List.of(
+                row("as scanned", errors.scanned()),
+                row("scans aligned: no model", errors.rigid()),
+                row("aligned, less the mean displacement", errors.rigidLessMean()),
+                row("moved as the nearest surface", errors.nearest()),
+                row("carried by the fitted lung", errors.fitted()),
+                row("carried, less the mean error", errors.fittedLessMean()));
+    }
+
+    private List<String> row(String what, DistanceSummary d) {
+        double ratio = d.mean() / errors.rigid().mean();
+        return List.of(
+                what,
+                FitReport.mm(d.mean()),
+                FitReport.mm(d.deviation()),
+                FitReport.mm(d.rms()),
+                FitReport.mm(d.percentile95()),
+                String.format(Locale.ROOT, "%.3f", ratio));
+    }
+
+    /** The shift of the patient between the scans and the displacement that is left, as a sentence. */
+    public String shifts() {
+        Landmarks.Shifts shifts = errors.shifts();
+        return "Mean displacement of the landmarks (left, back, up): " + vector(shifts.byAlignment())
+                + " mm by the alignment, " + vector(shifts.left()) + " mm left; " + shifts.outside() + " of "
+                + errors.rigid().points() + " lie outside the lungs at end-expiration.";
+    }
+
+    private static String vector(double[] v) {
+        return String.format(Locale.ROOT, "%.1f, %.1f, %.1f", v[0], v[1], v[2]);
+    }
+
+    /** The errors as JSON values. */
+    OrderedValues values() {
+        return new OrderedValues()
+                .with("as_scanned", FitReport.values(errors.scanned()))
+                .with("aligned", FitReport.values(errors.rigid()))
+                .with("aligned_less_mean", FitReport.values(errors.rigidLessMean()))
+                .with("nearest_surface", FitReport.values(errors.nearest()))
+                .with("fitted", FitReport.values(errors.fitted()))
+                .with("fitted_less_mean", FitReport.values(errors.fittedLessMean()))
+                .with("shift_by_alignment_mm", errors.shifts().byAlignment())
+                .with("shift_left_mm", errors.shifts().left())
+                .with("outside", errors.shifts().outside());
+    }
+}
