@@ -1,5 +1,6 @@
 package org.phrenic.cli;
 
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -29,10 +30,9 @@ final class WindowCommand implements Callable<Integer> {
     @Override
     public Integer call() throws InterruptedException {
         if (!PhrenicWindow.isPossible()) {
-            spec.commandLine()
-                    .getErr()
-                    .println("No window can be opened here: found no display, expected one (phrenic run and phrenic"
-                            + " render need none).");
+            PrintWriter err = spec.commandLine().getErr();
+            err.println("No window can be opened here: found no display, expected one (phrenic run and phrenic render"
+                    + " need none).");
             return ExitCode.NO_GRAPHICS;
         }
         PhrenicWindow.open(Optional.ofNullable(file));

@@ -40,11 +40,9 @@ public final class FileOpener {
                     file + ": found nothing there, expected a scenario, a thorax folder or a trace");
         }
         String place = file.toAbsolutePath().normalize().toString();
-        if (Files.isDirectory(file)) {
-            return present.with(List.of(Assignment.read(file.toString(), "anatomy", place)));
-        }
-        if (hasSuffix(file, ".csv")) {
-            return present.with(List.of(Assignment.read(file.toString(), "trace", place)));
+        if (Files.isDirectory(file) || hasSuffix(file, ".csv")) {
+            String key = Files.isDirectory(file) ? "anatomy" : "trace";
+            return present.with(List.of(Assignment.read(file.toString(), key, place)));
         }
         if (isYaml(file)) {
             return Scenario.read(file);

@@ -48,8 +48,8 @@ final class MainToolBar extends JToolBar {
         deep = addTextButton(actions.deep);
         hold = addTextButton(actions.hold);
         addGroupSeparator();
-        JComboBox<String> views = new JComboBox<>(
-                actions.views.stream().limit(VIEWS).map(MenuAction::name).toArray(String[]::new));
+        JComboBox<String> views = new JComboBox<>();
+        actions.views.stream().limit(VIEWS).map(MenuAction::name).forEach(views::addItem);
         views.addActionListener(e -> actions.views.get(views.getSelectedIndex()).actionPerformed(e));
         addBox(views, "View", "From where to look");
         addGap();

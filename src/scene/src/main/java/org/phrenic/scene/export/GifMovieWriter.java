@@ -13,6 +13,7 @@ import javax.imageio.metadata.IIOMetadata;
 import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.phrenic.file.AtomicFile;
+import org.w3c.dom.Element;
 
 /**
  * Writes an animated GIF that loops forever. Each frame has its own palette, made by ImageIO. Frame delays are whole
@@ -55,8 +56,8 @@ public final class GifMovieWriter implements MovieWriter {
             throws IIOInvalidTreeException {
         IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(picture), null);
         IIOMetadataNode root = (IIOMetadataNode) metadata.getAsTree(FORMAT);
-        IIOMetadataNode control = (IIOMetadataNode)
-                root.getElementsByTagName("GraphicControlExtension").item(0);
+        Element control =
+                (Element) root.getElementsByTagName("GraphicControlExtension").item(0);
         control.setAttribute("delayTime", Long.toString(delay));
         control.setAttribute("disposalMethod", "none");
         if (first) {

@@ -64,9 +64,8 @@ public final class OffscreenContext implements AutoCloseable {
         try {
             return task.get(START_TIMEOUT_S, TimeUnit.SECONDS);
         } catch (TimeoutException e) {
-            throw new NoGraphicsException(
-                    "No pictures can be made here: the graphics driver did not answer within " + START_TIMEOUT_S + " s",
-                    e);
+            String sentence = "No pictures can be made here: the graphics driver did not answer within ";
+            throw new NoGraphicsException(sentence + START_TIMEOUT_S + " s", e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new NoGraphicsException("No pictures were made: starting the graphics was interrupted", e);

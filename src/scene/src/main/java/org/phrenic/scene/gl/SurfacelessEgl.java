@@ -24,6 +24,7 @@ final class SurfacelessEgl extends JNILibLoaderBase {
     /** NativeWindowFactory.TYPE_EGL, spelled out because that class reads the property below when it is loaded. */
     private static final String WINDOW_SYSTEM = ".egl";
 
+    private static final String NO_DISPLAY = "No pictures can be made here: there is no display, and ";
     private static final String UNKNOWN_VERSION =
             "No pictures can be made here: this version of JOGL cannot be told to draw without a display";
 
@@ -46,8 +47,7 @@ final class SurfacelessEgl extends JNILibLoaderBase {
         installSurfacelessDisplay();
         GLDrawableFactory factory = GLDrawableFactory.getEGLFactory();
         if (factory == null) {
-            throw new NoGraphicsException("No pictures can be made here: there is no display, and no EGL library"
-                    + " (libEGL) to draw without one");
+            throw new NoGraphicsException(NO_DISPLAY + "no EGL library (libEGL) to draw without one");
         }
         return factory;
     }
@@ -76,15 +76,11 @@ final class SurfacelessEgl extends JNILibLoaderBase {
         try {
             display = EGL.eglGetPlatformDisplay(PLATFORM_SURFACELESS_MESA, 0L, null);
         } catch (RuntimeException | LinkageError e) {
-            throw new NoGraphicsException(
-                    "No pictures can be made here: there is no display, and no EGL library (libEGL 1.5) to draw "
-                            + "without one",
-                    e);
+            throw new NoGraphicsException(NO_DISPLAY + "no EGL library (libEGL 1.5) to draw without one", e);
         }
         if (display == 0) {
             throw new NoGraphicsException(
-                    "No pictures can be made here: there is no display, and EGL has no driver that"
-                            + " draws without one (Mesa's libEGL is missing)");
+                    NO_DISPLAY + "EGL has no driver that draws without one (Mesa's libEGL is missing)");
         }
         try {
             Class<?> displays = Class.forName("jogamp.opengl.egl.EGLDisplayUtil");
@@ -93,9 +89,7 @@ final class SurfacelessEgl extends JNILibLoaderBase {
             initialize.setAccessible(true);
             only.setAccessible(true);
             if (!(boolean) initialize.invoke(null, display, new int[1], new int[1])) {
-                throw new NoGraphicsException(
-                        "No pictures can be made here: there is no display, and the driver of EGL does not "
-                                + "start without one");
+                throw new NoGraphicsException(NO_DISPLAY + "the driver of EGL does not start without one");
             }
             only.invoke(null, true);
             suppressShutdownWarning(displays);

@@ -18,15 +18,14 @@ final class ExercisePanel extends AccessPanel {
     private final JComboBox<String> exercise = Controls.describe(
             new JComboBox<>(), "Exercise", "What is rehearsed: free practice, or an exercise with a goal");
     private final WrappingLabel description = WrappingLabel.secondary("About the exercise");
-    private final JButton restart;
-    private final JButton demo;
+    private final JButton restart =
+            button("Begin again", "The same target again, from the start (R)", rehearsal::retry);
+    private final JButton demo = button("Show me", "Plays the exercise as an example", rehearsal::playExample);
     private final transient List<RehearsalPlan> exercises = new ArrayList<>(RehearsalPlan.exercises());
     private boolean updating;
 
     ExercisePanel(Session session, RehearsalController rehearsal) {
         super(rehearsal);
-        restart = button("Begin again", "The same target again, from the start (R)", rehearsal::retry);
-        demo = button("Show me", "Plays the exercise as an example", rehearsal::playExample);
         exercise.addItem("Practice: a target of your own");
         exercises.forEach(this::addExercise);
         exercise.addActionListener(e -> onSelection());

@@ -28,29 +28,23 @@ final class NeedlePanel extends AccessPanel {
             "Drag to insert or withdraw; so do the wheel over the view and the keys I and W");
     private final JLabel depthText = new JLabel("Not in the body");
     private final WrappingLabel error = WrappingLabel.emphasised("Tip to target");
-    private final JButton insert;
-    private final JButton withdraw;
-    private final JButton toTarget;
-    private final JButton aim;
-    private final JButton sample;
-    private final JButton remove;
+    private final transient NeedleController needle = rehearsal.needle();
+    private final JButton insert = button("Insert", "2 mm deeper (I, or the wheel)", () -> needle.moveBy(STEP_MM));
+    private final JButton withdraw = button("Withdraw", "2 mm back (W, or the wheel)", () -> needle.moveBy(-STEP_MM));
+    private final JButton toTarget = button("Go to target", "As deep as the target lies (G)", needle::moveToTarget);
+    private final JButton aim = button(
+            "Aim again",
+            "Point the needle at the present place of the target; not while the tip is in the liver (A)",
+            needle::aimAtTarget);
+    private final JButton sample = button("Take sample", "Take a sample where the tip is (X)", needle::takeSample);
+    private final JButton remove = button(
+            "Take out",
+            "Withdraw the needle all the way (O); after a sample the attempt ends with that",
+            () -> needle.moveTo(0));
     private boolean updating;
 
     NeedlePanel(Session session, RehearsalController rehearsal) {
         super(rehearsal);
-        NeedleController needle = rehearsal.needle();
-        insert = button("Insert", "2 mm deeper (I, or the wheel)", () -> needle.moveBy(STEP_MM));
-        withdraw = button("Withdraw", "2 mm back (W, or the wheel)", () -> needle.moveBy(-STEP_MM));
-        toTarget = button("Go to target", "As deep as the target lies (G)", needle::moveToTarget);
-        aim = button(
-                "Aim again",
-                "Point the needle at the present place of the target; not while the tip is in the liver (A)",
-                needle::aimAtTarget);
-        sample = button("Take sample", "Take a sample where the tip is (X)", needle::takeSample);
-        remove = button(
-                "Take out",
-                "Withdraw the needle all the way (O); after a sample the attempt ends with that",
-                () -> needle.moveTo(0));
         JComboBox<Double> speed = Controls.describe(
                 new JComboBox<>(SPEEDS_MM_PER_S), "Speed of the needle", "How fast the needle moves, mm per second");
         speed.setSelectedItem(50.0);
