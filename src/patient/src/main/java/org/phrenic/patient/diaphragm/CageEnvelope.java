@@ -138,7 +138,8 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
         TriangleTree.Hit hit = new TriangleTree.Hit();
         for (int k = 0; k < out.length; k++) {
             double azimuth = azimuth(k % SECTORS);
-            double[] far = point(azimuth, GREATEST_MM, bottom + k / SECTORS * LAYER_MM);
+            int layer = k / SECTORS;
+            double[] far = point(azimuth, GREATEST_MM, bottom + layer * LAYER_MM);
             boolean found = tree.nearestAlongRay(
                     far[0], far[1], far[2], -StrictMath.sin(azimuth), -StrictMath.cos(azimuth), 0, hit);
             double r = found ? GREATEST_MM - hit.rayParameter : 0;

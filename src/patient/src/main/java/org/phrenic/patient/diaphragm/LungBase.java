@@ -121,6 +121,6 @@ final class LungBase {
             return false;
         }
         double inward = normals[t] * (centre[0] - hit.x) + normals[t + 1] * (centre[1] - hit.y);
-        return normals[t + 2] < LEVEL || normals[t + 2] < STEEP && inward > 0;
+        return normals[t + 2] < LEVEL || (normals[t + 2] < STEEP && inward > 0);
     }
 }

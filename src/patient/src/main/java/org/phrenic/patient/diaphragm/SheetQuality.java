@@ -198,8 +198,8 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
         private double[] insertionDistances() {
             List<TriangleMesh> bones = body.structures().stream()
                     .filter(s -> s.kind() == StructureKind.STERNUM
-                            || s.kind() == StructureKind.COSTAL_CARTILAGE && s.level() >= 6
-                            || s.kind() == StructureKind.RIB && s.level() >= 7)
+                            || (s.kind() == StructureKind.COSTAL_CARTILAGE && s.level() >= 6)
+                            || (s.kind() == StructureKind.RIB && s.level() >= 7))
                     .map(Structure::mesh)
                     .toList();
             TriangleTree tree = new TriangleTree(MeshMerge.merge(bones));

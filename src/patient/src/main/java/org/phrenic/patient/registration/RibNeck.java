@@ -29,7 +29,7 @@ record RibNeck(double[] course, double lengthMm) {
 
     /** @param spine places the template at the vertebra of the rib */
     static RibNeck of(RibCourse template, PointTransform spine, RibCourse scan, CostovertebralJoint joint) {
-        int n = REACH_MM + (int) (SECTION_MM + DIRECTION_MM) * 2;
+        int n = REACH_MM + 2 * (int) (SECTION_MM + DIRECTION_MM);
         double[] line = new double[3 * n];
         for (int i = 0; i < n; i++) {
             System.arraycopy(template.at(i), 0, line, 3 * i, 3);

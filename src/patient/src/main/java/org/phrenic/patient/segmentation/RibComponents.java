@@ -199,7 +199,7 @@ final class RibComponents {
      * the greater part stays: two ribs may touch.
      */
     void relabelBleeding() {
-        TreeMap<Integer, Integer> totals = totals();
+        Map<Integer, Integer> totals = totals();
         for (Rib rib : ribs) {
             int dominant = rib.dominantSegment();
             for (int i = 0; i < rib.voxels.size(); i++) {
@@ -211,7 +211,7 @@ final class RibComponents {
         }
     }
 
-    private TreeMap<Integer, Integer> totals() {
+    private Map<Integer, Integer> totals() {
         TreeMap<Integer, Integer> totals = new TreeMap<>();
         ribs.forEach(rib -> rib.segments.forEach((segment, count) -> totals.merge(segment, count, Integer::sum)));
         return totals;
@@ -219,7 +219,7 @@ final class RibComponents {
 
     /** A segment whose voxels lie in two ribs, if there is one. */
     Optional<Integer> dividedSegment() {
-        TreeMap<Integer, Integer> totals = totals();
+        Map<Integer, Integer> totals = totals();
         return totals.keySet().stream()
                 .filter(segment -> ribs.stream()
                                 .filter(rib ->

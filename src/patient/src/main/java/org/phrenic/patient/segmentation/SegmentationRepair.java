@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.phrenic.anatomy.StructureKind;
@@ -125,8 +126,7 @@ public final class SegmentationRepair {
     }
 
     /** Decides which components of a segment are specks; bones in several pieces are entered to be joined. */
-    private void sort(
-            int segment, TreeMap<Integer, Integer> sizes, boolean[] kept, TreeMap<Integer, List<int[]>> pieces) {
+    private void sort(int segment, Map<Integer, Integer> sizes, boolean[] kept, Map<Integer, List<int[]>> pieces) {
         String name = s.names().get(segment - 1);
         boolean bone = isBone(name);
         if (sizes.size() < 2
@@ -151,7 +151,7 @@ public final class SegmentationRepair {
     }
 
     /** Clears specks and collects the voxels of the pieces of bones, the largest piece first. */
-    private void collect(VoxelRuns runs, boolean[] kept, TreeMap<Integer, List<int[]>> pieces) {
+    private void collect(VoxelRuns runs, boolean[] kept, Map<Integer, List<int[]>> pieces) {
         TreeMap<Integer, IntList> voxels = new TreeMap<>();
         TreeMap<Integer, Integer> segmentOf = new TreeMap<>();
         for (int run = 0; run < runs.count(); run++) {

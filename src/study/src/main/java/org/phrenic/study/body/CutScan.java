@@ -142,7 +142,7 @@ final class CutScan {
             Random random = new Random(SEED);
             for (int v = 0; v < labels.length; v++) {
                 boolean bone = (labels[v] & 0xff) > BEFORE_LEFT_RIB_1
-                        || (labels[v] & 0xff) < BEFORE_T1 && (labels[v] & 0xff) >= BEFORE_T1 - 17;
+                        || ((labels[v] & 0xff) < BEFORE_T1 && (labels[v] & 0xff) >= BEFORE_T1 - 17);
                 labels[v] = bone && random.nextDouble() < BodyCut.DROPPED_SHARE ? 0 : labels[v];
             }
         }
@@ -155,8 +155,9 @@ final class CutScan {
         for (int v = 0; v < labels.length; v++) {
             double[] head = heads[labels[v] & 0xff];
             if (head != null) {
-                grid.voxelToMm(
-                        v % grid.columns(), v / grid.columns() % grid.rows(), v / (grid.columns() * grid.rows()), at);
+                int row = v / grid.columns() % grid.rows();
+                int slice = v / (grid.columns() * grid.rows());
+                grid.voxelToMm(v % grid.columns(), row, slice, at);
                 labels[v] = squaredDistance(at, head, 0) < cut.ribsShortMm() * cut.ribsShortMm() ? 0 : labels[v];
             }
         }

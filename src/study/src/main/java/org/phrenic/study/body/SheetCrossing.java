@@ -139,7 +139,7 @@ final class SheetCrossing {
             faces.whole.closest(points[k], points[k + 1], points[k + 2], hit);
             int t = hit.triangle;
             boolean inside = signed != null && signed[i] < 0;
-            boolean ownSide = t < 0 || isAtBorder(hit) || !inside && diaphragm.isThoracic(corners[3 * t]) == above;
+            boolean ownSide = t < 0 || isAtBorder(hit) || (!inside && diaphragm.isThoracic(corners[3 * t]) == above);
             if (!ownSide
                     && (inside || isBehind(points, k, middle, faces.whole))
                     && own.closest(points[k], points[k + 1], points[k + 2], hit)) {

@@ -69,7 +69,9 @@ final class NiftiReader {
     }
 
     private LabelVolume volume(InputStream in, long size, boolean packed) throws IOException {
-        String magic = new String(header.array(), 344, 3, StandardCharsets.ISO_8859_1);
+        byte[] letters = new byte[3];
+        header.get(344, letters);
+        String magic = new String(letters, StandardCharsets.ISO_8859_1);
         if (magic.equals("ni1")) {
             throw bad(344, "found the header of a pair .hdr and .img, expected one .nii file");
         }

@@ -26,10 +26,10 @@ public final class NiftiWriter {
      */
     public static void write(Path file, LabelGrid grid) {
         boolean small = grid.counts().length <= LabelGrid.MAX_BYTE_LABEL + 1;
-        ByteBuffer header = header(grid, small);
+        byte[] header = header(grid, small);
         AtomicFile.write(file, out -> {
             try (OutputStream packed = new GZIPOutputStream(out, 1 << 16)) {
-                packed.write(header.array());
+                packed.write(header);
                 int slice = grid.columns() * grid.rows();
                 byte[] bytes = new byte[small ? slice : 2 * slice];
                 for (int k = 0; k < grid.slices(); k++) {
@@ -48,7 +48,7 @@ public final class NiftiWriter {
         });
     }
 
-    private static ByteBuffer header(LabelGrid grid, boolean small) {
+    private static byte[] header(LabelGrid grid, boolean small) {
         ByteBuffer h = ByteBuffer.allocate(DATA).order(ByteOrder.LITTLE_ENDIAN);
         h.putInt(0, HEADER);
         int[] sizes = {3, grid.columns(), grid.rows(), grid.slices(), 1, 1, 1, 1};
@@ -68,7 +68,7 @@ public final class NiftiWriter {
         h.position(344);
         h.put("n+1\0".getBytes(StandardCharsets.ISO_8859_1));
         h.rewind();
-        return h;
+        return h.array();
     }
 
     /** The sform, whose axes are RAS: x and y of LPS change sign. */
