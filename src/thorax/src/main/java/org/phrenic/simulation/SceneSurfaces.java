@@ -3,6 +3,7 @@ package org.phrenic.simulation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import org.phrenic.anatomy.DiaphragmSide;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.cage.LinearBlendSkinning;
@@ -20,6 +21,7 @@ import org.phrenic.simulation.observe.OrganMotion;
 import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.SceneObserver;
 import org.phrenic.simulation.observe.SceneOverlays;
+import org.phrenic.simulation.observe.SheetContact;
 import org.phrenic.simulation.observe.SkinMotion;
 import org.phrenic.simulation.observe.Surface;
 
@@ -41,6 +43,7 @@ public final class SceneSurfaces {
     private final List<Integer> bodies = new ArrayList<>();
     private final double[] positions;
     private final Object token = new Object();
+    private final SheetContact contact;
     private long captures;
     private SkinningWeights bones;
 
@@ -50,6 +53,8 @@ public final class SceneSurfaces {
         observer = new SceneObserver(scene);
         positions = new double[scene.restPositions().length];
         scene.pose().update(0);
+        contact = new SheetContact(scene.diaphragm());
+        contact.update(scene.restPositions());
         addDiaphragm();
         scene.sternum().ifPresent(part -> {
             for (int i = 0; i < part.structures.size(); i++) {
@@ -59,10 +64,14 @@ public final class SceneSurfaces {
         LungMeasure lungs = observer.lungs();
         for (int i = 0; i < lungs.structures().size(); i++) {
             int lung = i;
-            deforming(lungs.structures().get(i), (time, at) -> lungs.positions(lung, time, scene.restPositions(), at));
+            yielding(
+                    lungs.structures().get(i),
+                    true,
+                    (time, at) -> lungs.positions(lung, time, scene.restPositions(), at));
         }
         scene.liver()
-                .ifPresent(part -> deforming(part.structure, (time, at) -> part.positions(scene.restPositions(), at)));
+                .ifPresent(part ->
+                        yielding(part.structure, false, (time, at) -> part.positions(scene.restPositions(), at)));
         for (Structure s : scene.thorax().structures()) {
             if (surfaces.stream().noneMatch(known -> known.name().equals(s.name()))) {
                 addOther(s);
@@ -91,6 +100,16 @@ public final class SceneSurfaces {
                     return p;
                 },
                 tendon);
+    }
+
+    /** Adds a soft organ that yields to the diaphragm. */
+    private void yielding(Structure s, boolean above, VertexSource place) {
+        double[] p = s.mesh().positions().clone();
+        deforming(s, (time, at) -> {
+            System.arraycopy(place.positionsAt(time, at), 0, p, 0, p.length);
+            contact.pushBack(p, above);
+            return p;
+        });
     }
 
     private void deforming(Structure s, VertexSource place) {
@@ -141,17 +160,27 @@ public final class SceneSurfaces {
             LiverPart liver = scene.liver().get();
             OrganMotion motion = new OrganMotion(
                     s.mesh().positions(), liver.positions(scene.restPositions(), scene.restPositions()));
-            deforming(s, (time, at) -> motion.at(liver.positions(scene.restPositions(), at)));
+            addOrgan(s, (time, at) -> motion.at(liver.positions(scene.restPositions(), at)));
         } else {
             DiaphragmPart part = scene.diaphragm();
             int from = 3 * part.firstNode;
             double[] sheet = new double[3 * part.diaphragm.sheet().vertexCount()];
             System.arraycopy(scene.restPositions(), from, sheet, 0, sheet.length);
             OrganMotion motion = new OrganMotion(s.mesh().positions(), sheet);
-            deforming(s, (time, at) -> {
+            addOrgan(s, (time, at) -> {
                 System.arraycopy(at, from, sheet, 0, sheet.length);
                 return motion.at(sheet);
             });
+        }
+    }
+
+    /** An organ on one side of the diaphragm yields to it; one that passes through it does not. */
+    private void addOrgan(Structure s, VertexSource place) {
+        DiaphragmSide side = DiaphragmSide.of(s.kind(), s.name());
+        if (side == DiaphragmSide.NEITHER) {
+            deforming(s, place);
+        } else {
+            yielding(s, side == DiaphragmSide.ABOVE, place);
         }
     }
 
@@ -219,6 +248,7 @@ public final class SceneSurfaces {
         double time = simulation.time();
         scene.system().layout().toCaller(scene.system().positions(), positions);
         scene.pose().update(time);
+        contact.update(positions);
         return time;
     }
 

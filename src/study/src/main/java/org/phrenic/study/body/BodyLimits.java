@@ -26,9 +26,6 @@ public final class BodyLimits {
     /** Distance of the diaphragm at rest outside the inner envelope of the rib cage, greatest, mm. */
     public static final double OUTSIDE_CAGE_MM = 3;
 
-    /** Distance of the insertion at rest from the costal margin, 95 %, mm. */
-    public static final double INSERTION_MM = 8;
-
     private BodyLimits() {}
 
     /** @param height of the body relative to an adult's */

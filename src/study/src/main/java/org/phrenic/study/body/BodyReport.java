@@ -81,7 +81,7 @@ public final class BodyReport {
                 .map(b -> Math.max(b.atRest().deepestMm(), b.atInspiration().deepestMm()))
                 .max(Double::compare)));
         row.add(ReportNumbers.number(body.measure("outside_cage_maximum_mm")));
-        row.add(ReportNumbers.number(body.measure("insertion_to_margin_percentile_95_mm")));
+        row.add(ReportNumbers.number(body.measure("insertion_to_margin_mean_mm")));
         return row;
     }
 
@@ -110,8 +110,8 @@ public final class BodyReport {
                 + ReportNumbers.trimmed(BodyLimits.THROUGH_MM, 2) + " mm through the diaphragm at rest or at full"
                 + " inspiration (columns through: number of such vertices), diaphragm at rest at most "
                 + ReportNumbers.trimmed(BodyLimits.OUTSIDE_CAGE_MM, 2)
-                + " mm outside the cage, 95 % of its insertion within "
-                + ReportNumbers.trimmed(BodyLimits.INSERTION_MM, 2) + " mm of the costal margin.");
+                + " mm outside the cage. Insertion: mean distance"
+                + " from the bones of the costal margin, in front of the tips of ribs 12.");
         List<List<String>> table = table();
         report.table("", COLUMNS, table.subList(1, table.size()));
         report.section("How the bodies were made");

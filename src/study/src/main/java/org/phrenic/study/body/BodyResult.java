@@ -26,7 +26,6 @@ public record BodyResult(BodyCase body, String refusal, Optional<SheetQuality> s
         }
         List<String> faults = new ArrayList<>();
         add("outside_cage_maximum_mm", BodyLimits.OUTSIDE_CAGE_MM, "diaphragm outside the cage by", faults);
-        add("insertion_to_margin_percentile_95_mm", BodyLimits.INSERTION_MM, "insertion off the margin by", faults);
         breaths.forEach(b -> faults.addAll(b.faults(body.height())));
         return faults;
     }

@@ -2,11 +2,10 @@ package org.phrenic.study.body;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
-import java.util.regex.Pattern;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.anatomy.DiaphragmSide;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.SegmentProbe;
@@ -19,39 +18,30 @@ import org.phrenic.simulation.observe.Surface;
  *
  * <p>A vertex is on the side of the face (thoracic or abdominal) that holds its nearest point of the sheet; a vertex
  * between the two faces is on the wrong side. Its depth is the distance to the face of its own side. Beyond the border
- * of the sheet there are no sides: a vertex counts only if the segment to it from the middle of its organ passes the
- * sheet an odd number of times.
+ * of the sheet there are no sides: a vertex counts only if it is nearer to the sheet than its nearest point is to the
+ * border, and if the segment to it from the middle of its organ passes the sheet an odd number of times.
  */
 final class SheetCrossing {
-    /** Organs above the diaphragm besides the lungs. Organs and vessels that pass through it are on neither side. */
-    private static final Pattern THORACIC = Pattern.compile("heart|atrial_appendage_[rl]");
-    /** Organs below it besides the liver. */
-    private static final Pattern ABDOMINAL = Pattern.compile(
-            "spleen|stomach|(kidney|adrenal_gland)_[rl]|gallbladder|colon|duodenum|small_bowel|pancreas");
-
-    /** Weight of corners within the faces below which a nearest point lies on the border. */
-    private static final double AT_BORDER = 1e-3;
-
-    private record Faces(TriangleTree whole, SurfaceDistance distance, TriangleTree thoracic, TriangleTree abdominal) {}
+    private record Faces(
+            TriangleTree whole,
+            SurfaceDistance distance,
+            TriangleTree thoracic,
+            TriangleTree abdominal,
+            TriangleTree border) {}
 
     private final Diaphragm diaphragm;
-    /** Triangles with corners on both faces, and their corners. */
+    /** Triangles with corners on both faces. */
     private final boolean[] onBorder;
 
-    private final boolean[] atBorder;
     private final SegmentProbe probe = new SegmentProbe();
 
     SheetCrossing(Diaphragm diaphragm) {
         this.diaphragm = diaphragm;
         int[] t = diaphragm.sheet().triangles();
         onBorder = new boolean[t.length / 3];
-        atBorder = new boolean[diaphragm.sheet().vertexCount()];
         for (int i = 0; i < onBorder.length; i++) {
             boolean first = diaphragm.isThoracic(t[3 * i]);
             onBorder[i] = first != diaphragm.isThoracic(t[3 * i + 1]) || first != diaphragm.isThoracic(t[3 * i + 2]);
-            for (int corner = 3 * i; corner < 3 * i + 3; corner++) {
-                atBorder[t[corner]] |= onBorder[i];
-            }
         }
     }
 
@@ -67,7 +57,8 @@ final class SheetCrossing {
                 new TriangleTree(sheet),
                 new SurfaceDistance(sheet),
                 new TriangleTree(face(sheet, true)),
-                new TriangleTree(face(sheet, false)));
+                new TriangleTree(face(sheet, false)),
+                new TriangleTree(border(sheet)));
         int lungs = 0;
         int liver = 0;
         int others = 0;
@@ -75,11 +66,11 @@ final class SheetCrossing {
         String where = "";
         for (int i = 0; i < surfaces.size(); i++) {
             Surface surface = surfaces.get(i);
-            boolean above = isThoracic(surface);
-            if (!above && !isAbdominal(surface)) {
+            DiaphragmSide side = DiaphragmSide.of(surface.kind(), surface.name());
+            if (side == DiaphragmSide.NEITHER) {
                 continue;
             }
-            double[] depths = depths(meshes.get(i).positions(), above, faces);
+            double[] depths = depths(meshes.get(i).positions(), side == DiaphragmSide.ABOVE, faces);
             int through = (int) DoubleStream.of(depths)
                     .filter(depth -> depth > BodyLimits.THROUGH_MM)
                     .count();
@@ -102,16 +93,6 @@ final class SheetCrossing {
                 .orElseThrow();
     }
 
-    private static boolean isThoracic(Surface surface) {
-        return surface.kind() == StructureKind.LUNG
-                || THORACIC.matcher(surface.name().toLowerCase(Locale.ROOT)).matches();
-    }
-
-    private static boolean isAbdominal(Surface surface) {
-        return surface.kind() == StructureKind.LIVER
-                || ABDOMINAL.matcher(surface.name().toLowerCase(Locale.ROOT)).matches();
-    }
-
     /** The triangles of one face, without those on the border. */
     private TriangleMesh face(TriangleMesh whole, boolean thoracic) {
         int[] t = whole.triangles();
@@ -126,11 +107,21 @@ final class SheetCrossing {
         return new TriangleMesh(whole.positions(), Arrays.copyOf(kept, n));
     }
 
+    private TriangleMesh border(TriangleMesh whole) {
+        return new TriangleMesh(
+                whole.positions(),
+                IntStream.range(0, whole.triangles().length)
+                        .filter(corner -> onBorder[corner / 3])
+                        .map(corner -> whole.triangles()[corner])
+                        .toArray());
+    }
+
     /** Depth of each point on the wrong side of the sheet, mm; 0 on its own side and beyond the border. */
     private double[] depths(double[] points, boolean above, Faces faces) {
         double[] signed = faces.distance.isSigned() ? faces.distance.signedDistance(points) : null;
         int[] corners = diaphragm.sheet().triangles();
         TriangleTree.Hit hit = new TriangleTree.Hit();
+        TriangleTree.Hit working = new TriangleTree.Hit();
         TriangleTree own = above ? faces.thoracic : faces.abdominal;
         double[] middle = mean(points);
         double[] depths = new double[points.length / 3];
@@ -139,7 +130,10 @@ final class SheetCrossing {
             faces.whole.closest(points[k], points[k + 1], points[k + 2], hit);
             int t = hit.triangle;
             boolean inside = signed != null && signed[i] < 0;
-            boolean ownSide = t < 0 || isAtBorder(hit) || (!inside && diaphragm.isThoracic(corners[3 * t]) == above);
+            boolean ownSide = t < 0
+                    || (!inside
+                            && (isBeyondBorder(hit, faces.border, working)
+                                    || diaphragm.isThoracic(corners[3 * t]) == above));
             if (!ownSide
                     && (inside || isBehind(points, k, middle, faces.whole))
                     && own.closest(points[k], points[k + 1], points[k + 2], hit)) {
@@ -149,14 +143,9 @@ final class SheetCrossing {
         return depths;
     }
 
-    /** Whether the nearest point of the sheet lies on its border. */
-    private boolean isAtBorder(TriangleTree.Hit hit) {
-        int[] t = diaphragm.sheet().triangles();
-        int a = 3 * hit.triangle;
-        double inner = (atBorder[t[a]] ? 0 : hit.weightA)
-                + (atBorder[t[a + 1]] ? 0 : hit.weightB)
-                + (atBorder[t[a + 2]] ? 0 : hit.weightC);
-        return inner < AT_BORDER;
+    /** Whether a point is beyond the border: farther from its nearest point of the sheet than the border is. */
+    private boolean isBeyondBorder(TriangleTree.Hit hit, TriangleTree border, TriangleTree.Hit working) {
+        return border.isWithin(hit.x, hit.y, hit.z, Math.sqrt(hit.distanceSquared), working);
     }
 
     /** Whether the segment from the middle of the organ to a point passes the sheet an odd number of times. */

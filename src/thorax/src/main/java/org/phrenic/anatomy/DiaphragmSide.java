@@ -1,0 +1,28 @@
+package org.phrenic.anatomy;
+
+import java.util.Locale;
+import java.util.regex.Pattern;
+
+/** The side of the diaphragm on which an organ lies wholly. */
+public enum DiaphragmSide {
+    /** Above the thoracic face. */
+    ABOVE,
+    /** Below the abdominal face. */
+    BELOW,
+    /** Passes through the diaphragm, is far from it, or is no organ. */
+    NEITHER;
+
+    private static final Pattern THORACIC = Pattern.compile("heart|atrial_appendage_[rl]");
+    private static final Pattern ABDOMINAL =
+            Pattern.compile("spleen|stomach|(kidney|kidney_cyst|adrenal_gland)_[rl]|gallbladder|colon|duodenum"
+                    + "|small_bowel|pancreas|(portal|splenic|hepatic)_vein|portal_and_splenic_vein|liver_.*");
+
+    /** The side of a structure by its kind and name. */
+    public static DiaphragmSide of(StructureKind kind, String name) {
+        String lower = name.toLowerCase(Locale.ROOT);
+        if (kind == StructureKind.LUNG || THORACIC.matcher(lower).matches()) {
+            return ABOVE;
+        }
+        return kind == StructureKind.LIVER || ABDOMINAL.matcher(lower).matches() ? BELOW : NEITHER;
+    }
+}

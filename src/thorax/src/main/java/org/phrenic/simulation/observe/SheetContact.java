@@ -1,0 +1,129 @@
+package org.phrenic.simulation.observe;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.engine.math.Triangles;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.TriangleTree;
+import org.phrenic.model.organ.DiaphragmPart;
+
+/**
+ * Contact of soft organs with the moving diaphragm, for the surfaces that are shown and exported; forces and
+ * observables do not change. A vertex beyond the face of its own side yields: it is moved to its nearest point of that
+ * face, except for a depth of {@value #ALLOWED_MM} mm. Where the nearest point of the sheet lies on its border there
+ * are no sides.
+ */
+public final class SheetContact {
+    private static final double ALLOWED_MM = 2;
+    /** Vertices farther beyond the sheet are left alone: the nearest point says nothing about them. */
+    private static final double REACH_MM = 25;
+    /** Weight of corners within a face below which a nearest point lies on the border. */
+    private static final double AT_BORDER = 1e-3;
+
+    private final int first;
+    private final TriangleTree sheet;
+    private final TriangleTree thoracic;
+    private final TriangleTree abdominal;
+    private final boolean[] isThoracic;
+    private final boolean[] atBorder;
+    private final double[] positions;
+    private final double[] normals;
+    private final double[] normal = new double[3];
+    private final TriangleTree.Hit hit = new TriangleTree.Hit();
+
+    public SheetContact(DiaphragmPart part) {
+        Diaphragm diaphragm = part.diaphragm;
+        TriangleMesh mesh = diaphragm.sheet();
+        first = part.firstNode;
+        isThoracic = new boolean[mesh.vertexCount()];
+        for (int v = 0; v < isThoracic.length; v++) {
+            isThoracic[v] = diaphragm.isThoracic(v);
+        }
+        atBorder = new boolean[mesh.vertexCount()];
+        positions = mesh.positions().clone();
+        normals = new double[positions.length];
+        sheet = new TriangleTree(mesh);
+        thoracic = face(mesh, true);
+        abdominal = face(mesh, false);
+    }
+
+    /** The triangles all of whose corners lie on a face; the corners of those that lie on both are marked as border. */
+    private TriangleTree face(TriangleMesh mesh, boolean above) {
+        int[] t = mesh.triangles();
+        int[] corners = IntStream.range(0, mesh.triangleCount())
+                .filter(i -> isFace(t, 3 * i, above))
+                .flatMap(i -> IntStream.range(3 * i, 3 * i + 3))
+                .map(corner -> t[corner])
+                .toArray();
+        return new TriangleTree(new TriangleMesh(mesh.positions(), corners));
+    }
+
+    private boolean isFace(int[] t, int offset, boolean above) {
+        int on = 0;
+        for (int corner = offset; corner < offset + 3; corner++) {
+            on += isThoracic[t[corner]] == above ? 1 : 0;
+        }
+        for (int corner = offset; corner < offset + 3 && on > 0 && on < 3; corner++) {
+            atBorder[t[corner]] = true;
+        }
+        return on == 3;
+    }
+
+    /** @param nodes current positions of the whole scene, caller's order */
+    public void update(double[] nodes) {
+        System.arraycopy(nodes, 3 * first, positions, 0, positions.length);
+        sheet.refit(positions);
+        thoracic.refit(positions);
+        abdominal.refit(positions);
+        Arrays.fill(normals, 0);
+        int[] t = sheet.mesh().triangles();
+        for (int i = 0; i < t.length; i += 3) {
+            Triangles.cross(positions, 3 * t[i], 3 * t[i + 1], 3 * t[i + 2], normal);
+            for (int corner = i; corner < i + 3; corner++) {
+                for (int axis = 0; axis < 3; axis++) {
+                    normals[3 * t[corner] + axis] += normal[axis];
+                }
+            }
+        }
+    }
+
+    /**
+     * Moves the points of an organ that lie beyond its face; three numbers a point, changed in place.
+     *
+     * @param above whether the organ lies above the thoracic face; else below the abdominal face
+     */
+    public void pushBack(double[] points, boolean above) {
+        TriangleTree own = above ? thoracic : abdominal;
+        for (int k = 0; k < points.length; k += 3) {
+            if (!sheet.closest(points[k], points[k + 1], points[k + 2], REACH_MM, hit)
+                    || !isBeyond(points, k, above)
+                    || !own.closest(points[k], points[k + 1], points[k + 2], REACH_MM, hit)
+                    || hit.distanceSquared <= ALLOWED_MM * ALLOWED_MM) {
+                continue;
+            }
+            double share = 1 - ALLOWED_MM / Math.sqrt(hit.distanceSquared);
+            points[k] += share * (hit.x - points[k]);
+            points[k + 1] += share * (hit.y - points[k + 1]);
+            points[k + 2] += share * (hit.z - points[k + 2]);
+        }
+    }
+
+    /** Whether the last nearest point of the sheet is within the other face, or the point is between the faces. */
+    private boolean isBeyond(double[] points, int k, boolean above) {
+        int[] t = sheet.mesh().triangles();
+        int corner = 3 * hit.triangle;
+        double inner = 0;
+        double out = 0;
+        for (int c = 0; c < 3; c++) {
+            double weight = c == 0 ? hit.weightA : c == 1 ? hit.weightB : hit.weightC;
+            int v = t[corner + c];
+            inner += atBorder[v] ? 0 : weight;
+            out += weight
+                    * (normals[3 * v] * (points[k] - hit.x)
+                            + normals[3 * v + 1] * (points[k + 1] - hit.y)
+                            + normals[3 * v + 2] * (points[k + 2] - hit.z));
+        }
+        return inner >= AT_BORDER && (out < 0 || isThoracic[t[corner]] != above);
+    }
+}
