@@ -18,18 +18,14 @@ public final class TextFile {
      * @throws BadInputException if it cannot be read or is not UTF-8
      */
     public static String read(Path file, String expected) {
-        return decode(file.toString(), InputBytes.read(file), expected);
-    }
-
-    static String decode(String name, byte[] bytes, String expected) {
         try {
             String text = StandardCharsets.UTF_8
                     .newDecoder()
-                    .decode(ByteBuffer.wrap(bytes))
+                    .decode(ByteBuffer.wrap(InputBytes.read(file)))
                     .toString();
             return text.startsWith("\uFEFF") ? text.substring(1) : text;
         } catch (CharacterCodingException notUtf8) {
-            throw new BadInputException(name + ": found bytes that are not UTF-8, expected " + expected, notUtf8);
+            throw new BadInputException(file + ": found bytes that are not UTF-8, expected " + expected, notUtf8);
         }
     }
 }

@@ -6,7 +6,6 @@ import com.fasterxml.jackson.core.io.IOContext;
 import com.fasterxml.jackson.dataformat.yaml.YAMLFactory;
 import com.fasterxml.jackson.dataformat.yaml.YAMLParser;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.Reader;
 import java.io.StringReader;
 import java.nio.file.Path;
@@ -57,19 +56,6 @@ public final class YamlDocument {
      */
     public static YamlMap read(Path file) {
         return parse(file.toString(), TextFile.read(file, "a text file"));
-    }
-
-    /**
-     * Reads a stream and does not close it.
-     *
-     * @param name name for error messages
-     */
-    public static YamlMap read(String name, InputStream stream) {
-        try {
-            return parse(name, TextFile.decode(name, stream.readAllBytes(), "a text file"));
-        } catch (IOException failure) {
-            throw new BadInputException(name + ": reading failed: " + failure.getMessage(), failure);
-        }
     }
 
     /**

@@ -3,6 +3,7 @@ package org.phrenic.document;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.OptionalLong;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 
@@ -55,14 +56,13 @@ record YamlValue(Place place, Object content, boolean quoted) {
     }
 
     long integer() {
-        if (content instanceof String text && !quoted) {
-            try {
-                return Long.parseLong(text);
-            } catch (NumberFormatException notWhole) {
-                throw new BadInputException(not("a whole number").getMessage(), notWhole);
-            }
-        }
-        throw not("a whole number");
+        return wholeIfAny().orElseThrow(() -> not("a whole number"));
+    }
+
+    private OptionalLong wholeIfAny() {
+        return content instanceof String text && !quoted
+                ? Numbers.parseWhole(text, Long.MIN_VALUE, Long.MAX_VALUE)
+                : OptionalLong.empty();
     }
 
     /** A whole number in the range of {@code int}. */
@@ -138,10 +138,7 @@ record YamlValue(Place place, Object content, boolean quoted) {
         if (!isNumber()) {
             return text;
         }
-        try {
-            return Long.parseLong(text);
-        } catch (NumberFormatException notWhole) {
-            return number();
-        }
+        OptionalLong whole = wholeIfAny();
+        return whole.isPresent() ? (Object) whole.getAsLong() : (Object) number();
     }
 }

@@ -3,6 +3,7 @@ package org.phrenic.scenario;
 import java.nio.file.Path;
 import java.util.function.Function;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 
 /**
  * A live change scheduled for a step of a run. As text: {@code 1234:depth=1.5}.
@@ -31,12 +32,8 @@ public record ScheduledChange(long step, Assignment assignment) {
     static ScheduledChange parse(String text, String origin, Function<String, BadInputException> bad, Path folder) {
         int colon = text.indexOf(':');
         int equals = text.indexOf('=');
-        long step = -1;
-        try {
-            step = colon < 1 ? -1 : Long.parseLong(text.substring(0, colon).strip());
-        } catch (NumberFormatException notWhole) {
-            step = -1;
-        }
+        String number = text.substring(0, Math.max(0, colon)).strip();
+        long step = Numbers.parseWhole(number, 0, Long.MAX_VALUE).orElse(-1);
         if (step < 0 || equals < colon + 2) {
             throw bad.apply(
                     "found '" + text + "', expected STEP:key=value with a step of 0 or more, such as 1234:depth=1.5");

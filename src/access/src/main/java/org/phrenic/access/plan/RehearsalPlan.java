@@ -1,8 +1,5 @@
 package org.phrenic.access.plan;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.EnumSet;
@@ -17,6 +14,7 @@ import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.document.OrderedValues;
+import org.phrenic.document.ShippedFile;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
@@ -104,14 +102,7 @@ public record RehearsalPlan(
     }
 
     private static RehearsalPlan exercise(String name) {
-        try (InputStream in = RehearsalPlan.class.getResourceAsStream("/org/phrenic/data/exercises/" + name)) {
-            if (in == null) {
-                throw new IllegalStateException("the exercise " + name + " is missing from the program");
-            }
-            return of(YamlDocument.read(name, in), Path.of(name));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return of(ShippedFile.yaml("exercises/" + name), Path.of(name));
     }
 
     /** Returns a plan without steps, for free practice. */

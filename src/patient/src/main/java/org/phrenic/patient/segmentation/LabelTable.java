@@ -1,9 +1,5 @@
 package org.phrenic.patient.segmentation;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -13,6 +9,7 @@ import java.util.TreeMap;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.document.CsvTable;
+import org.phrenic.document.ShippedFile;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
@@ -44,8 +41,6 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
 
     /** A few segments are kept free for parts that are told apart. */
     private static final int MAX_STRUCTURES = LabelGrid.MAX_BYTE_LABEL - 50;
-
-    private static final String SHIPPED = "/org/phrenic/data/labels/totalsegmentator.csv";
 
     public LabelTable {
         structures = Collections.unmodifiableMap(new TreeMap<>(structures));
@@ -120,14 +115,7 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     }
 
     private static CsvTable shipped() {
-        try (InputStream in = LabelTable.class.getResourceAsStream(SHIPPED)) {
-            if (in == null) {
-                throw new IllegalStateException("the table of labels is missing from the program");
-            }
-            return CsvTable.parse("totalsegmentator.csv", new String(in.readAllBytes(), StandardCharsets.UTF_8));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return CsvTable.parse("totalsegmentator.csv", ShippedFile.text("labels/totalsegmentator.csv"));
     }
 
     private static LabelTable of(String file, CsvTable table, LabelVolume volume, boolean tellAbsent) {

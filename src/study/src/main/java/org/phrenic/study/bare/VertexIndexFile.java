@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 
 /**
  * Text files of zero-based vertex indices: one per line (a set of vertices) or two per line (pairs). Empty lines and
@@ -84,16 +85,9 @@ public final class VertexIndexFile {
     }
 
     private static int index(Path file, int line, String word, int vertexCount) {
-        int index;
-        try {
-            index = Integer.parseInt(word);
-        } catch (NumberFormatException notANumber) {
-            index = -1;
-        }
-        if (index < 0 || index >= vertexCount) {
-            throw bad(file, line, "found '" + word + "', expected a vertex index from 0 to " + (vertexCount - 1));
-        }
-        return index;
+        String expected = "expected a vertex index from 0 to " + (vertexCount - 1);
+        return (int) Numbers.parseWhole(word, 0, vertexCount - 1)
+                .orElseThrow(() -> bad(file, line, "found '" + word + "', " + expected));
     }
 
     private static BadInputException bad(Path file, int line, String problem) {

@@ -2,10 +2,6 @@ package org.phrenic.study.error;
 
 import static org.phrenic.study.ReportNumbers.format;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -15,11 +11,11 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.phrenic.document.CsvTable;
 import org.phrenic.document.CsvWriter;
+import org.phrenic.document.ShippedFile;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.ReportNumbers;
-import org.phrenic.study.ShippedFile;
 
 /**
  * Cost and error of measured solver settings, stored as CSV. The cheapest setting within an error bound is chosen from
@@ -112,17 +108,7 @@ public record ErrorTable(String name, List<Row> rows) {
 
     /** The table distributed with the program. */
     public static ErrorTable shipped() {
-        return ShippedFile.read(
-                        "error/settings.csv", in -> of(CsvTable.parse("settings.csv", text(in)), "settings.csv"))
-                .orElseThrow(() -> new IllegalStateException("the table of errors is missing from the program"));
-    }
-
-    private static String text(InputStream in) {
-        try {
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return of(CsvTable.parse("settings.csv", ShippedFile.text("error/settings.csv")), "settings.csv");
     }
 
     /**

@@ -6,9 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import org.phrenic.document.YamlDocument;
+import org.phrenic.document.ShippedFile;
 import org.phrenic.document.report.ReportDocument.Column;
-import org.phrenic.study.ShippedFile;
 import org.phrenic.study.paper.Claim.Verdict;
 
 /**
@@ -25,10 +24,7 @@ final class PaperTexts {
 
     private record Report(List<ClaimText> claims, List<Table> tables, List<Text> texts) {}
 
-    private static final Report REPORT = ShippedFile.read(
-                    "paper/report.yaml",
-                    in -> YamlDocument.read("report.yaml", in).bind(Report.class))
-            .orElseThrow(() -> new IllegalStateException("the texts of the report are missing from the program"));
+    private static final Report REPORT = ShippedFile.yaml("paper/report.yaml").bind(Report.class);
 
     private static final Map<String, ClaimText> CLAIMS = byKey(REPORT.claims, ClaimText::key);
     private static final Map<String, Table> TABLES = byKey(REPORT.tables, Table::key);

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.document.ShippedFile;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.document.YamlWriter;
@@ -18,7 +19,6 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
-import org.phrenic.study.ShippedFile;
 
 /** Regression scenes and exercises with stored references, either those of the program or those of a folder. */
 public class Regression {
@@ -63,7 +63,8 @@ public class Regression {
     }
 
     private static YamlMap shipped(String name) {
-        return ShippedFile.read("regression/" + name, in -> YamlDocument.read(name, in))
+        return ShippedFile.find("regression/" + name)
+                .map(text -> YamlDocument.parse(name, text))
                 .orElseThrow(() -> new BadInputException(
                         name + ": found no such file in the program, expected references of this scene"
                                 + " (phrenic regress --write-references data/regression makes them)"));

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.phrenic.document.YamlMap;
+import org.phrenic.file.Numbers;
 import org.phrenic.simulation.observe.Observation;
 
 /**
@@ -124,14 +125,11 @@ record RegressionReference(String specification, int nodeCount, int[] nodes, Lis
 
     private static long[] numbers(YamlMap map, String key, int expected) {
         String[] parts = map.text(key).strip().split("\\s+", -1);
-        long[] numbers = new long[parts.length];
-        for (int i = 0; i < parts.length; i++) {
-            try {
-                numbers[i] = Long.parseLong(parts[i]);
-            } catch (NumberFormatException none) {
-                throw map.bad(key, "found '" + parts[i] + "', expected whole numbers with blanks between them");
-            }
-        }
+        String problem = "', expected whole numbers with blanks between them";
+        long[] numbers = Arrays.stream(parts)
+                .mapToLong(part -> Numbers.parseWhole(part, Long.MIN_VALUE, Long.MAX_VALUE)
+                        .orElseThrow(() -> map.bad(key, "found '" + part + problem)))
+                .toArray();
         if (expected >= 0 && parts.length != expected) {
             throw map.bad(key, "found " + parts.length + " numbers, expected " + expected);
         }

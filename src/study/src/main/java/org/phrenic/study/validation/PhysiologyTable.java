@@ -9,11 +9,11 @@ import java.util.Optional;
 import java.util.Set;
 import org.phrenic.breathing.pattern.BreathingPreset;
 import org.phrenic.document.KeySuggestion;
+import org.phrenic.document.ShippedFile;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
 import org.phrenic.simulation.observe.Observation;
-import org.phrenic.study.ShippedFile;
 import org.phrenic.study.measure.SceneObservables;
 
 /**
@@ -36,10 +36,7 @@ public record PhysiologyTable(String name, List<ReferenceRange> ranges) {
 
     /** The table distributed with the program. */
     public static PhysiologyTable shipped() {
-        return ShippedFile.read(
-                        "validation/physiology.yaml",
-                        in -> of("physiology.yaml", YamlDocument.read("physiology.yaml", in)))
-                .orElseThrow(() -> new IllegalStateException("the physiology table is missing from the program"));
+        return of("physiology.yaml", ShippedFile.yaml("validation/physiology.yaml"));
     }
 
     /**

@@ -1,13 +1,10 @@
 package org.phrenic.anatomy.cage;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import org.phrenic.anatomy.Side;
 import org.phrenic.document.CsvTable;
+import org.phrenic.document.ShippedFile;
 import org.phrenic.engine.kinematics.HelicalAxis;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
@@ -70,15 +67,10 @@ public final class RibAxisTable {
      * @throws BadInputException if there is no table of this name
      */
     public static RibAxisTable preset(String name) {
-        try (InputStream in = RibAxisTable.class.getResourceAsStream("/org/phrenic/data/ribs/" + name + ".csv")) {
-            if (in == null) {
-                throw new BadInputException(
-                        "rib axes: no table '" + name + "', expected '" + WILSON_CT + "' or '" + NECK + "'");
-            }
-            return parse(name + ".csv", new String(in.readAllBytes(), StandardCharsets.UTF_8));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        String text = ShippedFile.find("ribs/" + name + ".csv")
+                .orElseThrow(() -> new BadInputException(
+                        "rib axes: no table '" + name + "', expected '" + WILSON_CT + "' or '" + NECK + "'"));
+        return parse(name + ".csv", text);
     }
 
     /**

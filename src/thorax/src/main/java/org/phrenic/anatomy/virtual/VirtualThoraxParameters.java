@@ -1,10 +1,8 @@
 package org.phrenic.anatomy.virtual;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.util.List;
 import org.phrenic.document.Key;
+import org.phrenic.document.ShippedFile;
 import org.phrenic.document.YamlDocument;
 
 /**
@@ -29,8 +27,6 @@ public record VirtualThoraxParameters(
     /** Number of vertebrae, T1 to L3. */
     public static final int VERTEBRAE = 15;
 
-    private static final String FOLDER = "/org/phrenic/data/thorax/";
-
     /**
      * Returns a built-in set of measures.
      *
@@ -39,15 +35,10 @@ public record VirtualThoraxParameters(
      */
     public static VirtualThoraxParameters preset(String preset) {
         String file = preset + ".yaml";
-        try (InputStream in = VirtualThoraxParameters.class.getResourceAsStream(FOLDER + file)) {
-            if (in == null) {
-                throw new IllegalArgumentException(
-                        "virtual thorax '" + preset + "' is not known, expected adult-male or adult-female");
-            }
-            return YamlDocument.read(file, in).bind(VirtualThoraxParameters.class);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        String text = ShippedFile.find("thorax/" + file)
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "virtual thorax '" + preset + "' is not known, expected adult-male or adult-female"));
+        return YamlDocument.parse(file, text).bind(VirtualThoraxParameters.class);
     }
 
     /**

@@ -1,14 +1,11 @@
 package org.phrenic.breathing.pattern;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.breathing.BreathingPattern;
-import org.phrenic.document.YamlDocument;
+import org.phrenic.document.ShippedFile;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
 
@@ -56,14 +53,7 @@ public final class BreathingPreset {
             throw new BadInputException("breathing: no preset '" + name + "', expected " + String.join(", ", NAMES));
         }
         String file = name + ".yaml";
-        try (InputStream in = BreathingPreset.class.getResourceAsStream("/org/phrenic/data/breathing/" + file)) {
-            if (in == null) {
-                throw new IllegalStateException("breathing: preset '" + name + "' is missing from the program");
-            }
-            return read(YamlDocument.read(file, in), file);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return read(ShippedFile.yaml("breathing/" + file), file);
     }
 
     static BreathingPreset read(YamlMap yaml, String file) {

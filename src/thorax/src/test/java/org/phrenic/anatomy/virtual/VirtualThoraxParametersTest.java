@@ -4,19 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
+import org.phrenic.document.ShippedFile;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.file.BadInputException;
 
 class VirtualThoraxParametersTest {
-    private static String male() throws IOException {
-        try (InputStream in =
-                VirtualThoraxParameters.class.getResourceAsStream("/org/phrenic/data/thorax/adult-male.yaml")) {
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-        }
+    private static String male() {
+        return ShippedFile.text("thorax/adult-male.yaml");
     }
 
     private static void assertRefused(String text, String... words) {
@@ -38,22 +33,22 @@ class VirtualThoraxParametersTest {
     }
 
     @Test
-    void aMisspelledKeyIsNamed() throws IOException {
+    void aMisspelledKeyIsNamed() {
         assertRefused(male().replace("  xiphoid_mm:", "  xyphoid_mm:"), "sternum", "xiphoid_mm");
     }
 
     @Test
-    void anUnknownKeyIsNamed() throws IOException {
+    void anUnknownKeyIsNamed() {
         assertRefused(male().replace("skin:\n", "skin:\n  colour: 3\n"), "skin", "colour");
     }
 
     @Test
-    void aWordForANumberIsNamed() throws IOException {
+    void aWordForANumberIsNamed() {
         assertRefused(male().replace("gap_mm: 1 ", "gap_mm: wide "), "gap_mm", "wide", "a number");
     }
 
     @Test
-    void aListOfTheWrongLengthIsNamed() throws IOException {
+    void aListOfTheWrongLengthIsNamed() {
         assertRefused(
                 male().replace("join_fraction: [0.5, 0.45, 0.45]", "join_fraction: [0.5]"),
                 "join_fraction",
@@ -61,7 +56,7 @@ class VirtualThoraxParametersTest {
     }
 
     @Test
-    void rowsThatDoNotRiseAreNamed() throws IOException {
+    void rowsThatDoNotRiseAreNamed() {
         assertRefused(
                 male().replace("    - [-90, 114,", "    - [-190, 114,"), "chest_wall", "sections", "row 2", "rising");
     }
