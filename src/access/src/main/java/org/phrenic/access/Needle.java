@@ -48,8 +48,11 @@ public record Needle(int gauge, double lengthMm) {
     public void requireReach(double[] from, double[] aim) {
         double path = Vectors.distance(from, aim);
         if (path > lengthMm) {
-            String format = "needle: found %.0f mm for a path of %.1f mm, expected a longer needle or a nearer entry";
-            throw new BadInputException(String.format(Locale.ROOT, format, lengthMm, path));
+            throw new BadInputException(String.format(
+                    Locale.ROOT,
+                    "needle: found %.0f mm for a path of %.1f mm, expected a longer needle or a nearer entry",
+                    lengthMm,
+                    path));
         }
         if (path < 1) {
             throw new BadInputException("aim: found the entry itself, expected a place within the body");

@@ -34,9 +34,14 @@ public final class SkinPoint {
         double distance = Math.sqrt(hit.distanceSquared);
         if (distance > TOLERANCE_MM) {
             String side = tree.isInside(local[0], local[1], local[2]) ? "inside the body" : "off the skin";
-            String format = "entry: found (%.1f, %.1f, %.1f), %.1f mm %s, expected a place on the skin";
-            throw new BadInputException(
-                    String.format(Locale.ROOT, format, place[0], place[1], place[2], distance, side));
+            throw new BadInputException(String.format(
+                    Locale.ROOT,
+                    "entry: found (%.1f, %.1f, %.1f), %.1f mm %s, expected a place on the skin",
+                    place[0],
+                    place[1],
+                    place[2],
+                    distance,
+                    side));
         }
         triangle = hit.triangle;
         weights = new double[] {hit.weightA, hit.weightB, hit.weightC};

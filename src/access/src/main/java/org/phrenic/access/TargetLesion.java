@@ -47,9 +47,13 @@ public record TargetLesion(double[] restMm, double diameterMm) {
             TriangleTree.Hit hit = new TriangleTree.Hit();
             tree.closest(restMm[0], restMm[1], restMm[2], hit);
             double outside = Math.sqrt(hit.distanceSquared);
-            String format =
-                    "target: found (%.1f, %.1f, %.1f), %.1f mm outside of the liver, expected a place within it";
-            throw new BadInputException(String.format(Locale.ROOT, format, restMm[0], restMm[1], restMm[2], outside));
+            throw new BadInputException(String.format(
+                    Locale.ROOT,
+                    "target: found (%.1f, %.1f, %.1f), %.1f mm outside of the liver, expected a place within it",
+                    restMm[0],
+                    restMm[1],
+                    restMm[2],
+                    outside));
         }
         return new TargetLesion(restMm.clone(), diameterMm);
     }

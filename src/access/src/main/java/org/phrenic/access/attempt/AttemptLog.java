@@ -162,8 +162,8 @@ final class AttemptLog {
         List<String> warnings = new ArrayList<>();
         needle.ifPresent(n -> warnings.addAll(n.reasons(avoided)));
         if (pullMm > AttemptRecord.PULL_WARNING_MM) {
-            String format = "the moving liver pulls the capsule %.0f mm aside of the needle";
-            warnings.add(String.format(Locale.ROOT, format, pullMm));
+            warnings.add(String.format(
+                    Locale.ROOT, "the moving liver pulls the capsule %.0f mm aside of the needle", pullMm));
         }
         return warnings;
     }

@@ -204,8 +204,11 @@ public final class NeedleInsertion {
             throw new BadInputException("speed: found " + speedMmPerS + " mm/s, expected more than 0");
         }
         if (!(toDepthMm >= 0) || toDepthMm > needle.lengthMm()) {
-            String format = "depth: found %.1f mm, expected 0 to the needle's %.0f mm";
-            throw new BadInputException(String.format(Locale.ROOT, format, toDepthMm, needle.lengthMm()));
+            throw new BadInputException(String.format(
+                    Locale.ROOT,
+                    "depth: found %.1f mm, expected 0 to the needle's %.0f mm",
+                    toDepthMm,
+                    needle.lengthMm()));
         }
         goal = toDepthMm;
         speed = goal == shaft.depth() ? 0 : speedMmPerS;

@@ -55,11 +55,14 @@ public final class PlanPlayer {
     private boolean isDone(PlanStep step, RespiratoryPhase phase, int breath) {
         try {
             if (needle.timeS() > plan.timeoutS()) {
-                String format = "found it not done after %.0f s%s, expected it sooner (give_up_after_s)";
                 String missed = step instanceof PlanStep.WaitFor w
                         ? ", there was no " + w.event().text()
                         : "";
-                throw new BadInputException(String.format(Locale.ROOT, format, plan.timeoutS(), missed));
+                throw new BadInputException(String.format(
+                        Locale.ROOT,
+                        "found it not done after %.0f s%s, expected it sooner (give_up_after_s)",
+                        plan.timeoutS(),
+                        missed));
             }
             boolean first = !begun;
             if (first) {

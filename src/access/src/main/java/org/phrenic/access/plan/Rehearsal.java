@@ -72,10 +72,15 @@ public record Rehearsal(
             List<BreathMoment> cycle = BreathCycle.record(simulation, surfaces, plan.moments());
             long begun = System.nanoTime();
             TargetAccess access = TargetAccess.of(anatomy, cycle, target, plan.needle(), plan.avoided(), workers);
-            String note = "Access map: %d points of the skin, %s of them in reach, at %d moments in %.2f s.";
             int reached = access.map().counts().inReach();
             double tookS = 1e-9 * (System.nanoTime() - begun);
-            progress.note(String.format(Locale.ROOT, note, access.map().size(), reached, cycle.size(), tookS));
+            progress.note(String.format(
+                    Locale.ROOT,
+                    "Access map: %d points of the skin, %s of them in reach, at %d moments in %.2f s.",
+                    access.map().size(),
+                    reached,
+                    cycle.size(),
+                    tookS));
             Optional<PathOverBreath> path = plannedPath(plan, access, anatomy);
             if (simulation.restart()) {
                 NeedleSnapshots snapshots = new NeedleSnapshots();
