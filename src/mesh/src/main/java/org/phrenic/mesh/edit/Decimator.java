@@ -1,6 +1,5 @@
 package org.phrenic.mesh.edit;
 
-import java.util.PriorityQueue;
 import org.phrenic.engine.math.Triangles;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
@@ -32,7 +31,7 @@ public final class Decimator {
     private final float[] costs;
 
     /** Queue entries: the cost as float bits in the high 32 bits, the half-edge in the low 32 bits. */
-    private final PriorityQueue<Long> queue = new PriorityQueue<>();
+    private final LongHeap queue = new LongHeap();
 
     private Decimator(TriangleMesh given, double boundMm) {
         mesh = new HalfEdgeMesh(given);

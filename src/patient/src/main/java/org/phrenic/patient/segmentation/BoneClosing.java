@@ -24,8 +24,9 @@ final class BoneClosing {
                     return spacing > MAX_SPACING_MM ? 0 : Math.max(1, (int) Math.round(REACH_MM / spacing));
                 })
                 .toArray();
+        int[][] boxes = segmentation.boxes();
         List<int[]> added = segments.parallelStream()
-                .map(segment -> addedVoxels(segmentation, segment, reach))
+                .map(segment -> addedVoxels(segmentation, segment, boxes[segment], reach))
                 .toList();
         int filled = 0;
         for (int i = 0; i < added.size(); i++) {
@@ -40,8 +41,7 @@ final class BoneClosing {
     }
 
     /** Background voxels in the closing of a segment. */
-    private static int[] addedVoxels(Segmentation s, int segment, int[] reach) {
-        int[] box = s.box(segment);
+    private static int[] addedVoxels(Segmentation s, int segment, int[] box, int[] reach) {
         if (box[5] < 0) {
             return new int[0];
         }

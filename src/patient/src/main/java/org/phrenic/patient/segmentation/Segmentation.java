@@ -1,6 +1,7 @@
 package org.phrenic.patient.segmentation;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -215,9 +216,35 @@ public final class Segmentation {
 
     /** Bounding box of a segment: first column, row and slice, then last column, row and slice. */
     int[] box(int segment) {
-        byte[] wanted = new byte[LabelGrid.MAX_BYTE_LABEL + 1];
-        wanted[segment] = 1;
-        return box(grid(), wanted);
+        return boxes()[segment];
+    }
+
+    /** Bounding boxes by segment number, as {@link #box(int)}; the last slice is -1 for a segment without voxels. */
+    int[][] boxes() {
+        int[][] boxes = new int[MAX_SEGMENTS + 1][];
+        Arrays.setAll(boxes, segment -> new int[] {columns, rows, slices, -1, -1, -1});
+        for (int k = 0; k < slices; k++) {
+            for (int j = 0; j < rows; j++) {
+                int row = columns * (j + rows * k);
+                for (int i = 0; i < columns; i++) {
+                    byte segment = voxels[row + i];
+                    int first = i;
+                    while (i + 1 < columns && voxels[row + i + 1] == segment) {
+                        i++;
+                    }
+                    if (segment != 0) {
+                        int[] box = boxes[segment & MAX_SEGMENTS];
+                        box[0] = Math.min(box[0], first);
+                        box[1] = Math.min(box[1], j);
+                        box[2] = Math.min(box[2], k);
+                        box[3] = Math.max(box[3], i);
+                        box[4] = Math.max(box[4], j);
+                        box[5] = k;
+                    }
+                }
+            }
+        }
+        return boxes;
     }
 
     /** The union of all segments as label 1. Voxels are enlarged by one factor each for columns, rows and slices. */
