@@ -73,7 +73,7 @@ final class ReproduceCommand implements Callable<Integer> {
             names = "--patients",
             paramLabel = "FOLDER",
             description = "Scans at two breath levels for figs. 4 and 5: NAME_expiration.* and NAME_inspiration.*, "
-                    + "volumes of labels. Without it, ../shared/segmentations/breath-pairs if that is "
+                    + "volumes of labels. Without it, ../shared/segmentations/breath-pairs-true if that is "
                     + "there, else a synthetic patient.")
     private Path patients;
 
@@ -127,11 +127,9 @@ final class ReproduceCommand implements Callable<Integer> {
     private PatientResults patientResults(Optional<List<PatientScans>> scans, ProgressListener progress) {
         PatientStudy study = new PatientStudy(quick, progress);
         if (scans.isPresent()) {
-            Optional<String> stated =
-                    patients == null ? Optional.of(PatientStudy.DEFAULT_AXES) : Optional.ofNullable(axes);
             int left = scans.get().size() - PatientStudy.MAX_PATIENTS;
             String rest = left > 0 && !quick ? left + " more of the scans were left out for want of time." : "";
-            return new PatientResults(study.of(scans.get(), stated), rest, quick);
+            return new PatientResults(study.of(scans.get(), Optional.ofNullable(axes)), rest, quick);
         }
         String why = quick
                 ? "A quick reproduction looks at no scan, and tunes nothing."

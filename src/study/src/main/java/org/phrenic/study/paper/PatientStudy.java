@@ -30,6 +30,7 @@ import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.patient.MeshingSettings;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.ScanImport;
+import org.phrenic.patient.diaphragm.DiaphragmCompletion;
 import org.phrenic.patient.registration.BodyCompletion;
 import org.phrenic.patient.registration.ScanAlignment;
 import org.phrenic.patient.segmentation.GeometryOverride;
@@ -44,12 +45,7 @@ import org.phrenic.simulation.SimulationRun;
  */
 public final class PatientStudy {
     /** Default folder of scans at two breath levels, relative to the working directory. */
-    public static final Path DEFAULT_FOLDER = Path.of("..", "shared", "segmentations", "breath-pairs");
-    /**
-     * Axes of the default scans. They replace the axes in the headers, with which the left lung would be larger and the
-     * spine in front.
-     */
-    public static final String DEFAULT_AXES = "LPS";
+    public static final Path DEFAULT_FOLDER = Path.of("..", "shared", "segmentations", "breath-pairs-true");
     /** Maximum number of patients; each takes about a minute. */
     public static final int MAX_PATIENTS = 3;
 
@@ -100,7 +96,8 @@ public final class PatientStudy {
     private Imported imported(PatientScans pair, Optional<String> axes) {
         progress.note(pair.name() + ": import of both breath levels");
         Thorax template = SimulationRun.loadThorax(Scenario.defaults());
-        PatientBody expired = BodyCompletion.complete(imported(pair.expiration(), axes, pair.name()), template);
+        PatientBody expired = DiaphragmCompletion.complete(
+                BodyCompletion.complete(imported(pair.expiration(), axes, pair.name()), template));
         if (!expired.canBreathe()) {
             throw new BadInputException(
                     pair.expiration() + ": found no whole lung, expected lungs to make a body from");
