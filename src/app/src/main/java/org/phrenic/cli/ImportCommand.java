@@ -14,7 +14,6 @@ import org.phrenic.cli.report.NameRanges;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.mesh.io.volume.LabelVolume;
-import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.diaphragm.SheetQuality;
 import org.phrenic.patient.pipeline.ImportPipeline;
@@ -28,7 +27,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code phrenic import}: converts a label volume to a thorax folder. */
+/** {@code phrenic import}: makes a thorax folder of a label volume or of a folder of meshes. */
 @Command(
         name = "import",
         description = "Make a thorax folder of a segmented scan: a closed surface for each label.",
@@ -38,6 +37,7 @@ import picocli.CommandLine.Parameters;
             "  phrenic import scan.seg.nrrd --out patient",
             "  phrenic import total.nii.gz --labels totalsegmentator --out patient",
             "  phrenic import lungs.mha --labels lungs.csv --out patient",
+            "  phrenic import bones --complete virtual/adult-female --out patient",
             "  phrenic import inspiration.mha --labels lungs.csv --align-to patient --out inspired",
             "",
             "A table for --labels has the columns label (or name) and structure: 1,lungs.",
@@ -64,7 +64,9 @@ final class ImportCommand extends ReportingCommand {
         COLUMNS.put("cut_at", "cut at");
     }
 
-    @Parameters(paramLabel = "LABELS", description = "A label volume: nii, nii.gz, nrrd, nhdr, mha, mhd.")
+    @Parameters(
+            paramLabel = "LABELS",
+            description = "A label volume (nii, nii.gz, nrrd, nhdr, mha, mhd) or a folder of meshes.")
     private Path file;
 
     @Option(
@@ -147,7 +149,6 @@ final class ImportCommand extends ReportingCommand {
     }
 
     private static String text(ImportResult result) {
-        LabelGrid grid = result.grid();
         PatientBody body = result.body();
         TextTable table = new TextTable(false, false, true, true, true, true, true, true, true, true, true, true, false)
                 .row(COLUMNS.values().toArray(String[]::new));
@@ -157,16 +158,17 @@ final class ImportCommand extends ReportingCommand {
                     .toArray(String[]::new));
         }
         StringBuilder text = new StringBuilder();
-        text.append(String.format(
-                Locale.ROOT,
-                "%s: %d x %d x %d voxels of %.3g x %.3g x %.3g mm%n%n",
-                result.file(),
-                grid.columns(),
-                grid.rows(),
-                grid.slices(),
-                grid.spacing(0),
-                grid.spacing(1),
-                grid.spacing(2)));
+        result.grid()
+                .ifPresent(grid -> text.append(String.format(
+                        Locale.ROOT,
+                        "%s: %d x %d x %d voxels of %.3g x %.3g x %.3g mm%n%n",
+                        result.file(),
+                        grid.columns(),
+                        grid.rows(),
+                        grid.slices(),
+                        grid.spacing(0),
+                        grid.spacing(1),
+                        grid.spacing(2))));
         text.append(table.text());
         result.quality().ifPresent(quality -> text.append('\n').append(text(quality)));
         text.append("\nmissing: ")

@@ -3,6 +3,8 @@ package org.phrenic.anatomy;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
@@ -18,6 +20,10 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
     private static final double MIN_CAGE_WIDTH_MM = 100;
 
     private static final double MAX_CAGE_WIDTH_MM = 500;
+    /** Extent of a part of a trunk that is worth completing, mm: from a liver to a whole trunk. */
+    private static final double MIN_PART_MM = 80;
+
+    private static final double MAX_PART_MM = 1200;
     private static final String UNKNOWN_AXES = "???";
     private static final String DIRECTIONS = "LRPASI";
 
@@ -103,6 +109,66 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
                     + "', a mirrored body; left and right are exchanged somewhere");
         }
         return new AnatomicalFrame(axes, detectUnit(structures, axes));
+    }
+
+    /**
+     * Detects axes and unit from any structures. Where they leave an axis open, the axes are LPS or RAS, the
+     * conventions of scans, as far as the sides in the names agree with one of them; LPS if with both.
+     *
+     * @throws IllegalArgumentException if the sides and levels in the names agree with neither
+     */
+    static AnatomicalFrame detectOfPart(List<Structure> structures) {
+        String seen = detectedAxes(structures);
+        String axes = determinant(seen) > 0
+                ? seen
+                : Stream.of("LPS", "RAS")
+                        .filter(known -> agrees(structures, known))
+                        .findFirst()
+                        .orElseThrow(() -> new IllegalArgumentException("axes: not stated, and the places of the"
+                                + " structures agree with neither LPS nor RAS; expected a line 'axes: ...' in"
+                                + " thorax.yaml"));
+        double extent = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            extent = Math.max(extent, extent(structures, axis));
+        }
+        for (double unit : new double[] {1, 10, 1000}) {
+            if (extent * unit >= MIN_PART_MM && extent * unit <= MAX_PART_MM) {
+                return new AnatomicalFrame(axes, unit);
+            }
+        }
+        throw new IllegalArgumentException(String.format(
+                Locale.ROOT,
+                "units: found structures over %.4g units, expected 80 to 1200 mm (or that in cm or m)",
+                extent));
+    }
+
+    /** Whether right and left, upper and lower structures lie as the axes say, as far as there are any. */
+    private static boolean agrees(List<Structure> structures, String axes) {
+        boolean agrees = true;
+        for (StructureKind kind : List.of(StructureKind.RIB, StructureKind.LUNG, StructureKind.COSTAL_CARTILAGE)) {
+            double[] right = centre(structures, kind, Side.RIGHT, 0, 12);
+            double[] left = centre(structures, kind, Side.LEFT, 0, 12);
+            if (right != null && left != null) {
+                agrees &= (left[0] > right[0]) == (axes.charAt(0) == 'L');
+            }
+        }
+        for (StructureKind kind : List.of(StructureKind.RIB, StructureKind.VERTEBRA)) {
+            double[] upper = centre(structures, kind, null, 1, 6);
+            double[] lower = centre(structures, kind, null, 9, 17);
+            if (upper != null && lower != null) {
+                agrees &= upper[2] > lower[2];
+            }
+        }
+        return agrees;
+    }
+
+    private static double extent(List<Structure> structures, int axis) {
+        double[] ends = structures.stream()
+                .map(s -> s.mesh().bounds())
+                .flatMapToDouble(box -> DoubleStream.of(box[axis], box[3 + axis]))
+                .sorted()
+                .toArray();
+        return ends.length == 0 ? 0 : ends[ends.length - 1] - ends[0];
     }
 
     /** Describes the difference if the detected axes differ from these; empty if they agree or cannot be detected. */

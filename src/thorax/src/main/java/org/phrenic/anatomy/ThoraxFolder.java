@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.phrenic.document.YamlDocument;
@@ -55,6 +56,21 @@ public final class ThoraxFolder {
 
     /** @throws BadInputException if the folder or a file in it cannot be read or has invalid content */
     public static Thorax load(Path folder) {
+        return load(folder, true, name -> Optional.empty());
+    }
+
+    /**
+     * Reads a part of a thorax, to be completed: it needs no diaphragm. Where too few structures tell the axes, they
+     * are LPS or RAS, whichever the sides in the names agree with.
+     *
+     * @param synonyms the name of a structure for a file name that is none
+     * @throws BadInputException as {@link #load(Path)}, or if no file is a structure's
+     */
+    public static Thorax loadPart(Path folder, Function<String, Optional<String>> synonyms) {
+        return load(folder, false, synonyms);
+    }
+
+    private static Thorax load(Path folder, boolean whole, Function<String, Optional<String>> synonyms) {
         LabelVolumeFiles.refuse(folder, "a folder of meshes");
         if (!Files.isDirectory(folder)) {
             throw new BadInputException(folder + ": no such folder, expected a folder of meshes");
@@ -68,7 +84,10 @@ public final class ThoraxFolder {
         // Lists as keys, not records: the first hash of a record makes the JVM generate some forty classes.
         Map<List<Object>, Path> seen = new HashMap<>();
         for (var entry : files.entrySet()) {
-            Optional<StructureName> known = StructureName.parse(entry.getKey());
+            String structure = StructureName.parse(entry.getKey()).isPresent()
+                    ? entry.getKey()
+                    : synonyms.apply(entry.getKey()).orElse(entry.getKey());
+            Optional<StructureName> known = StructureName.parse(structure);
             if (known.isEmpty()) {
                 if (yaml.has("structures")) {
                     throw yaml.map("structures")
@@ -83,14 +102,18 @@ public final class ThoraxFolder {
             if (twin != null) {
                 throw duplicateStructure(folder, twin, entry.getValue());
             }
-            found.add(new Found(entry.getKey(), name, entry.getValue()));
+            found.add(new Found(structure, name, entry.getValue()));
         }
         List<Structure> raw = read(found);
-        if (raw.stream().noneMatch(s -> s.kind() == StructureKind.DIAPHRAGM)) {
+        if (raw.isEmpty()) {
+            throw new BadInputException(
+                    folder + ": no mesh has the name of a structure, expected one such as rib_05_R.stl");
+        }
+        if (whole && raw.stream().noneMatch(s -> s.kind() == StructureKind.DIAPHRAGM)) {
             throw new BadInputException(folder + ": no diaphragm among " + raw.size()
                     + " structures, expected a file diaphragm.ply (or .stl, .obj, .vtk, .vtp)");
         }
-        AnatomicalFrame frame = frame(folder, yaml, raw);
+        AnatomicalFrame frame = frame(folder, yaml, raw, whole);
         if (yaml.has("axes")) {
             frame.axesMismatch(raw).ifPresent(notes::add);
         }
@@ -127,8 +150,14 @@ public final class ThoraxFolder {
         return new Structure(f.name(), name.kind(), name.level(), name.side(), MeshFiles.read(f.file()));
     }
 
-    private static AnatomicalFrame frame(Path folder, YamlMap yaml, List<Structure> raw) {
+    private static AnatomicalFrame frame(Path folder, YamlMap yaml, List<Structure> raw, boolean whole) {
         try {
+            if (!whole && !(yaml.has("units") && yaml.has("axes"))) {
+                AnatomicalFrame seen = AnatomicalFrame.detectOfPart(raw);
+                return new AnatomicalFrame(
+                        yaml.has("axes") ? yaml.text("axes") : seen.axes(),
+                        yaml.has("units") ? unit(yaml) : seen.millimetresPerUnit());
+            }
             if (!yaml.has("units")) {
                 return yaml.has("axes")
                         ? AnatomicalFrame.ofStatedAxes(yaml.text("axes"), raw)

@@ -1,11 +1,13 @@
 package org.phrenic.patient.pipeline;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
+import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.ImportProgress;
 import org.phrenic.patient.MeshingSettings;
 import org.phrenic.patient.PatientBody;
@@ -18,7 +20,7 @@ import org.phrenic.patient.registration.ScanAlignment;
 import org.phrenic.patient.segmentation.LabelGuess;
 import org.phrenic.patient.segmentation.LabelTable;
 
-/** Turns a scan into a body: reads the volume, meshes its structures, and completes or aligns the body. */
+/** Turns a scan or a folder of meshes into a body: reads it, meshes its labels, and completes or aligns the body. */
 public final class ImportPipeline {
     private ImportPipeline() {}
 
@@ -26,16 +28,23 @@ public final class ImportPipeline {
     public static ImportResult run(ImportRequest request, ImportProgress progress) {
         String file = request.file().toString();
         progress.stage("reading " + file);
-        LabelVolume volume = request.geometry().apply(LabelVolumeFiles.read(request.file()));
-        PatientBody scanned = new ScanImport(volume, file, MeshingSettings.PAPER, request.edgeMm(), progress)
-                .run(table(request, volume, progress), request.name());
+        Optional<LabelGrid> grid = Optional.empty();
+        PatientBody scanned;
+        if (Files.isDirectory(request.file())) {
+            scanned = MeshFolder.read(request.file(), request.name());
+        } else {
+            LabelVolume volume = request.geometry().apply(LabelVolumeFiles.read(request.file()));
+            grid = Optional.of(volume.grid());
+            scanned = new ScanImport(volume, file, MeshingSettings.PAPER, request.edgeMm(), progress)
+                    .run(table(request, volume, progress), request.name());
+        }
         if (request.alignTo().isPresent()) {
             ScanAlignment.Aligned aligned = aligned(request, scanned);
-            return ImportResult.of(file, volume.grid(), aligned.body(), Optional.of(aligned.alignment()));
+            return ImportResult.of(file, grid, aligned.body(), Optional.of(aligned.alignment()));
         }
         PatientBody body =
                 request.template().map(t -> completed(scanned, t, progress)).orElse(scanned);
-        ImportResult result = ImportResult.of(file, volume.grid(), body, Optional.empty());
+        ImportResult result = ImportResult.of(file, grid, body, Optional.empty());
         if (request.template().isPresent()) {
             result.quality().flatMap(SheetQuality::refusal).ifPresent(why -> {
                 throw new BadInputException(file + ": " + why);

@@ -8,7 +8,6 @@ import org.phrenic.engine.kinematics.RigidMotion;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.query.DistanceSummary;
-import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 import org.phrenic.patient.diaphragm.SheetQuality;
@@ -19,15 +18,18 @@ final class ImportReport {
     private ImportReport() {}
 
     static OrderedValues of(ImportResult result) {
-        LabelGrid grid = result.grid();
         PatientBody body = result.body();
-        double voxelMm = Math.cbrt(grid.voxelVolume());
-        OrderedValues report = new OrderedValues()
-                .with("volume", result.file())
+        double voxelMm =
+                result.grid().map(grid -> Math.cbrt(grid.voxelVolume())).orElse(Double.NaN);
+        OrderedValues report = new OrderedValues();
+        if (result.grid().isEmpty()) {
+            report.with("folder", result.file());
+        }
+        result.grid().ifPresent(grid -> report.with("volume", result.file())
                 .with("voxels", List.of(grid.columns(), grid.rows(), grid.slices()))
                 .with("spacing_mm", List.of(grid.spacing(0), grid.spacing(1), grid.spacing(2)))
-                .with("voxel_mm", voxelMm)
-                .with(
+                .with("voxel_mm", voxelMm));
+        report.with(
                         "structures",
                         body.structures().stream().map(s -> row(s, voxelMm)).toList())
                 .with("missing", body.missing())

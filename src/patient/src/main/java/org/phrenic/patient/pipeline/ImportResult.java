@@ -12,19 +12,20 @@ import org.phrenic.patient.registration.ScanAlignment;
 /**
  * An imported body.
  *
- * @param file name of the volume, for messages and reports
- * @param grid voxel grid of the volume
+ * @param file name of the volume or folder, for messages and reports
+ * @param grid voxel grid of the volume; empty for a folder of meshes
  * @param alignment how a second scan was brought to the body of a first one; empty if it was not
  * @param quality quality of the diaphragm; empty if the body has none, or no cage that it could be measured against
  */
 public record ImportResult(
         String file,
-        LabelGrid grid,
+        Optional<LabelGrid> grid,
         PatientBody body,
         Optional<ScanAlignment> alignment,
         Optional<SheetQuality> quality) {
     /** Measures the diaphragm of the body and adds a note if it is beyond a limit. */
-    static ImportResult of(String file, LabelGrid grid, PatientBody body, Optional<ScanAlignment> alignment) {
+    static ImportResult of(
+            String file, Optional<LabelGrid> grid, PatientBody body, Optional<ScanAlignment> alignment) {
         Optional<SheetQuality> quality = SheetQuality.of(body.thorax());
         return new ImportResult(
                 file,

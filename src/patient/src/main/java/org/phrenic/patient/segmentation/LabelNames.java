@@ -15,7 +15,7 @@ import org.phrenic.anatomy.StructureName;
  * Structures by the names that files give to labels, such as "Right Lung", "rib 5 left", "T12" or "kidney_right". Case,
  * order of words and separators do not matter.
  */
-final class LabelNames {
+public final class LabelNames {
     private static final Pattern VERTEBRA = Pattern.compile("([ctls])0*(\\d{1,2})");
     private static final Pattern NUMBER = Pattern.compile("0*(\\d{1,2})");
     /** Words that add nothing to the name of a structure. */
@@ -41,7 +41,7 @@ final class LabelNames {
     private LabelNames() {}
 
     /** The structure that a label's name stands for; empty if the name is unknown. */
-    static Optional<String> structure(String name) {
+    public static Optional<String> structure(String name) {
         List<String> words = new ArrayList<>(Arrays.asList(name.toLowerCase(Locale.ROOT)
                 .replaceAll("[^a-z0-9]+", " ")
                 .strip()
