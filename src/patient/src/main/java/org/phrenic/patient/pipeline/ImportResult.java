@@ -24,8 +24,7 @@ public record ImportResult(
         Optional<ScanAlignment> alignment,
         Optional<SheetQuality> quality) {
     /** Measures the diaphragm of the body and adds a note if it is beyond a limit. */
-    static ImportResult of(
-            String file, Optional<LabelGrid> grid, PatientBody body, Optional<ScanAlignment> alignment) {
+    static ImportResult of(String file, Optional<LabelGrid> grid, PatientBody body, Optional<ScanAlignment> alignment) {
         Optional<SheetQuality> quality = SheetQuality.of(body.thorax());
         return new ImportResult(
                 file,

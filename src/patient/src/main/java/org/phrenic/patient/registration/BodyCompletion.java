@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.IntStream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -22,23 +21,9 @@ import org.phrenic.patient.PatientStructure;
  * Completes a body from any field of view with the structures that are missing from its scan or truncated. A template
  * thorax is aligned by landmarks ({@link RoughAlignment}), its bones are fitted to those of the scan ({@link BoneFit}),
  * ribs that end short of the spine are extended ({@link RibExtension}), and soft organs follow the bones and what the
- * scan has of organs ({@link DisplacementField}).
+ * scan has of organs ({@link OrganFit}).
  */
 public final class BodyCompletion {
-    /** Radii of the displacement fields of soft organs, mm. */
-    private static final double[] SOFT_RADII_MM = {120, 90, 60, 40, 30, 22};
-
-    private static final int STEPS_PER_RADIUS = 5;
-    /** Number of bone points that are kept fixed while soft organs are displaced. */
-    private static final int FIXED_POINTS = 1200;
-
-    private static final Set<StructureKind> BONES = EnumSet.of(
-            StructureKind.RIB,
-            StructureKind.COSTAL_CARTILAGE,
-            StructureKind.STERNUM,
-            StructureKind.VERTEBRA,
-            StructureKind.DISC);
-
     /** Structures transformed by a similarity. Ribs bend with the cage; cartilages connect bones and may deform. */
     private static final Set<StructureKind> KEEPING_SHAPE =
             EnumSet.of(StructureKind.STERNUM, StructureKind.VERTEBRA, StructureKind.DISC);
@@ -85,7 +70,8 @@ public final class BodyCompletion {
         return PatientBody.merged(of.stream().filter(t -> isSame(t, like)));
     }
 
-    private static boolean isSame(Structure a, Structure b) {
+    /** Whether two structures have the same kind, level and side. */
+    static boolean isSame(Structure a, Structure b) {
         return a.kind() == b.kind()
                 && a.level() == b.level()
                 && a.side() == b.side()
@@ -104,7 +90,7 @@ public final class BodyCompletion {
                     + ": the scan has no bone, lung or liver by which a virtual thorax can be placed"));
         }
         completion.fitBones(template);
-        completion.fitOrgans();
+        new OrganFit(completion.template, completion.shared).fit();
         return completion.completed(template.name());
     }
 
@@ -148,73 +134,6 @@ public final class BodyCompletion {
                 .mapToDouble(s -> s.mesh().centre()[0])
                 .average()
                 .orElse(0);
-    }
-
-    /** Soft organs follow what the scan has of them; bones stay. */
-    private void fitOrgans() {
-        List<SurfacePair> pairs = new ArrayList<>();
-        for (SharedStructure s : shared) {
-            TriangleMesh placed = merged(template, s.organ().structure()).orElseThrow();
-            if (s.kind() == StructureKind.LUNG) {
-                TriangleMesh base = DiaphragmaticSurface.of(s.scan());
-                TriangleMesh templateBase = DiaphragmaticSurface.of(placed);
-                pairs.add(new SurfacePair(
-                        s.organ(),
-                        DiaphragmaticSurface.complement(s.scan()),
-                        DiaphragmaticSurface.complement(placed),
-                        true));
-                if (base.triangleCount() > 0 && templateBase.triangleCount() > 0) {
-                    pairs.add(new SurfacePair(s.organ(), base, templateBase, false));
-                }
-            } else if (!BONES.contains(s.kind())) {
-                pairs.add(new SurfacePair(s.organ(), s.scan(), placed, false));
-            }
-        }
-        for (double radius : SOFT_RADII_MM) {
-            for (int step = 0; step < STEPS_PER_RADIUS; step++) {
-                double[][] points = correspondences(pairs);
-                double[] bounds = MeshMerge.merge(
-                                template.stream().map(Structure::mesh).toList())
-                        .bounds();
-                transform(new DisplacementField(points[0], points[1], radius, bounds), pairs);
-            }
-        }
-    }
-
-    private double[][] correspondences(List<SurfacePair> pairs) {
-        List<double[]> from = new ArrayList<>();
-        List<double[]> to = new ArrayList<>();
-        pairs.parallelStream().map(SurfacePair::correspondences).toList().forEach(points -> {
-            from.addAll(points.from());
-            to.addAll(points.to());
-        });
-        TriangleMesh bone = MeshMerge.merge(template.stream()
-                .filter(s -> BONES.contains(s.kind()))
-                .map(Structure::mesh)
-                .toList());
-        int stride = Math.max(1, bone.vertexCount() / FIXED_POINTS);
-        for (int v = 0; v < bone.vertexCount(); v += stride) {
-            double[] p = {bone.x(v), bone.y(v), bone.z(v)};
-            from.add(p);
-            to.add(p);
-        }
-        return new double[][] {flat(from), flat(to)};
-    }
-
-    private static double[] flat(List<double[]> points) {
-        double[] all = new double[3 * points.size()];
-        for (int i = 0; i < points.size(); i++) {
-            System.arraycopy(points.get(i), 0, all, 3 * i, 3);
-        }
-        return all;
-    }
-
-    private void transform(PointTransform map, List<SurfacePair> pairs) {
-        pairs.parallelStream().forEach(pair -> pair.transformTemplate(map));
-        IntStream.range(0, template.size())
-                .parallel()
-                .filter(i -> !BONES.contains(template.get(i).kind()))
-                .forEach(i -> template.set(i, map.apply(template.get(i))));
     }
 
     private PatientBody completed(String templateName) {

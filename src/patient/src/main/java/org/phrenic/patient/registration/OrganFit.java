@@ -1,0 +1,163 @@
+package org.phrenic.patient.registration;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.MeshMerge;
+import org.phrenic.patient.PatientBody;
+
+/**
+ * Brings the soft organs of a template whose bones are placed to what a scan has of organs. First all of them follow a
+ * field so smooth that an organ of which the scan shows nothing moves with its neighbours and keeps its shape
+ * ({@link SmoothField}); then those that the scan shows, and the sheets about them, follow finer displacements
+ * ({@link DisplacementField}). Bones stay.
+ */
+final class OrganFit {
+    private static final SmoothField.Scale[] SMOOTH = {new SmoothField.Scale(450, 20), new SmoothField.Scale(220, 12)};
+    private static final int SMOOTH_ROUNDS = 4;
+    private static final int SMOOTH_POINTS = 80;
+    private static final double ORGAN_SIGMA_MM = 4;
+    private static final double BONE_SIGMA_MM = 5;
+    private static final int SMOOTH_BONE_POINTS = 250;
+    /** Radii of the displacement fields, mm. */
+    private static final double[] RADII_MM = {90, 60, 40, 30, 22};
+
+    private static final int STEPS_PER_RADIUS = 5;
+    /** Number of bone points that are kept fixed. */
+    private static final int BONE_POINTS = 1200;
+
+    static final Set<StructureKind> BONES = EnumSet.of(
+            StructureKind.RIB,
+            StructureKind.COSTAL_CARTILAGE,
+            StructureKind.STERNUM,
+            StructureKind.VERTEBRA,
+            StructureKind.DISC);
+
+    private final List<Structure> template;
+    private final List<SharedStructure> shared;
+
+    /**
+     * @param template placed structures, replaced in the list
+     * @param shared structures that scan and template have
+     */
+    OrganFit(List<Structure> template, List<SharedStructure> shared) {
+        this.template = template;
+        this.shared = shared.stream().filter(s -> !BONES.contains(s.kind())).toList();
+    }
+
+    void fit() {
+        if (!shared.isEmpty()) {
+            followSmoothly();
+            followClosely();
+        }
+    }
+
+    private void followSmoothly() {
+        List<SurfacePair> pairs = pairs();
+        PointPairs bones = new PointPairs();
+        double[] fixed = bonePoints(SMOOTH_BONE_POINTS);
+        bones.addAll(fixed, fixed, BONE_SIGMA_MM);
+        SmoothField field = null;
+        for (int round = 0; round < SMOOTH_ROUNDS; round++) {
+            PointPairs all = new PointPairs();
+            all.addAll(bones);
+            for (SurfacePair pair : pairs) {
+                if (field != null) {
+                    pair.place(field);
+                }
+                all.addAll(pair.nearest(SMOOTH_POINTS, ORGAN_SIGMA_MM));
+            }
+            double[] displacements = all.to();
+            double[] from = all.from();
+            for (int i = 0; i < from.length; i++) {
+                displacements[i] -= from[i];
+            }
+            field = new SmoothField(all, displacements, SMOOTH, 0, 0);
+        }
+        move(field, s -> true);
+    }
+
+    private void followClosely() {
+        List<SurfacePair> pairs = pairs();
+        for (double radius : RADII_MM) {
+            for (int step = 0; step < STEPS_PER_RADIUS; step++) {
+                double[][] points = correspondences(pairs);
+                double[] bounds = MeshMerge.merge(
+                                template.stream().map(Structure::mesh).toList())
+                        .bounds();
+                DisplacementField field = new DisplacementField(points[0], points[1], radius, bounds);
+                pairs.parallelStream().forEach(pair -> pair.transformTemplate(field));
+                move(field, this::isSeenOrSheet);
+            }
+        }
+    }
+
+    private boolean isSeenOrSheet(Structure s) {
+        return s.kind() == StructureKind.DIAPHRAGM
+                || s.kind() == StructureKind.SKIN
+                || shared.stream()
+                        .anyMatch(other -> BodyCompletion.isSame(other.organ().structure(), s));
+    }
+
+    private List<SurfacePair> pairs() {
+        List<SurfacePair> pairs = new ArrayList<>();
+        for (SharedStructure s : shared) {
+            TriangleMesh placed = PatientBody.merged(template.stream()
+                            .filter(t -> BodyCompletion.isSame(t, s.organ().structure())))
+                    .orElseThrow();
+            if (s.kind() != StructureKind.LUNG) {
+                pairs.add(new SurfacePair(s.organ(), s.scan(), placed, false));
+                continue;
+            }
+            TriangleMesh base = DiaphragmaticSurface.of(s.scan());
+            TriangleMesh templateBase = DiaphragmaticSurface.of(placed);
+            pairs.add(new SurfacePair(
+                    s.organ(),
+                    DiaphragmaticSurface.complement(s.scan()),
+                    DiaphragmaticSurface.complement(placed),
+                    true));
+            if (base.triangleCount() > 0 && templateBase.triangleCount() > 0) {
+                pairs.add(new SurfacePair(s.organ(), base, templateBase, false));
+            }
+        }
+        return pairs;
+    }
+
+    private void move(PointTransform map, Predicate<Structure> which) {
+        IntStream.range(0, template.size())
+                .parallel()
+                .filter(i -> !BONES.contains(template.get(i).kind()) && which.test(template.get(i)))
+                .forEach(i -> template.set(i, map.apply(template.get(i))));
+    }
+
+    private double[] bonePoints(int count) {
+        TriangleMesh bone = MeshMerge.merge(template.stream()
+                .filter(s -> BONES.contains(s.kind()))
+                .map(Structure::mesh)
+                .toList());
+        int stride = Math.max(1, bone.vertexCount() / count);
+        double[] points = new double[3 * ((bone.vertexCount() + stride - 1) / stride)];
+        for (int i = 0; i < points.length / 3; i++) {
+            System.arraycopy(bone.positions(), 3 * i * stride, points, 3 * i, 3);
+        }
+        return points;
+    }
+
+    private double[][] correspondences(List<SurfacePair> pairs) {
+        PointPairs all = new PointPairs();
+        pairs.parallelStream().map(SurfacePair::correspondences).toList().forEach(points -> {
+            for (int i = 0; i < points.from().size(); i++) {
+                all.add(points.from().get(i), points.to().get(i), 1);
+            }
+        });
+        double[] fixed = bonePoints(BONE_POINTS);
+        all.addAll(fixed, fixed, 1);
+        return new double[][] {all.from(), all.to()};
+    }
+}
