@@ -78,32 +78,8 @@ public final class ThoraxFolder {
         Path index = folder.resolve(INDEX_FILE);
         YamlMap yaml = Files.exists(index) ? YamlDocument.read(index) : YamlDocument.parse(INDEX_FILE, "{}");
         yaml.requireOnly(List.of("name", "axes", "units", "structures", "not_in_scan"));
-        Map<String, Path> files = yaml.has("structures") ? filesFromIndex(folder, yaml) : filesByName(folder);
         List<String> notes = new ArrayList<>();
-        List<Found> found = new ArrayList<>();
-        // Lists as keys, not records: the first hash of a record makes the JVM generate some forty classes.
-        Map<List<Object>, Path> seen = new HashMap<>();
-        for (var entry : files.entrySet()) {
-            String structure = StructureName.parse(entry.getKey()).isPresent()
-                    ? entry.getKey()
-                    : synonyms.apply(entry.getKey()).orElse(entry.getKey());
-            Optional<StructureName> known = StructureName.parse(structure);
-            if (known.isEmpty()) {
-                if (yaml.has("structures")) {
-                    throw yaml.map("structures")
-                            .bad(entry.getKey(), "is no structure's name, expected one such as rib_05_R or diaphragm");
-                }
-                notes.add(entry.getValue().getFileName() + ": left out, its name is no structure's");
-                continue;
-            }
-            StructureName name = known.get();
-            List<Object> place = List.of(name.kind(), name.level(), name.side());
-            Path twin = UNIQUE_KINDS.contains(name.kind()) ? seen.putIfAbsent(place, entry.getValue()) : null;
-            if (twin != null) {
-                throw duplicateStructure(folder, twin, entry.getValue());
-            }
-            found.add(new Found(structure, name, entry.getValue()));
-        }
+        List<Found> found = found(folder, yaml, synonyms, notes);
         List<Structure> raw = read(found);
         if (raw.isEmpty()) {
             throw new BadInputException(
@@ -136,6 +112,37 @@ public final class ThoraxFolder {
                 structures,
                 notes,
                 yaml.has("not_in_scan") ? Set.copyOf(yaml.texts("not_in_scan")) : Set.of());
+    }
+
+    /** The files whose names are those of structures; adds a note on each other one. */
+    private static List<Found> found(
+            Path folder, YamlMap yaml, Function<String, Optional<String>> synonyms, List<String> notes) {
+        Map<String, Path> files = yaml.has("structures") ? filesFromIndex(folder, yaml) : filesByName(folder);
+        List<Found> found = new ArrayList<>();
+        // Lists as keys, not records: the first hash of a record makes the JVM generate some forty classes.
+        Map<List<Object>, Path> seen = new HashMap<>();
+        for (var entry : files.entrySet()) {
+            String structure = StructureName.parse(entry.getKey()).isPresent()
+                    ? entry.getKey()
+                    : synonyms.apply(entry.getKey()).orElse(entry.getKey());
+            Optional<StructureName> known = StructureName.parse(structure);
+            if (known.isEmpty()) {
+                if (yaml.has("structures")) {
+                    throw yaml.map("structures")
+                            .bad(entry.getKey(), "is no structure's name, expected one such as rib_05_R or diaphragm");
+                }
+                notes.add(entry.getValue().getFileName() + ": left out, its name is no structure's");
+                continue;
+            }
+            StructureName name = known.get();
+            List<Object> place = List.of(name.kind(), name.level(), name.side());
+            Path twin = UNIQUE_KINDS.contains(name.kind()) ? seen.putIfAbsent(place, entry.getValue()) : null;
+            if (twin != null) {
+                throw duplicateStructure(folder, twin, entry.getValue());
+            }
+            found.add(new Found(structure, name, entry.getValue()));
+        }
+        return found;
     }
 
     /**
