@@ -66,7 +66,7 @@ final class RibNumbering {
     private String renumber(Optional<Integer> divided) {
         String found = common > 0
                 ? "ribs"
-                : "label " + s.labels(s.names().get(divided.orElseThrow() - 1)) + " holds parts of two ribs";
+                : "label " + s.labels(s.names().get(divided.orElseThrow() - 1)).get(0) + " holds parts of two ribs";
         findVertebrae();
         double middle = components.ribs().stream()
                 .mapToDouble(rib -> rib.centre[0])
