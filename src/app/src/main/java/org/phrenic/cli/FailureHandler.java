@@ -22,6 +22,9 @@ import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Reports an exception as one sentence on stderr and maps it to an exit code. */
 record FailureHandler(BooleanSupplier debug) implements IParameterExceptionHandler, IExecutionExceptionHandler {
+    private static final String DIVERGENCE_ADVICE =
+            "; a shorter time_step_s, less depth or a body without faults in its diaphragm may help";
+
     @Override
     public int handleParseException(ParameterException failure, String[] args) {
         CommandLine line = failure.getCommandLine();
@@ -45,7 +48,8 @@ record FailureHandler(BooleanSupplier debug) implements IParameterExceptionHandl
         }
         String unexpected = "an unexpected failure, " + failure.getClass().getSimpleName()
                 + (told ? " (" + failure.getMessage() + ")" : "") + "; --debug shows where";
-        print(line.getErr(), failure instanceof DivergenceException ? failure.getMessage() : unexpected, failure);
+        boolean diverged = failure instanceof DivergenceException;
+        print(line.getErr(), diverged ? failure.getMessage() + DIVERGENCE_ADVICE : unexpected, failure);
         return ExitCode.FAILURE;
     }
 

@@ -86,6 +86,7 @@ public final class Simulation implements AutoCloseable {
      * @param thorax the loaded body
      */
     public static Simulation of(Scenario scenario, Thorax thorax) {
+        SceneAssembly.requireBreathing(thorax);
         BreathDrive drive = new BreathDrive(new LiveBreathing(scenario));
         RibCage cage = RibCage.of(
                 thorax,
@@ -104,6 +105,7 @@ public final class Simulation implements AutoCloseable {
             if (Double.isFinite(scenario.material().maxDisplacementMm())) {
                 stepper.boundDisplacement(scenario.material().maxDisplacementMm());
             }
+            stepper.nameNodes(node -> NodeNames.of(scene, node));
             return new Simulation(scenario, scene, stepper, workers, limit, moved);
         } catch (RuntimeException e) {
             workers.close();
@@ -119,6 +121,7 @@ public final class Simulation implements AutoCloseable {
         scene.drive().holdAtExpiration(true);
         Stepper stepper =
                 new Stepper(IntegratorKind.VERLET.create(system), scenario.timeStepS(), StepPolicy.SUBSTEP, limit);
+        stepper.nameNodes(node -> NodeNames.of(scene, node));
         long steps = Math.max(MIN_SETTLING_STEPS, Math.round(SETTLE_S / scenario.timeStepS()));
         for (long i = 0; i < steps; i++) {
             stepper.step();

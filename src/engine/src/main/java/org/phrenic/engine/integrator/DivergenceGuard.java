@@ -1,6 +1,7 @@
 package org.phrenic.engine.integrator;
 
 import java.util.Locale;
+import java.util.function.IntFunction;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
@@ -42,6 +43,7 @@ final class DivergenceGuard {
     private double[] reference = {};
 
     private double maxDisplacement = Double.POSITIVE_INFINITY;
+    private IntFunction<String> names = node -> "node " + node;
     private long measuredFrom;
     private double within;
     private final Workers.Task measure = this::measure;
@@ -58,6 +60,15 @@ final class DivergenceGuard {
         measuredFrom = 0;
         reference = system.positions().clone();
         maxDisplacement = mm;
+    }
+
+    /** Names nodes in messages by their number in the caller's order. */
+    void nameNodes(IntFunction<String> naming) {
+        names = naming;
+    }
+
+    private String name(int node) {
+        return names.apply(system.layout().caller(node));
     }
 
     /** Restarts at step 0 with the current state as checkpoint. */
@@ -166,9 +177,9 @@ final class DivergenceGuard {
         for (int n = 1; n < system.nodeCount(); n++) {
             farthest = squaredWay(n) > squaredWay(farthest) ? n : farthest;
         }
-        String pattern = "node %d is %.3g mm from where it was at rest, the bound is %.3g mm";
+        String pattern = "%s is %.3g mm from where it was at rest, the bound is %.3g mm";
         double distance = Math.sqrt(squaredWay(farthest));
-        return String.format(Locale.ROOT, pattern, system.layout().caller(farthest), distance, maxDisplacement);
+        return String.format(Locale.ROOT, pattern, name(farthest), distance, maxDisplacement);
     }
 
     private String describe() {
@@ -182,11 +193,11 @@ final class DivergenceGuard {
                 finite &= Double.isFinite(x[i]) && Double.isFinite(v[i]);
             }
             if (!finite) {
-                return "position or velocity of node " + system.layout().caller(n) + " is not a finite number";
+                return "position or velocity of " + name(n) + " is not a finite number";
             }
             if (speed > MAX_SPEED * MAX_SPEED) {
-                String pattern = "node %d moves at %.3g mm/s, the bound is %.3g mm/s";
-                return String.format(Locale.ROOT, pattern, system.layout().caller(n), Math.sqrt(speed), MAX_SPEED);
+                String pattern = "%s moves at %.3g mm/s, the bound is %.3g mm/s";
+                return String.format(Locale.ROOT, pattern, name(n), Math.sqrt(speed), MAX_SPEED);
             }
         }
         return "speed beyond all bounds";

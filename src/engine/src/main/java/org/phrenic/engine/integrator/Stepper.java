@@ -1,5 +1,6 @@
 package org.phrenic.engine.integrator;
 
+import java.util.function.IntFunction;
 import org.phrenic.engine.ParticleSystem;
 
 /**
@@ -99,6 +100,15 @@ public final class Stepper {
      */
     public void boundDisplacement(double mm) {
         guard.boundDisplacement(mm);
+    }
+
+    /**
+     * Names nodes in the messages of a divergence.
+     *
+     * @param names name of a node by its number in the caller's order; without them, {@code node 12}
+     */
+    public void nameNodes(IntFunction<String> names) {
+        guard.nameNodes(names);
     }
 
     /** Saves the current state as checkpoint. */

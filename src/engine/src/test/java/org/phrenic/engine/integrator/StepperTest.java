@@ -198,6 +198,9 @@ class StepperTest {
                 .hasMessageContaining("node 0 moves at 1.00e+04 mm/s");
         // What was set before the first step belongs to the state at 0 s.
         assertThat(system.velocities()[2]).isEqualTo(9_999);
+        stepper.nameNodes(node -> "knot " + node);
+        system.velocities()[2] = 10_001;
+        assertThatThrownBy(stepper::step).hasMessageContaining("(knot 0 moves at 1.00e+04 mm/s");
         stepper.step();
         assertThat(stepper.steps()).isEqualTo(1);
     }

@@ -131,9 +131,8 @@ final class SheetCrossing {
             int t = hit.triangle;
             boolean inside = signed != null && signed[i] < 0;
             boolean ownSide = t < 0
-                    || (!inside
-                            && (isBeyondBorder(hit, faces.border, working)
-                                    || diaphragm.isThoracic(corners[3 * t]) == above));
+                    || isBeyondBorder(hit, faces.border, working)
+                    || (!inside && diaphragm.isThoracic(corners[3 * t]) == above);
             if (!ownSide
                     && (inside || isBehind(points, k, middle, faces.whole))
                     && own.closest(points[k], points[k + 1], points[k + 2], hit)) {

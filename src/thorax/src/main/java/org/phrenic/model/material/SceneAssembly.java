@@ -79,6 +79,21 @@ public final class SceneAssembly {
         return new SceneAssembly(settings, new Scene(settings, thorax, values, drive, pose, workers)).build();
     }
 
+    /**
+     * Refuses a body without the parts that breathe.
+     *
+     * @throws BadInputException with one sentence
+     */
+    public static void requireBreathing(Thorax thorax) {
+        boolean noSheet = thorax.structuresOf(StructureKind.DIAPHRAGM).isEmpty();
+        boolean noRibs = thorax.structuresOf(StructureKind.RIB).isEmpty();
+        if (noSheet || noRibs) {
+            String lack = noSheet && noRibs ? "diaphragm and no ribs" : noSheet ? "diaphragm" : "ribs";
+            throw new BadInputException(
+                    thorax.name() + ": this body cannot breathe, found no " + lack + ", expected a diaphragm and ribs");
+        }
+    }
+
     private Scene build() {
         RibCage cage = scene.pose().cage();
         SternumModel sternumModel = settings.get(OrganSettings.STERNUM);
