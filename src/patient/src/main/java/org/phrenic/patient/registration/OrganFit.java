@@ -1,6 +1,7 @@
 package org.phrenic.patient.registration;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
@@ -10,6 +11,7 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
+import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.patient.PatientBody;
 
 /**
@@ -31,6 +33,15 @@ final class OrganFit {
     private static final int STEPS_PER_RADIUS = 5;
     /** Number of bone points that are kept fixed. */
     private static final int BONE_POINTS = 1200;
+
+    /** Height of a diaphragm with its serous membranes, mm. */
+    private static final double SHEET_MM = 4;
+    /** Start of the search for the base of a lung below a point, mm. */
+    private static final double BELOW_MM = 250;
+    /** Share of the points of a liver that the lungs may indent; the others decide how far it is lowered. */
+    private static final double LOWEST_SHARE = 0.1;
+    /** Greatest indentation by a lung, mm; a deeper one flattens the liver. */
+    private static final double INDENTATION_MM = 12;
 
     static final Set<StructureKind> BONES = EnumSet.of(
             StructureKind.RIB,
@@ -56,6 +67,56 @@ final class OrganFit {
             followSmoothly();
             followClosely();
         }
+        if (shared.stream().noneMatch(s -> s.kind() == StructureKind.LIVER)) {
+            for (int i = 0; i < template.size(); i++) {
+                if (template.get(i).kind() == StructureKind.LIVER) {
+                    template.set(i, belowLungs(template.get(i)));
+                }
+            }
+        }
+    }
+
+    /** Lowers a liver that the scan does not show as a whole until it lies below the bases of the lungs. */
+    private Structure belowLungs(Structure liver) {
+        List<TriangleTree> bases = lungs().stream()
+                .map(DiaphragmaticSurface::of)
+                .filter(base -> base.triangleCount() > 0)
+                .map(TriangleTree::new)
+                .toList();
+        double[] p = liver.mesh().positions().clone();
+        double[] room = new double[p.length / 3];
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        for (int v = 0; v < room.length; v++) {
+            room[v] = Double.POSITIVE_INFINITY;
+            for (TriangleTree base : bases) {
+                if (base.nearestAlongRay(p[3 * v], p[3 * v + 1], p[3 * v + 2] - BELOW_MM, 0, 0, 1, hit)) {
+                    room[v] = Math.min(room[v], hit.rayParameter - BELOW_MM - SHEET_MM);
+                }
+            }
+        }
+        double[] sorted = room.clone();
+        Arrays.sort(sorted);
+        double shift = Math.min(0, sorted[(int) (LOWEST_SHARE * (sorted.length - 1))]);
+        for (int v = 0; v < room.length; v++) {
+            p[3 * v + 2] += Math.max(shift - INDENTATION_MM, Math.min(shift, room[v]));
+        }
+        return liver.withMesh(liver.mesh().withPositions(p));
+    }
+
+    /** Lungs of the scan where it has them whole, those of the template otherwise. */
+    private List<TriangleMesh> lungs() {
+        List<TriangleMesh> lungs = new ArrayList<>();
+        for (Structure s : template) {
+            if (s.kind() == StructureKind.LUNG) {
+                lungs.add(shared.stream()
+                        .filter(other -> other.isComplete()
+                                && BodyCompletion.isSame(other.organ().structure(), s))
+                        .map(SharedStructure::scan)
+                        .findFirst()
+                        .orElse(s.mesh()));
+            }
+        }
+        return lungs;
     }
 
     private void followSmoothly() {
