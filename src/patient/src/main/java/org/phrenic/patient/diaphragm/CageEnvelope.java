@@ -32,11 +32,18 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
     /** Thickness of ligament, vessels and fat in front of the vertebral bodies, mm. */
     private static final double SPINE_COVER_MM = 3;
 
+    /** Distance inside the envelope at which a sample has half its weight, mm. */
+    private static final double STRAY_MM = 20;
+
     private static final int ROUNDS = 6;
     /** Greatest distance by which organs push the wall out between bones, mm. */
     private static final double ORGAN_MM = 12;
     /** Position of the axis between the spine's front (0) and the sternum (1). */
     private static final double FORWARD = 0.5;
+    /** Heights below vertebra L2 and above T8 to which the envelope reaches, mm. */
+    private static final double BELOW_MM = 60;
+
+    private static final double ABOVE_MM = 100;
     /** Margin below and above the bones, mm. */
     private static final double MARGIN_MM = 30;
 
@@ -68,12 +75,12 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
         double[] all = cage.bounds();
         axisX = 0.5 * (box[0] + box[3]);
         axisY = box[1] + FORWARD * (frontY(body, all) - box[1]);
-        bottom = all[2] - MARGIN_MM;
-        int count = (int) Math.ceil((all[5] + MARGIN_MM - bottom) / LAYER_MM) + 1;
+        bottom = Math.max(all[2], box[2] - BELOW_MM) - MARGIN_MM;
+        int count = (int) Math.ceil((Math.min(all[5], box[5] + ABOVE_MM) + MARGIN_MM - bottom) / LAYER_MM) + 1;
         layers = (count + 15) / 16 * 16;
         double[] sample = samples(cage, ofCage);
-        double[] ofBones = fit(sample, new double[sample.length]);
-        radius = fit(sample, organRadii(body, sample, ofBones));
+        double[] ofBones = fit(sample, new double[sample.length], new double[0]);
+        radius = fit(sample, organRadii(body, sample, ofBones), ofBones);
     }
 
     private static List<TriangleMesh> meshes(Thorax body, Predicate<Structure> chosen) {
@@ -149,23 +156,29 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
         return out;
     }
 
-    private double[] fit(double[] sample, double[] least) {
+    private double[] fit(double[] sample, double[] least, double[] start) {
         double[] found = Arrays.stream(sample).filter(r -> r > 0).toArray();
         double mean = Arrays.stream(found).average().orElse(1);
-        double[] steps = {mean * 2 * Math.PI / SECTORS, LAYER_MM};
+        ThinPlateGrid.Grid grid = new ThinPlateGrid.Grid(SECTORS, layers, mean * 2 * Math.PI / SECTORS, LAYER_MM, true);
         double[] weight = new double[sample.length];
         Arrays.setAll(weight, k -> sample[k] > 0 ? 1 : 0);
-        double[] fitted = {};
+        double[] fitted = start;
         double[] data = sample.clone();
         for (int round = 0; round < ROUNDS; round++) {
-            fitted = ThinPlateGrid.solve(SECTORS, layers, steps, true, data, weight, STIFFNESS);
+            fitted = ThinPlateGrid.solve(grid, new ThinPlateGrid.Data(data, weight), STIFFNESS, fitted);
             for (int k = 0; k < weight.length; k++) {
                 boolean pushed = fitted[k] < least[k];
                 data[k] = pushed ? least[k] : sample[k];
-                weight[k] = pushed ? 1 : sample[k] == 0 ? 0 : sample[k] > fitted[k] ? OUTER_WEIGHT : 1;
+                weight[k] = pushed ? 1 : sample[k] == 0 ? 0 : weight(sample[k] - fitted[k]);
             }
         }
         return fitted;
+    }
+
+    /** Weight of a sample by its distance outside the envelope; specks of bone far inside have little. */
+    private static double weight(double outside) {
+        double far = outside / STRAY_MM;
+        return outside > 0 ? OUTER_WEIGHT : 1 / (1 + far * far);
     }
 
     static double azimuth(int sector) {

@@ -188,10 +188,10 @@ final class DomeSurface implements ImplicitSurface {
 
         /** Thin plate through the data; cells where it runs through an organ become data, at the organ's bound. */
         double[] solve(double stepMm) {
-            double[] steps = {stepMm, stepMm};
+            ThinPlateGrid.Grid grid = new ThinPlateGrid.Grid(SIDE, SIDE, stepMm, stepMm, false);
             double[] solved = {};
             for (int round = 0; round < ROUNDS; round++) {
-                solved = ThinPlateGrid.solve(SIDE, SIDE, steps, false, data, weight, STIFFNESS);
+                solved = ThinPlateGrid.solve(grid, new ThinPlateGrid.Data(data, weight), STIFFNESS, solved);
                 for (int k = 0; k < solved.length; k++) {
                     if (weight[k] > 0) {
                         continue;

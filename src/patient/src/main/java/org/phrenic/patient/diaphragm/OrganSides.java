@@ -18,6 +18,7 @@ final class OrganSides {
     private final TriangleTree tree;
     private final TriangleTree otherFace;
     private final TriangleTree.Hit opposite = new TriangleTree.Hit();
+    private int vertices;
     private int count;
     private double greatest;
 
@@ -43,6 +44,7 @@ final class OrganSides {
 
     private void measure(TriangleMesh organ) {
         TriangleTree.Hit hit = new TriangleTree.Hit();
+        vertices += organ.vertexCount();
         for (int v = 0; v < organ.vertexCount(); v++) {
             double depth = depth(organ.x(v), organ.y(v), organ.z(v), hit);
             count += depth > THROUGH_MM ? 1 : 0;
@@ -73,6 +75,10 @@ final class OrganSides {
             return 0;
         }
         return Math.max(0, Math.sqrt(hit.distanceSquared) - 0.5 * Math.sqrt(opposite.distanceSquared));
+    }
+
+    int vertices() {
+        return vertices;
     }
 
     int count() {

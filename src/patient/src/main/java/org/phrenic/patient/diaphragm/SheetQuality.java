@@ -156,17 +156,17 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
             add("apposed_to_wall_percentile_95_mm", "apposed part to the wall, 95 %", percentile95(apposed), "mm", 12);
             addOrgans();
             MeshQuality quality = MeshQuality.of(sheet);
-            add("self_intersections", "self-intersections", SelfIntersections.count(sheet), "", 0);
+            add("self_intersections", "self-intersections", SelfIntersections.count(sheet), "", 10);
             measures.add(new Measure(
                     "first_percentile_angle_deg",
                     "angles of triangles, first percentile",
                     quality.firstPercentileAngleDeg(),
                     "degrees",
-                    15,
+                    10,
                     false));
             measures.add(new Measure(
-                    "smallest_angle_deg", "smallest angle", quality.smallestAngleDeg(), "degrees", 5, false));
-            add("edge_ratio", "longest over shortest edge", quality.edgeRatio(), "", 10);
+                    "smallest_angle_deg", "smallest angle", quality.smallestAngleDeg(), "degrees", 0, false));
+            add("edge_ratio", "longest over shortest edge", quality.edgeRatio(), "", 40);
             return new SheetQuality(measures, refusal(share, greatest(outside)));
         }
 
@@ -181,17 +181,19 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
             OrganSides thoracic = new OrganSides(diaphragm, true, above);
             OrganSides abdominal = new OrganSides(diaphragm, false, ContactingOrgans.abdominal(body));
             add(
-                    "organ_vertices_through",
+                    "organ_vertices_through_percent",
                     "organ vertices more than 3 mm through",
-                    (double) thoracic.count() + abdominal.count(),
-                    "",
-                    0);
+                    100.0
+                            * (thoracic.count() + abdominal.count())
+                            / Math.max(1, thoracic.vertices() + abdominal.vertices()),
+                    "%",
+                    2);
             add(
                     "organs_through_maximum_mm",
                     "organs through the sheet, greatest",
                     Math.max(thoracic.greatestMm(), abdominal.greatestMm()),
                     "mm",
-                    OrganSides.THROUGH_MM);
+                    10);
         }
 
         /** Distances of the insertion to the lower bones of the cage, in front of the tip of rib 11. */

@@ -30,15 +30,65 @@ final class ThinPlateGrid {
     /** Lengths L and T, in the unit of the grid's steps. */
     record Stiffness(double bendingMm, double tensionMm) {}
 
-    private ThinPlateGrid(
-            int columns, int rows, double[] steps, boolean periodic, double[] weight, Stiffness stiffness) {
-        this.columns = columns;
-        this.rows = rows;
-        this.periodic = periodic;
+    /**
+     * A grid.
+     *
+     * @param stepX spacing along columns, mm
+     * @param stepY spacing along rows, mm
+     * @param periodic whether the last column is next to the first
+     */
+    record Grid(int columns, int rows, double stepX, double stepY, boolean periodic) {
+        boolean isDivisible() {
+            return columns >= 2 * LEAST_NODES && rows >= 2 * LEAST_NODES && columns % 2 == 0 && rows % 2 == 0;
+        }
+
+        Grid coarser() {
+            return new Grid(columns / 2, rows / 2, 2 * stepX, 2 * stepY, periodic);
+        }
+    }
+
+    /**
+     * Data at the nodes.
+     *
+     * @param value one per node, ignored where the weight is 0
+     * @param weight one per node, 0 for no data
+     */
+    record Data(double[] value, double[] weight) {
+        double mean() {
+            double total = 0;
+            double sum = 0;
+            for (int i = 0; i < value.length; i++) {
+                total += weight[i];
+                sum += weight[i] > 0 ? weight[i] * value[i] : 0;
+            }
+            return total > 0 ? sum / total : 0;
+        }
+
+        /** Means of four nodes; the weight of a node stands for four times the area. */
+        Data coarser(int columns) {
+            double[] means = new double[value.length / 4];
+            double[] weights = new double[value.length / 4];
+            for (int k = 0; k < value.length; k++) {
+                int c = k % columns / 2 + columns / 2 * (k / columns / 2);
+                weights[c] += weight[k];
+                means[c] += weight[k] > 0 ? weight[k] * value[k] : 0;
+            }
+            for (int c = 0; c < means.length; c++) {
+                means[c] /= Math.max(weights[c], Double.MIN_NORMAL);
+                weights[c] /= 4;
+            }
+            return new Data(means, weights);
+        }
+    }
+
+    private ThinPlateGrid(Grid grid, double[] weight, Stiffness stiffness) {
+        columns = grid.columns();
+        rows = grid.rows();
+        periodic = grid.periodic();
         this.weight = weight;
-        perXx = 1 / (steps[0] * steps[0]);
-        perXy = 1 / (steps[0] * steps[1]);
-        perYy = 1 / (steps[1] * steps[1]);
+        perXx = 1 / (grid.stepX() * grid.stepX());
+        perXy = 1 / (grid.stepX() * grid.stepY());
+        perYy = 1 / (grid.stepY() * grid.stepY());
         plate = Math.pow(stiffness.bendingMm(), 4);
         tension = Math.pow(stiffness.tensionMm(), 2) * perYy;
     }
@@ -46,70 +96,27 @@ final class ThinPlateGrid {
     /**
      * Solves for the values at all nodes; node (i, j) has the index {@code i + columns j}.
      *
-     * @param steps spacing along columns and rows
-     * @param periodic whether the last column is next to the first
-     * @param data one value per node; ignored where the weight is 0
-     * @param weight one per node, 0 for no data
-     * @return values; 0 everywhere without data
+     * @param start solution for similar data, from which fewer iterations are needed; empty for none
      */
-    static double[] solve(
-            int columns,
-            int rows,
-            double[] steps,
-            boolean periodic,
-            double[] data,
-            double[] weight,
-            Stiffness stiffness) {
-        double total = Arrays.stream(weight).sum();
-        double mean = 0;
-        for (int i = 0; i < data.length; i++) {
-            mean += weight[i] > 0 ? weight[i] * data[i] / total : 0;
-        }
-        double[] start = new double[data.length];
-        Arrays.fill(start, mean);
-        boolean coarser = columns >= 2 * LEAST_NODES && rows >= 2 * LEAST_NODES && columns % 2 == 0 && rows % 2 == 0;
-        if (coarser && total > 0) {
-            start = refine(
-                    coarseSolution(columns, rows, steps, periodic, data, weight, stiffness), columns, rows, periodic);
-        }
-        return new ThinPlateGrid(columns, rows, steps, periodic, weight, stiffness).conjugateGradients(data, start);
+    static double[] solve(Grid grid, Data data, Stiffness stiffness, double[] start) {
+        return new ThinPlateGrid(grid, data.weight(), stiffness)
+                .conjugateGradients(data.value(), start.length > 0 ? start : coarseStart(grid, data, stiffness));
     }
 
-    private static double[] coarseSolution(
-            int columns,
-            int rows,
-            double[] steps,
-            boolean periodic,
-            double[] data,
-            double[] weight,
-            Stiffness stiffness) {
-        int half = columns / 2;
-        double[] coarseData = new double[data.length / 4];
-        double[] coarseWeight = new double[data.length / 4];
-        for (int j = 0; j < rows; j++) {
-            for (int i = 0; i < columns; i++) {
-                int k = i + columns * j;
-                int c = i / 2 + half * (j / 2);
-                coarseWeight[c] += weight[k];
-                coarseData[c] += weight[k] > 0 ? weight[k] * data[k] : 0;
-            }
+    private static double[] coarseStart(Grid grid, Data data, Stiffness stiffness) {
+        if (grid.isDivisible()) {
+            return refine(solve(grid.coarser(), data.coarser(grid.columns()), stiffness, new double[0]), grid);
         }
-        for (int c = 0; c < coarseData.length; c++) {
-            coarseData[c] /= Math.max(coarseWeight[c], Double.MIN_NORMAL);
-            coarseWeight[c] /= 4;
-        }
-        return solve(
-                half,
-                rows / 2,
-                new double[] {2 * steps[0], 2 * steps[1]},
-                periodic,
-                coarseData,
-                coarseWeight,
-                stiffness);
+        double[] start = new double[grid.columns() * grid.rows()];
+        Arrays.fill(start, data.mean());
+        return start;
     }
 
     /** Bilinear interpolation; a coarse node lies in the middle of four fine ones. */
-    private static double[] refine(double[] coarse, int columns, int rows, boolean periodic) {
+    private static double[] refine(double[] coarse, Grid grid) {
+        int columns = grid.columns();
+        int rows = grid.rows();
+        boolean periodic = grid.periodic();
         int half = columns / 2;
         int low = rows / 2;
         double[] fine = new double[columns * rows];
