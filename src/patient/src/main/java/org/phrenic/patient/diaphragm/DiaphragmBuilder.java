@@ -10,6 +10,7 @@ import org.phrenic.anatomy.virtual.shape.RingMesh;
 import org.phrenic.anatomy.virtual.shape.RootFinder;
 import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.edit.Remesher;
 
 /**
@@ -27,7 +28,11 @@ public final class DiaphragmBuilder implements ImplicitSurface {
     private static final double TURN_MM = 4;
     private static final double DENSE_MM = 3;
     /** Least height of the zone of apposition, mm. */
-    private static final double LEAST_APPOSED_MM = 8;
+    private static final double LEAST_APPOSED_MM = 12;
+    /** Depth inside the wall to which the surface counts as apposed, mm. */
+    private static final double ON_WALL_MM = 3;
+
+    private static final double START_MM = 100;
 
     private static final double LOWEST_RAD = Math.toRadians(-75);
     private static final double STEP_RAD = Math.toRadians(0.5);
@@ -39,7 +44,7 @@ public final class DiaphragmBuilder implements ImplicitSurface {
     private DiaphragmBuilder(Thorax body) {
         cage = new CageEnvelope(body);
         dome = new DomeSurface(body, cage, THICKNESS_MM / 2);
-        insertion = new InsertionLine(body, cage);
+        insertion = dome.insertion();
     }
 
     /**
@@ -80,25 +85,27 @@ public final class DiaphragmBuilder implements ImplicitSurface {
     }
 
     /**
-     * The point of the surface at an azimuth whose height is that of the insertion, but at least
-     * {@value #LEAST_APPOSED_MM} mm below the surface's highest point there.
+     * The point of the surface at an azimuth and the height of the insertion, but at least {@value #LEAST_APPOSED_MM}
+     * mm below the place where the roof leaves the wall, so that no lung lies between the insertion and the wall.
      */
     private double[] border(double azimuth, double height) {
-        double[] best = onSurface(azimuth, LOWEST_RAD, 100);
-        double[] highest = best;
         List<double[]> course = new ArrayList<>();
+        double guess = START_MM;
         for (double angle = LOWEST_RAD; angle < Math.PI / 2; angle += STEP_RAD) {
-            double[] p = onSurface(azimuth, angle, StrictMath.hypot(best[0] - cage.x(0), best[1] - cage.y(0)));
+            double[] p = onSurface(azimuth, angle, guess);
+            guess = Vectors.distance(p, cage.point(azimuth, 0, dome.pivotZ()));
             course.add(p);
-            highest = p[2] > highest[2] ? p : highest;
         }
-        double z = Math.min(height, highest[2] - LEAST_APPOSED_MM);
+        double onWall = Double.NEGATIVE_INFINITY;
+        double highest = Double.NEGATIVE_INFINITY;
+        boolean beside = true;
         for (double[] p : course) {
-            if (p[2] > z) {
-                return p;
-            }
+            beside &= wall(p[0], p[1], p[2]) > -ON_WALL_MM;
+            onWall = beside ? Math.max(onWall, p[2]) : onWall;
+            highest = Math.max(highest, p[2]);
         }
-        return highest;
+        double z = Math.min(height, (onWall > Double.NEGATIVE_INFINITY ? onWall : highest) - LEAST_APPOSED_MM);
+        return course.stream().filter(p -> p[2] > z).findFirst().orElseThrow();
     }
 
     /** Point of the surface along the ray from the pivot at an azimuth and an elevation. */

@@ -42,6 +42,9 @@ final class DomeSurface implements ImplicitSurface {
     /** Distance by which the roof leaves the wall below the lungs, mm. */
     private static final double BEYOND_WALL_MM = 3;
 
+    /** Least depth of the insertion below the top of the lungs' bases, mm. */
+    private static final double BELOW_TOP_MM = 15;
+
     private static final double ABOVE_INSERTION_MM = 5;
     /** Cosine of the polar angle of {@value #WIDEST_DEG} degrees less a cell; there is no roof beyond. */
     private static final double DOWNWARD = Math.cos(Math.toRadians(WIDEST_DEG - 4));
@@ -51,6 +54,7 @@ final class DomeSurface implements ImplicitSurface {
     private final double[] pivot;
     private final double[] rho;
     private final double halfThickness;
+    private final InsertionLine insertion;
 
     DomeSurface(Thorax body, CageEnvelope cage, double halfThickness) {
         this.halfThickness = halfThickness;
@@ -68,8 +72,14 @@ final class DomeSurface implements ImplicitSurface {
         bases.forEach(bounds::lung);
         ContactingOrgans.heart(body).forEach(heart -> bounds.heart(heart.mesh()));
         bounds.organs(organs, cage);
-        bounds.wall(cage, new InsertionLine(body, cage));
+        insertion = new InsertionLine(body, cage, top - BELOW_TOP_MM);
+        bounds.wall(cage);
         rho = bounds.solve(breadth * Math.toRadians(STEP_DEG));
+    }
+
+    /** The line of insertion, which nowhere reaches the top of the lungs' bases. */
+    InsertionLine insertion() {
+        return insertion;
     }
 
     double pivotZ() {
@@ -167,7 +177,7 @@ final class DomeSurface implements ImplicitSurface {
         }
 
         /** Keeps the roof outside the wall where no lung is along a ray to the zone of apposition. */
-        void wall(CageEnvelope cage, InsertionLine insertion) {
+        void wall(CageEnvelope cage) {
             for (int k = 0; k < lower.length; k++) {
                 if (upper[k] < Double.POSITIVE_INFINITY) {
                     continue;

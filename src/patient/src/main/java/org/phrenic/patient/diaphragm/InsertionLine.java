@@ -19,7 +19,7 @@ import org.phrenic.mesh.edit.MeshMerge;
  * and the crura in front of L1 to L3 on the right and L1 to L2 on the left. The line through these corners is smoothed
  * over {@value #SMOOTHING_DEG} degrees.
  */
-public final class InsertionLine {
+final class InsertionLine {
     private static final int SECTORS = 360;
     /** Depth of the insertion below the lowest vertex of the costal margin at an azimuth, mm. */
     private static final double BELOW_MARGIN_MM = 4;
@@ -44,8 +44,11 @@ public final class InsertionLine {
     private final double marginAzimuth;
     private final CageEnvelope cage;
 
-    /** @param cage envelope of the same body */
-    public InsertionLine(Thorax body, CageEnvelope cage) {
+    /**
+     * @param cage envelope of the same body
+     * @param ceiling greatest height, mm; a diaphragm does not insert above its domes, however flat they are
+     */
+    InsertionLine(Thorax body, CageEnvelope cage, double ceiling) {
         this.cage = cage;
         List<double[]> corners = new ArrayList<>();
         addXiphoid(body, corners);
@@ -58,7 +61,7 @@ public final class InsertionLine {
         corners.sort(Comparator.comparingDouble(c -> c[0]));
         double[] raw = new double[SECTORS + 1];
         for (int i = 0; i <= SECTORS; i++) {
-            raw[i] = between(corners, Math.toRadians(i - 180.0));
+            raw[i] = Math.min(ceiling, between(corners, Math.toRadians(i - 180.0)));
         }
         smooth(raw);
     }
@@ -204,7 +207,7 @@ public final class InsertionLine {
     }
 
     /** Height of the insertion at an azimuth, -pi to pi, mm. */
-    public double height(double azimuth) {
+    double height(double azimuth) {
         double at = Math.max(0, Math.min(SECTORS, Math.toDegrees(azimuth) + 180));
         int i = Math.min(SECTORS - 1, (int) at);
         return height[i] + (at - i) * (height[i + 1] - height[i]);

@@ -206,7 +206,7 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
                     .toList();
             TriangleTree tree = new TriangleTree(MeshMerge.merge(bones));
             TriangleTree.Hit hit = new TriangleTree.Hit();
-            double from = new InsertionLine(body, cage).marginAzimuth();
+            double from = new InsertionLine(body, cage, Double.POSITIVE_INFINITY).marginAzimuth();
             return IntStream.range(0, sheet.vertexCount())
                     .filter(v -> diaphragm.isInserted(v) && Math.abs(cage.azimuth(sheet.x(v), sheet.y(v))) > from)
                     .mapToDouble(v -> tree.closest(sheet.x(v), sheet.y(v), sheet.z(v), hit)
