@@ -27,7 +27,7 @@ import org.phrenic.simulation.observe.Observation;
 public final class InspiratoryHold implements AutoCloseable {
     /** Time from rest to end-inspiration, s. */
     public static final double INSPIRATION_S = 0.8;
-    /** Time from rest to the comparison of a breath of the search, s. Domes then move by less than 0.5 mm more. */
+    /** Time from rest to the comparison of a breath of the search, s. The mean distance then changes by up to 2 %. */
     static final double SEARCHED_AT_S = 1.1;
     /** Time from rest to the observation, s. docs/fit.md gives the remaining distance from equilibrium at that time. */
     public static final double OBSERVED_AT_S = 1.7;
