@@ -22,6 +22,9 @@ import org.phrenic.simulation.observe.Surface;
  * border, and if the segment to it from the middle of its organ passes the sheet an odd number of times.
  */
 final class SheetCrossing {
+    /** Half of the thickest sheet. A point farther from the sheet is not between its faces, whatever a fold says. */
+    private static final double THICKEST_MM = 10;
+
     private record Faces(
             TriangleTree whole,
             SurfaceDistance distance,
@@ -129,7 +132,7 @@ final class SheetCrossing {
             int k = 3 * i;
             faces.whole.closest(points[k], points[k + 1], points[k + 2], hit);
             int t = hit.triangle;
-            boolean inside = signed != null && signed[i] < 0;
+            boolean inside = signed != null && signed[i] < 0 && signed[i] > -THICKEST_MM;
             boolean ownSide = t < 0
                     || isBeyondBorder(hit, faces.border, working)
                     || (!inside && diaphragm.isThoracic(corners[3 * t]) == above);
