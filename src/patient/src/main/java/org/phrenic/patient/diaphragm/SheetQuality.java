@@ -107,7 +107,7 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
                         m.unit().isEmpty() ? "" : " " + m.unit(),
                         m.limit()))
                 .collect(Collectors.joining(", "));
-        return bad.isEmpty() ? Optional.empty() : Optional.of("the diaphragm passes its limits: " + bad);
+        return bad.isEmpty() ? Optional.empty() : Optional.of("the diaphragm exceeds its limits: " + bad);
     }
 
     /** The value of a measure by its key. */

@@ -211,6 +211,12 @@ final class RibComponents {
         }
     }
 
+    /** Whether no other part holds more voxels of a segment. */
+    boolean holdsMostOf(int segment, Rib part) {
+        int held = part.segments.getOrDefault(segment, 0);
+        return ribs.stream().noneMatch(rib -> rib.segments.getOrDefault(segment, 0) > held);
+    }
+
     private Map<Integer, Integer> totals() {
         TreeMap<Integer, Integer> totals = new TreeMap<>();
         ribs.forEach(rib -> rib.segments.forEach((segment, count) -> totals.merge(segment, count, Integer::sum)));

@@ -75,6 +75,7 @@ final class RibNumbering {
         List<RibComponents.Rib> ribs = components.ribs();
         String[] nameOf = new String[ribs.size()];
         List<String> numbered = new ArrayList<>();
+        int stray = 0;
         for (Side side : List.of(Side.RIGHT, Side.LEFT)) {
             List<Integer> onSide = new ArrayList<>();
             double[] endZ = new double[ribs.size()];
@@ -85,6 +86,7 @@ final class RibNumbering {
                     endZ[i] = endHeight(ribs.get(i), middle);
                 }
             }
+            stray += dropStrays(onSide);
             onSide.sort(Comparator.comparingDouble(i -> -endZ[i]));
             int[] numbers = numbers(onSide, endZ, side, found);
             for (int i = 0; i < numbers.length; i++) {
@@ -94,7 +96,28 @@ final class RibNumbering {
         }
         apply(ribs, nameOf);
         return found + ": the " + numbered.size() + " connected ribs are numbered from top to bottom"
-                + (hasVertebrae() ? " by their vertebrae" : "");
+                + (hasVertebrae() ? " by their vertebrae" : "")
+                + (stray > 0 ? "; " + stray + " parts of ribs away from their label's rib are left out" : "");
+    }
+
+    /**
+     * Leaves out parts of a side that has more than twelve, the smallest first, as long as another part holds more of
+     * their label; returns how many.
+     */
+    private int dropStrays(List<Integer> onSide) {
+        List<RibComponents.Rib> ribs = components.ribs();
+        int before = onSide.size();
+        while (onSide.size() > RIBS) {
+            Optional<Integer> stray = onSide.stream()
+                    .filter(i -> !components.holdsMostOf(ribs.get(i).dominantSegment(), ribs.get(i)))
+                    .min(Comparator.comparingInt(i -> ribs.get(i).voxels.size()));
+            if (stray.isEmpty()) {
+                return before - onSide.size();
+            }
+            write(ribs.get(stray.get()), 0);
+            onSide.remove(stray.get());
+        }
+        return before - onSide.size();
     }
 
     private static String name(int number, Side side) {
@@ -198,11 +221,17 @@ final class RibNumbering {
         return hasVertebrae() ? (Double.isNaN(z) ? 1 : Math.abs(endZ[rib] - z) / VERTEBRA_MM) + VOTE * vote : vote;
     }
 
-    /** Writes the numbers to the voxels. A fragment goes to the nearest rib, or is left out if none is near. */
+    /**
+     * Writes the numbers to the voxels; a part without a number stays left out. A fragment goes to the nearest rib, or
+     * is left out if none is near.
+     */
     private void apply(List<RibComponents.Rib> ribs, String[] nameOf) {
         components.attachFragments().forEach(fragment -> write(fragment, 0));
         TreeMap<String, List<Integer>> labels = new TreeMap<>();
         for (int i = 0; i < nameOf.length; i++) {
+            if (nameOf[i] == null) {
+                continue;
+            }
             List<Integer> from = ribs.get(i).segments.keySet().stream()
                     .flatMap(segment -> s.labels(s.names().get(segment - 1)).stream())
                     .distinct()
@@ -211,7 +240,9 @@ final class RibNumbering {
             labels.put(nameOf[i], from);
         }
         for (int i = 0; i < nameOf.length; i++) {
-            write(ribs.get(i), s.segment(nameOf[i]));
+            if (nameOf[i] != null) {
+                write(ribs.get(i), s.segment(nameOf[i]));
+            }
         }
         labels.forEach(s::setLabels);
     }
