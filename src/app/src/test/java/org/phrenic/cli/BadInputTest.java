@@ -196,7 +196,7 @@ class BadInputTest {
                     BoxThorax.save(body, "rib_01_L", 100, 0, 0, 1);
                     return body;
                 })),
-                bad("empty folder", "no diaphragm", thorax(body -> body)),
+                bad("empty folder", "no mesh has the name of a structure", thorax(body -> body)),
                 bad("mirrored body", "mirrored", thorax(body -> BoxThorax.write(body, -140, 1))),
                 bad("wrong unit", "units", thorax(body -> BoxThorax.write(body, 140, 20))),
                 bad("two files for one structure", "one file a structure", thorax(body -> {
