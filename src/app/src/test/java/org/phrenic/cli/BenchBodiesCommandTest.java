@@ -21,7 +21,7 @@ class BenchBodiesCommandTest {
                 CommandLineRun.of("bench", "bodies", empty.toString(), "--out", out.toString(), "--made-by", "A test");
         assertThat(run.exitCode()).as(run.err()).isEqualTo(ExitCode.CHECK_FAILED);
         assertThat(run.out()).contains("1 bodies: 0 breathe");
-        assertThat(out.resolve("bodies.md")).content().contains("no diaphragm among 0 structures", "- A test");
+        assertThat(out.resolve("bodies.md")).content().contains("no mesh has the name of a structure", "- A test");
         assertThat(out.resolve("bodies.html")).exists();
         assertThat(out.resolve("bodies.json")).content().contains("\"passes\": false");
     }
