@@ -43,7 +43,12 @@ public record Thorax(String name, List<Structure> structures, List<String> notes
         if (count == 0 || all.size() == 1) {
             return count == 0 ? "" : label;
         }
-        String plural = label.replaceFirst("vertebra$", "vertebrae").replaceFirst("([^e])$", "$1s");
+        String plural =
+                switch (kind) {
+                    case VERTEBRA -> "vertebrae";
+                    case STERNUM, SKIN, OTHER -> label;
+                    default -> label + "s";
+                };
         return count == all.size() ? plural : count + " of " + all.size() + " " + plural;
     }
 

@@ -30,6 +30,18 @@ class ThoraxTest {
     }
 
     @Test
+    void partsOfTheSternumAreOneSternum() {
+        List<Structure> all = List.of(
+                structure("sternum_body"),
+                structure("sternum_xiphoid"),
+                structure("costal_cartilage_01_R"),
+                structure("costal_cartilage_02_R"));
+        Set<String> names = Set.of("sternum_body", "sternum_xiphoid", "costal_cartilage_01_R", "costal_cartilage_02_R");
+        assertThat(new Thorax("patient", all, List.of(), names).notInScanSummary())
+                .isEqualTo("costal cartilages, sternum");
+    }
+
+    @Test
     void structuresAreCountedByKind() {
         assertThat(body(Set.of("rib_05_R", "vertebra_T05", "vertebra_T06", "diaphragm"))
                         .notInScanSummary())
