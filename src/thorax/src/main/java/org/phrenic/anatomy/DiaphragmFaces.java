@@ -1,5 +1,7 @@
 package org.phrenic.anatomy;
 
+import java.util.Arrays;
+import org.phrenic.engine.math.DisjointSets;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
@@ -11,6 +13,12 @@ import org.phrenic.mesh.TriangleMesh;
  * <p>A vertex is thoracic if its outward normal points away from the centre of the concavity of its hemidiaphragm. The
  * flanks of the groove for the spine and the crura are nearly parallel to that direction, so a few rounds of voting
  * among neighbours with similar normals decide the sign.
+ *
+ * <p>Where a dome is flat or hollow toward the thorax, as in a scan at full inspiration, that centre misleads. Vertices
+ * joined by edges across which the normal turns little form patches, and the two largest are the insides of the faces.
+ * The integral of the upward normal over a face is the area inside the projected border, so the patch with the larger
+ * one is thoracic, whatever its shape. If the votes contradict the patches at more than {@value #MISREAD_SHARE} of all
+ * vertices, the patches decide, and vertices between them take the face of the neighbour with the most similar normal.
  */
 public final class DiaphragmFaces {
     /**
@@ -21,6 +29,12 @@ public final class DiaphragmFaces {
 
     private static final double HEIGHT_SHARE = 0.45;
     private static final int VOTING_ROUNDS = 12;
+    /** Share of misread vertices up to which the votes decide: a few vertices at the border belong to either face. */
+    private static final double MISREAD_SHARE = 0.005;
+    /** Least share of the vertices in the smaller of the two largest patches, if these are the two faces. */
+    private static final double FACE_SHARE = 0.4;
+    /** Cosines of the angle between neighbouring normals within a patch, tried in this order. */
+    private static final double[] PATCH_COSINES = {0.5, 0.6, 0.7, 0.8, 0.9, 0.95};
 
     private final boolean[] thoracic;
     private final boolean[] onBorder;
@@ -49,6 +63,7 @@ public final class DiaphragmFaces {
         for (int i = 0; i < n; i++) {
             thoracic[i] = score[i] > 0;
         }
+        correct(sheet, topology.edges(), normals);
         onBorder = new boolean[n];
         int[] edges = topology.edges();
         for (int e = 0; e < edges.length; e += 2) {
@@ -65,9 +80,7 @@ public final class DiaphragmFaces {
         for (int e = 0; e < edges.length; e += 2) {
             int a = edges[e];
             int b = edges[e + 1];
-            double agree = normals[3 * a] * normals[3 * b]
-                    + normals[3 * a + 1] * normals[3 * b + 1]
-                    + normals[3 * a + 2] * normals[3 * b + 2];
+            double agree = cosine(normals, a, b);
             // Normals turn over at the rim, where a neighbour's vote is meaningless or has the opposite sign.
             double weight = agree > 0.5 ? agree : 0;
             next[a] += 0.5 * weight * score[b];
@@ -77,6 +90,100 @@ public final class DiaphragmFaces {
             next[i] = Math.max(-1, Math.min(1, next[i]));
         }
         return next;
+    }
+
+    private void correct(TriangleMesh sheet, int[] edges, double[] normals) {
+        for (double least : PATCH_COSINES) {
+            int[] patch = patches(edges, normals, least);
+            int[] size = new int[patch.length];
+            int[] above = new int[patch.length];
+            for (int i = 0; i < patch.length; i++) {
+                size[patch[i]]++;
+                above[patch[i]] += thoracic[i] ? 1 : 0;
+            }
+            int first = largest(size, -1);
+            int second = largest(size, first);
+            if (size[second] < FACE_SHARE * patch.length) {
+                continue;
+            }
+            boolean up = upward(sheet, patch, first) > upward(sheet, patch, second);
+            int top = up ? first : second;
+            int bottom = up ? second : first;
+            if (size[top] - above[top] + above[bottom] > MISREAD_SHARE * patch.length) {
+                Arrays.setAll(patch, i -> patch[i] == top ? 1 : patch[i] == bottom ? 0 : -1);
+                fill(patch, edges, normals);
+            }
+            return;
+        }
+    }
+
+    /** Twice the integral of the upward normal over the triangles of a patch, mm². */
+    private static double upward(TriangleMesh sheet, int[] patch, int chosen) {
+        double[] cross = new double[3];
+        int[] corners = sheet.triangles();
+        double sum = 0;
+        for (int t = 0; t < corners.length; t += 3) {
+            if (patch[corners[t]] == chosen && patch[corners[t + 1]] == chosen && patch[corners[t + 2]] == chosen) {
+                MeshMeasure.triangleCrossProduct(sheet, t / 3, cross);
+                sum += cross[2];
+            }
+        }
+        return sum;
+    }
+
+    /** For each vertex the lowest vertex of its patch. */
+    private static int[] patches(int[] edges, double[] normals, double least) {
+        int[] sets = DisjointSets.singletons(normals.length / 3);
+        for (int e = 0; e < edges.length; e += 2) {
+            if (cosine(normals, edges[e], edges[e + 1]) > least) {
+                DisjointSets.unionToLower(sets, edges[e], edges[e + 1]);
+            }
+        }
+        int[] patch = new int[sets.length];
+        Arrays.setAll(patch, i -> DisjointSets.find(sets, i));
+        return patch;
+    }
+
+    private static int largest(int[] size, int except) {
+        int most = except == 0 ? 1 : 0;
+        for (int i = 0; i < size.length; i++) {
+            most = i != except && size[i] > size[most] ? i : most;
+        }
+        return most;
+    }
+
+    /**
+     * Takes the faces from {@code face} (1 thoracic, 0 abdominal, -1 unknown); in each round an unknown vertex takes
+     * that of its known neighbour with the most similar normal.
+     */
+    private void fill(int[] face, int[] edges, double[] normals) {
+        boolean changed = true;
+        while (changed) {
+            changed = false;
+            double[] best = new double[face.length];
+            Arrays.fill(best, -2);
+            int[] next = face.clone();
+            for (int side = 0; side < edges.length; side++) {
+                int from = edges[side];
+                int to = edges[side ^ 1];
+                double agree = cosine(normals, from, to);
+                if (face[to] < 0 && face[from] >= 0 && agree > best[to]) {
+                    best[to] = agree;
+                    next[to] = face[from];
+                    changed = true;
+                }
+            }
+            System.arraycopy(next, 0, face, 0, face.length);
+        }
+        for (int i = 0; i < face.length; i++) {
+            thoracic[i] = face[i] < 0 ? thoracic[i] : face[i] == 1;
+        }
+    }
+
+    private static double cosine(double[] normals, int a, int b) {
+        return normals[3 * a] * normals[3 * b]
+                + normals[3 * a + 1] * normals[3 * b + 1]
+                + normals[3 * a + 2] * normals[3 * b + 2];
     }
 
     /** True if a vertex lies on the thoracic face. */

@@ -49,6 +49,21 @@ class DiaphragmFacesTest {
         assertThat(rightShare(DomeSheet.of(100, 100, 60, 2, 16, 3))).isGreaterThanOrEqualTo(RIGHT_SHARE);
     }
 
+    /** As in a scan at full inspiration: the xiphoid stands above the dome. */
+    @Test
+    void facesAreToldApartWhereTheBorderStandsAboveAFlatDome() {
+        for (double height : new double[] {30, 60}) {
+            TriangleMesh dome = DomeSheet.of(130, 90, height, 3, 20, 0);
+            double[] raised = dome.positions().clone();
+            for (int i = 0; i < raised.length; i += 3) {
+                raised[i + 2] += 1.5 * Math.max(0, -raised[i + 1] - 20) * Math.exp(-raised[i] * raised[i] / 1600);
+            }
+            assertThat(rightShare(dome.withPositions(raised)))
+                    .as("height %s mm", height)
+                    .isGreaterThanOrEqualTo(RIGHT_SHARE);
+        }
+    }
+
     @Test
     void whereTheBodyStandsMakesNoDifference() {
         TriangleMesh dome = DomeSheet.adult(12);
