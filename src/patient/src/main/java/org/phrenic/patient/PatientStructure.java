@@ -39,6 +39,11 @@ public record PatientStructure(
             labels = List.copyOf(labels);
         }
 
+        /** Returns a copy with other sides at which the scan truncates the structure. */
+        public Scan withCutAt(String sides) {
+            return new Scan(labels, voxels, volumeMl, sides, meshed);
+        }
+
         /** Whether the scan contains the complete structure. */
         public boolean isComplete() {
             return cutAt.isEmpty();

@@ -7,11 +7,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.PatientBody;
@@ -54,20 +55,30 @@ public final class BodyCompletion {
         }
     }
 
+    /** The structure of the scan, with all its parts as one surface, and its counterpart. */
     private SharedStructure shared(PatientStructure s, TriangleMesh mesh) {
         List<PatientStructure> parts = body.structures().stream()
                 .filter(other -> isSame(other.structure(), s.structure()))
                 .toList();
+        if (parts.size() == 1) {
+            return new SharedStructure(s, mesh);
+        }
+        Structure whole = s.structure()
+                .withMesh(merged(parts.stream().map(PatientStructure::structure).toList(), s.structure())
+                        .orElseThrow());
+        String cutAt = parts.stream()
+                .flatMap(part -> part.scan().stream())
+                .map(PatientStructure.Scan::cutAt)
+                .collect(Collectors.joining());
         return new SharedStructure(
-                s,
-                MeshMerge.merge(
-                        parts.stream().map(part -> part.structure().mesh()).toList()),
-                mesh,
-                parts.stream().allMatch(PatientStructure::isComplete));
+                new PatientStructure(
+                        whole, s.source(), s.scan().map(scan -> scan.withCutAt(cutAt)), s.distanceToScan()),
+                mesh);
     }
 
-    private static Optional<TriangleMesh> merged(List<Structure> of, Structure like) {
-        return PatientBody.merged(of.stream().filter(t -> isSame(t, like)));
+    static Optional<TriangleMesh> merged(List<Structure> of, Structure like) {
+        Stream<Structure> same = of.stream().filter(t -> isSame(t, like));
+        return like.kind() == StructureKind.LUNG ? LungOutline.of(same) : PatientBody.merged(same);
     }
 
     /** Whether two structures have the same kind, level and side. */

@@ -13,7 +13,6 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
-import org.phrenic.patient.PatientBody;
 
 /**
  * Area-weighted symmetric distances between the lungs of two bodies, mm. They are given for the whole surfaces and for
@@ -51,10 +50,9 @@ public record LungDistances(DistanceSummary whole, DistanceSummary base) {
         return parts.stream().flatMapToDouble(Arrays::stream).toArray();
     }
 
-    /** The lung of one side with all its lobes, or empty if the body has none. */
+    /** The outline of the lung of one side ({@link LungOutline}), or empty if the body has none. */
     public static Optional<TriangleMesh> lung(Thorax thorax, Side side) {
-        return PatientBody.merged(
-                thorax.structuresOf(StructureKind.LUNG).stream().filter(s -> s.side() == side));
+        return LungOutline.of(thorax.structuresOf(StructureKind.LUNG).stream().filter(s -> s.side() == side));
     }
 
     /** Distances for each lung that both bodies have, and pooled under {@code both}. The order is right, left, both. */

@@ -12,7 +12,6 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.TriangleTree;
-import org.phrenic.patient.PatientBody;
 
 /**
  * Brings the soft organs of a template whose bones are placed to what a scan has of organs. First all of them follow a
@@ -169,9 +168,8 @@ final class OrganFit {
     private List<SurfacePair> pairs() {
         List<SurfacePair> pairs = new ArrayList<>();
         for (SharedStructure s : shared) {
-            TriangleMesh placed = PatientBody.merged(template.stream()
-                            .filter(t -> BodyCompletion.isSame(t, s.organ().structure())))
-                    .orElseThrow();
+            TriangleMesh placed =
+                    BodyCompletion.merged(template, s.organ().structure()).orElseThrow();
             if (s.kind() != StructureKind.LUNG) {
                 pairs.add(new SurfacePair(s.organ(), s.scan(), placed, false));
                 continue;

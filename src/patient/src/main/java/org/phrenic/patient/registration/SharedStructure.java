@@ -1,6 +1,5 @@
 package org.phrenic.patient.registration;
 
-import java.util.Optional;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
@@ -9,11 +8,19 @@ import org.phrenic.patient.PatientStructure;
 /**
  * A structure that scan and template have.
  *
- * @param organ the structure of the scan; its first part where it has several
- * @param scan surface in the scan, mm; of several parts all
+ * @param organ the structure of the scan; of several parts all
  * @param template surface of the template at its original place, mm
  */
-record SharedStructure(PatientStructure organ, TriangleMesh scan, TriangleMesh template, boolean isComplete) {
+record SharedStructure(PatientStructure organ, TriangleMesh template) {
+    /** Surface in the scan, mm. */
+    TriangleMesh scan() {
+        return organ.structure().mesh();
+    }
+
+    boolean isComplete() {
+        return organ.isComplete();
+    }
+
     StructureKind kind() {
         return organ.structure().kind();
     }
@@ -28,9 +35,5 @@ record SharedStructure(PatientStructure organ, TriangleMesh scan, TriangleMesh t
 
     String cutAt() {
         return organ.scan().map(PatientStructure.Scan::cutAt).orElse("");
-    }
-
-    Optional<PatientStructure.Scan> origin() {
-        return organ.scan();
     }
 }
