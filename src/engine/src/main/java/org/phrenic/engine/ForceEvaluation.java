@@ -26,6 +26,8 @@ public final class ForceEvaluation {
     private final double[] prefetched;
 
     private final Workers.Task task = this::block;
+    private int firstBlock;
+    private final Workers.Task taskOfRange = piece -> block(firstBlock + piece);
 
     ForceEvaluation(
             ParticleSystem system,
@@ -52,6 +54,17 @@ public final class ForceEvaluation {
     public void at(double time) {
         fields.prepare(time);
         workers.run(layout.blockCount(), task);
+    }
+
+    /**
+     * Computes the forces on the nodes of blocks {@code from} to {@code end - 1} alone.
+     *
+     * @param time simulated time, s; prescribed nodes among them must already be at their positions for this time
+     */
+    public void at(double time, int from, int end) {
+        fields.prepare(time, from, end);
+        firstBlock = from;
+        workers.run(end - from, taskOfRange);
     }
 
     private void block(int block) {

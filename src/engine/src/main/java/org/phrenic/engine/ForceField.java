@@ -53,6 +53,14 @@ public interface ForceField {
     /** Discards cached values. Call it after positions, parameters or the time were changed from outside. */
     default void invalidate() {}
 
+    /**
+     * Whether this field may act on nodes of blocks {@code from} to {@code end - 1}. Otherwise {@link #prepare} need
+     * not be called before the forces of these blocks alone are evaluated.
+     */
+    default boolean actsOn(int from, int end) {
+        return true;
+    }
+
     /** Whether forces depend on velocity, apart from the nodes' own viscous damping. */
     default boolean dependsOnVelocity() {
         return false;

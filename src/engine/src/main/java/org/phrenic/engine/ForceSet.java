@@ -46,6 +46,15 @@ final class ForceSet {
         }
     }
 
+    /** Prepares the fields that act on a range of blocks. */
+    void prepare(double time, int from, int end) {
+        for (ForceField field : active) {
+            if (field.actsOn(from, end)) {
+                field.prepare(time);
+            }
+        }
+    }
+
     void addForces(double[] position, double[] velocity, double[] force, int block) {
         for (ForceField field : active) {
             field.addForces(position, velocity, force, block);

@@ -16,9 +16,14 @@ public final class PaperScenarios {
         return Scenario.defaults().with("preset=" + preset, resolution(resolution));
     }
 
-    /** The paper's model: its springs, masses, action lines, and tendon above a plane. */
+    /** The paper's model: its springs, masses, action lines, tendon above a plane, and midpoint Runge-Kutta. */
     public static Scenario publishedModel(String preset, Resolution resolution) {
-        return defaultModel(preset, resolution).with("material=paper", "pressure=false", "tendon=plane");
+        return defaultModel(preset, resolution).with("material=published");
+    }
+
+    /** Integrator and time step of a scenario, as in {@code rk2, 10 ms}. */
+    public static String scheme(Scenario scenario) {
+        return scenario.integrator().label() + ", " + ReportNumbers.trimmed(1000 * scenario.timeStepS(), 4) + " ms";
     }
 
     private static String resolution(Resolution resolution) {

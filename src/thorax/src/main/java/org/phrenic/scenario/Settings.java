@@ -50,7 +50,7 @@ public final class Settings {
                             OrganSettings.LUNGS,
                             OrganSettings.LIVER,
                             RigidTendon.LINKS_PER_NODE,
-                            OrganSettings.TENDON,
+                            RigidTendon.TENDON,
                             Breathing.HOLD,
                             RunSettings.STEPS,
                             RunSettings.CHANGES),

@@ -323,7 +323,9 @@ public final class Simulation implements AutoCloseable {
 
     /** Why steps are split into substeps; empty without substeps. */
     public Optional<SubstepReason> substepReason() {
-        return stepper.substeps() == 1 ? Optional.empty() : Optional.of(SubstepReason.of(stepper));
+        return stepper.substeps() * stepper.stepsApart() == 1
+                ? Optional.empty()
+                : Optional.of(SubstepReason.of(stepper));
     }
 
     public Scene scene() {

@@ -141,6 +141,9 @@ public final class SimulationRun {
         map.put("attachments", scene.heldNodes().length);
         map.put("steps", stepper.steps());
         map.put("substeps", stepper.substeps());
+        if (stepper.system().layout().hasNodesApart()) {
+            map.put("sternum_substeps", stepper.substeps() * stepper.stepsApart());
+        }
         map.put("dt_s", stepper.dt());
         double limit = stepper.limit().largestStep(stepper.integrator().kind());
         if (Double.isFinite(limit)) {

@@ -9,20 +9,28 @@ import org.phrenic.engine.integrator.Stepper;
  *
  * @param dtS time step, s
  * @param substeps number of substeps per step
+ * @param sternumSubsteps those of sternum and cartilages, as many or more
  * @param limitS largest stable step, s
  * @param integrator label of the integrator
  * @param limitMessage sentence on step and limit
  * @param cause why a step within the limit was too long; empty if the limit is the reason
  */
 public record SubstepReason(
-        double dtS, int substeps, double limitS, String integrator, String limitMessage, String cause) {
+        double dtS,
+        int substeps,
+        int sternumSubsteps,
+        double limitS,
+        String integrator,
+        String limitMessage,
+        String cause) {
     static SubstepReason of(Stepper stepper) {
         double dt = stepper.dt();
         IntegratorKind kind = stepper.integrator().kind();
         double limit = stepper.limit().largestStep(kind);
         String message = stepper.limit().describe(kind, dt);
+        int sternum = stepper.substeps() * stepper.stepsApart();
         String cause = stepper.substepRefinementReason();
-        return new SubstepReason(dt, stepper.substeps(), limit, kind.label(), message, cause);
+        return new SubstepReason(dt, stepper.substeps(), sternum, limit, kind.label(), message, cause);
     }
 
     /** One sentence with all values. */
@@ -31,6 +39,7 @@ public record SubstepReason(
                 ? limitMessage
                 : String.format(
                         Locale.ROOT, "time step %.6g s is too long for what the scene has become (%s)", dtS, cause);
-        return reason + ": split into " + substeps + " substeps";
+        String own = sternumSubsteps == substeps ? "" : ", those of sternum and cartilages into " + sternumSubsteps;
+        return reason + ": split into " + substeps + " substeps" + own;
     }
 }

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.phrenic.model.material.Materials;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
@@ -12,6 +13,9 @@ import picocli.CommandLine.Parameters;
 
 /** The scenario argument and the options that change it, shared by all commands that simulate. */
 public final class ScenarioOptions {
+    /** In place of a breathing preset: the published model. */
+    private static final String PAPER = "paper";
+
     @Parameters(
             arity = "0..1",
             paramLabel = "SCENARIO",
@@ -24,10 +28,13 @@ public final class ScenarioOptions {
             description = "virtual/adult-male, virtual/adult-female or a folder.")
     private String anatomy;
 
-    @Option(names = "--preset", paramLabel = "NAME", description = "Breathing: quiet, deep, sniff, ...")
+    @Option(
+            names = "--preset",
+            paramLabel = "NAME",
+            description = "Breathing: quiet, deep, sniff, ...; or paper: the published model (material published).")
     private String preset;
 
-    @Option(names = "--material", paramLabel = "NAME", description = "physical or paper.")
+    @Option(names = "--material", paramLabel = "NAME", description = "physical, paper or published.")
     private String material;
 
     @Option(names = "--resolution", paramLabel = "NAME", description = "low, medium or high.")
@@ -66,7 +73,11 @@ public final class ScenarioOptions {
         Scenario base = scenario == null ? Scenario.defaults() : Scenario.read(scenario);
         List<Assignment> list = new ArrayList<>();
         OptionValues.assign(list, "--anatomy", "anatomy", anatomy);
-        OptionValues.assign(list, "--preset", "preset", preset);
+        if (PAPER.equals(preset)) {
+            OptionValues.assign(list, "--preset", "material", Materials.PUBLISHED.label());
+        } else {
+            OptionValues.assign(list, "--preset", "preset", preset);
+        }
         OptionValues.assign(list, "--material", "material", material);
         OptionValues.assign(list, "--resolution", "resolution", resolution);
         OptionValues.assign(list, "--duration", "duration_s", duration);

@@ -274,6 +274,11 @@ public final class Attachments implements ForceField {
     }
 
     @Override
+    public boolean actsOn(int from, int end) {
+        return nodes.start[from] < nodes.start[end];
+    }
+
+    @Override
     public boolean dependsOnVelocity() {
         return dampingRatio != 0;
     }

@@ -34,7 +34,8 @@ final class HighestFrequency {
     private final double[] diagonal = new double[PRODUCTS];
     private final double[] offDiagonal = new double[PRODUCTS + 1];
 
-    private HighestFrequency(ParticleSystem system) {
+    /** Of nodes {@code first} to {@code end - 1}, on which no others act. */
+    private HighestFrequency(ParticleSystem system, int first, int end) {
         this.system = system;
         double[] w = system.inverseMasses();
         root = new double[w.length];
@@ -43,7 +44,7 @@ final class HighestFrequency {
         u = new double[q.length];
         image = new double[q.length];
         stiffness = block -> system.addStiffness(system.positions(), u, image, block);
-        for (int n = 0; n < w.length; n++) {
+        for (int n = first; n < end; n++) {
             root[n] = Math.sqrt(w[n]);
             for (int i = 3 * n; i < 3 * n + 3 && w[n] > 0; i++) {
                 // Irregular alternating signs: close to the highest mode, and orthogonal to no mode.
@@ -52,9 +53,12 @@ final class HighestFrequency {
         }
     }
 
-    /** ω² at the system's current state, 1/s²; 0 without free nodes, not finite if the state is not. */
-    static double omegaSquared(ParticleSystem system) {
-        return new HighestFrequency(system).find();
+    /**
+     * ω² of nodes {@code first} to {@code end - 1} at the system's current state, 1/s², on which no other nodes act; 0
+     * without free nodes, not finite if the state is not.
+     */
+    static double omegaSquared(ParticleSystem system, int first, int end) {
+        return new HighestFrequency(system, first, end).find();
     }
 
     private double find() {

@@ -24,6 +24,17 @@ public interface Integrator {
      */
     void reset();
 
+    /**
+     * Sets the number of equal steps in which the {@link org.phrenic.engine.parallel.NodeLayout#hasNodesApart nodes
+     * apart} make each step of the others. Only schemes of a kind that {@link IntegratorKind#stepsNodesApart steps
+     * nodes apart} take more than one.
+     */
+    default void setStepsApart(int steps) {
+        if (steps != 1) {
+            throw new IllegalArgumentException(kind().label() + ": found " + steps + " steps apart, expected 1");
+        }
+    }
+
     /** The system that is integrated. */
     ParticleSystem system();
 }

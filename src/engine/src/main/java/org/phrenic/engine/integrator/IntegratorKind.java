@@ -42,6 +42,14 @@ public enum IntegratorKind {
         return order;
     }
 
+    /**
+     * Whether nodes apart from the others can make shorter steps. No force may act between the two, and neither
+     * constraints nor prescribed motion on the nodes apart.
+     */
+    public boolean stepsNodesApart() {
+        return this == RK2;
+    }
+
     /** Force evaluations a step. */
     public int forceEvaluations() {
         return forceEvaluations;

@@ -1,7 +1,9 @@
 package org.phrenic.engine.integrator;
 
 import java.util.Locale;
+import java.util.Optional;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.parallel.NodeLayout;
 
 /**
  * The largest time step for which a scheme is stable on an assembled system.
@@ -21,9 +23,17 @@ import org.phrenic.engine.ParticleSystem;
  * @param contacts whether the system has contact constraints. Backward Euler solves for the motion under forces alone
  *     and contacts are projected afterwards, which at long steps gives a different equilibrium. With contacts its step
  *     is limited to ω h ≤ 3 (on the thorax an error of 1 % of a quiet breath's excursion)
+ * @param apart limit of the nodes apart, on which schemes that cannot step them apart depend as well; empty if there
+ *     are none
  */
 public record StabilityLimit(
-        double omegaMax, double omegaBound, double minDamping, double maxDamping, double maxDashpot, boolean contacts) {
+        double omegaMax,
+        double omegaBound,
+        double minDamping,
+        double maxDamping,
+        double maxDashpot,
+        boolean contacts,
+        Optional<StabilityLimit> apart) {
     /** Largest ω h of backward Euler with contacts. */
     private static final double LEANING = 3;
 
@@ -41,17 +51,44 @@ public record StabilityLimit(
     /** Value of ω h below any practical step. */
     private static final double SHORT = 1e-6;
 
+    /** A limit without nodes apart. */
+    public StabilityLimit(
+            double omegaMax,
+            double omegaBound,
+            double minDamping,
+            double maxDamping,
+            double maxDashpot,
+            boolean contacts) {
+        this(omegaMax, omegaBound, minDamping, maxDamping, maxDashpot, contacts, Optional.empty());
+    }
+
     /** Computes the limit of a system at its current state. */
     public static StabilityLimit of(ParticleSystem system) {
+        NodeLayout layout = system.layout();
         int n = system.nodeCount();
         double[] stiffness = new double[n];
         double[] damping = new double[n];
         system.addRowSums(stiffness, damping);
+        if (!layout.hasNodesApart()) {
+            return of(system, 0, n, stiffness, damping, Optional.empty());
+        }
+        int firstApart = layout.start(layout.firstBlockApart());
+        StabilityLimit apart = of(system, firstApart, n, stiffness, damping, Optional.empty());
+        return of(system, 0, firstApart, stiffness, damping, Optional.of(apart));
+    }
+
+    private static StabilityLimit of(
+            ParticleSystem system,
+            int first,
+            int end,
+            double[] stiffness,
+            double[] damping,
+            Optional<StabilityLimit> apart) {
         double bound = 0;
         double least = Double.POSITIVE_INFINITY;
         double most = 0;
         double dashpot = 0;
-        for (int i = 0; i < n; i++) {
+        for (int i = first; i < end; i++) {
             double w = system.inverseMasses()[i];
             if (w > 0) {
                 bound = Math.max(bound, w * stiffness[i]);
@@ -61,15 +98,24 @@ public record StabilityLimit(
             }
         }
         double root = Math.sqrt(bound);
-        double highest = MARGIN * Math.sqrt(HighestFrequency.omegaSquared(system));
+        double highest = MARGIN * Math.sqrt(HighestFrequency.omegaSquared(system, first, end));
         // The comparison is also false if the highest frequency is NaN.
         double omega = highest <= root ? highest : root;
         double damped = least == Double.POSITIVE_INFINITY ? 0 : least;
-        return new StabilityLimit(omega, root, damped, most, dashpot, system.hasContacts());
+        return new StabilityLimit(omega, root, damped, most, dashpot, system.hasContacts(), apart);
     }
 
-    /** Largest stable step of a scheme on this system, s; 0 if no step is stable, infinite if every step is. */
+    /**
+     * Largest stable step of a scheme on this system, s; 0 if no step is stable, infinite if every step is. A scheme
+     * that steps nodes apart is not limited by them.
+     */
     public double largestStep(IntegratorKind kind) {
+        return apart.isEmpty() || kind.stepsNodesApart()
+                ? largestStepHere(kind)
+                : Math.min(largestStepHere(kind), apart.get().largestStep(kind));
+    }
+
+    private double largestStepHere(IntegratorKind kind) {
         double top = Math.max(omegaMax, maxDamping);
         if (top == 0 || isStable(kind, 1e6 / top)) {
             return Double.POSITIVE_INFINITY;
@@ -97,6 +143,9 @@ public record StabilityLimit(
 
     /** Whether no oscillator of this system grows under the scheme with this step. */
     public boolean isStable(IntegratorKind kind, double h) {
+        if (apart.isPresent() && !kind.stepsNodesApart() && !apart.get().isStable(kind, h)) {
+            return false;
+        }
         if (contacts && kind == IntegratorKind.BACKWARD_EULER && !(omegaMax * h <= LEANING)) {
             return false;
         }
@@ -131,6 +180,15 @@ public record StabilityLimit(
             throw new IllegalArgumentException(String.format(Locale.ROOT, pattern, kind.label(), omegaMax, minDamping));
         }
         return isStable(kind, dt) && dt <= limit * safety ? 1 : (int) Math.ceil(dt / (limit * safety));
+    }
+
+    /**
+     * Number of equal steps that nodes apart make in a step of the others; 1 for schemes that cannot.
+     *
+     * @param safety as for {@link #substeps}
+     */
+    public int stepsApart(IntegratorKind kind, double h, double safety) {
+        return apart.isEmpty() || !kind.stepsNodesApart() ? 1 : apart.get().substeps(kind, h, safety);
     }
 
     /** One sentence that states the step and the limit. */

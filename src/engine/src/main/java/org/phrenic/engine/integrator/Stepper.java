@@ -30,6 +30,7 @@ public final class Stepper {
     private final ChatterDetector watch;
     private StabilityLimit limit;
     private int substeps;
+    private int stepsApart = 1;
     /** Refinement factor relative to the substeps that the limit requires. */
     private int refinement = 1;
 
@@ -81,6 +82,8 @@ public final class Stepper {
      */
     public void switchTo(Integrator next, double nextDt, StabilityLimit here, StabilityLimit ahead) {
         int most = Math.max(split(next.kind(), nextDt, here), split(next.kind(), nextDt, ahead));
+        double h = nextDt / most;
+        int apart = Math.max(splitApart(next.kind(), h, here), splitApart(next.kind(), h, ahead));
         guard.checkpoint(steps);
         if (nextDt != dt) {
             segmentTime = time();
@@ -91,6 +94,7 @@ public final class Stepper {
         begin();
         limit = ahead.largestStep(next.kind()) < here.largestStep(next.kind()) ? ahead : here;
         substeps = most;
+        stepApart(apart);
     }
 
     /**
@@ -118,16 +122,34 @@ public final class Stepper {
 
     /** Number of substeps under a limit; throws if the step is refused. */
     private int split(IntegratorKind kind, double step, StabilityLimit measured) {
-        if (policy == StepPolicy.REFUSE && !measured.isStable(kind, step)) {
+        boolean apart = measured.apart()
+                .map(limitApart -> limitApart.isStable(kind, step))
+                .orElse(true);
+        if (policy == StepPolicy.REFUSE && !(apart && measured.isStable(kind, step))) {
             throw new IllegalArgumentException(measured.describe(kind, step) + ": refused");
         }
         int parts = policy == StepPolicy.REFUSE ? 1 : measured.substeps(kind, step, SAFETY);
+        return requireFew(parts, kind, step, measured);
+    }
+
+    private static int requireFew(int parts, IntegratorKind kind, double step, StabilityLimit measured) {
         if (parts > MAX_SUBSTEPS) {
             throw new IllegalArgumentException(measured.describe(kind, step) + ": it would take " + parts
                     + " substeps, expected at most " + MAX_SUBSTEPS
                     + " (choose verlet or backward-euler, or a shorter time step)");
         }
         return parts;
+    }
+
+    /** Number of steps of nodes apart in a substep of the others. */
+    private int splitApart(IntegratorKind kind, double h, StabilityLimit measured) {
+        int parts = policy == StepPolicy.REFUSE ? 1 : measured.stepsApart(kind, h, SAFETY);
+        return requireFew(parts, kind, h, measured.apart().orElse(measured));
+    }
+
+    private void stepApart(int steps) {
+        stepsApart = steps;
+        integrator.setStepsApart(steps);
     }
 
     /** Resets scheme and chatter detection after a change of scheme, step or scene. */
@@ -151,6 +173,7 @@ public final class Stepper {
     private void apply(StabilityLimit measured) {
         limit = measured;
         substeps = split(integrator.kind(), dt, measured);
+        stepApart(splitApart(integrator.kind(), dt / substeps, measured));
         begin();
     }
 
@@ -220,6 +243,11 @@ public final class Stepper {
     /** Substeps a step. */
     public int substeps() {
         return substeps;
+    }
+
+    /** Steps that nodes apart make in a substep of the others; 1 without such nodes. */
+    public int stepsApart() {
+        return stepsApart;
     }
 
     /** The last measured stability limit. */

@@ -1,6 +1,8 @@
 package org.phrenic.engine.parallel;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import org.phrenic.engine.math.ArgSort;
 import org.phrenic.engine.math.RadixSort;
 
@@ -10,6 +12,9 @@ import org.phrenic.engine.math.RadixSort;
  * <p>Nodes that are close in space are close in memory (Morton order), which is 1.7 times as fast as a random order.
  * Callers keep their own numbering and translate it with {@link #internal} and {@link #caller}. A block is a range of
  * consecutive nodes. The partition depends only on the number of nodes, never on the number of threads.
+ *
+ * <p>A layout has one part, or two: nodes apart come last and have blocks of their own, so that a scheme can advance
+ * them in shorter steps than the others.
  */
 public final class NodeLayout {
     /**
@@ -37,8 +42,11 @@ public final class NodeLayout {
     private final int[] callerOfInternal;
     private final int[] blockStart;
     private final int[] blockOfNode;
+    /** First block of the nodes apart; the number of blocks if there are none. */
+    private final int firstBlockApart;
 
-    private NodeLayout(int[] callerOfInternal) {
+    /** @param apart number of nodes apart, the last in internal order */
+    private NodeLayout(int[] callerOfInternal, int apart) {
         int n = callerOfInternal.length;
         this.callerOfInternal = callerOfInternal;
         this.internalOfCaller = new int[n];
@@ -46,11 +54,17 @@ public final class NodeLayout {
             internalOfCaller[callerOfInternal[i]] = i;
         }
         int blockNodes = n < LARGE_FROM_NODES ? SMALL_BLOCK_NODES : LARGE_BLOCK_NODES;
-        int blocks = Math.max(1, (n + blockNodes / 2) / blockNodes);
+        int rest = n - apart;
+        firstBlockApart = Math.max(1, (rest + blockNodes / 2) / blockNodes);
+        int blocksApart = apart == 0 ? 0 : Math.max(1, (apart + blockNodes / 2) / blockNodes);
+        int blocks = firstBlockApart + blocksApart;
         this.blockStart = new int[blocks + 1];
         this.blockOfNode = new int[n];
-        for (int b = 0; b <= blocks; b++) {
-            blockStart[b] = (int) ((long) n * b / blocks);
+        for (int b = 0; b <= firstBlockApart; b++) {
+            blockStart[b] = (int) ((long) rest * b / firstBlockApart);
+        }
+        for (int b = 1; b <= blocksApart; b++) {
+            blockStart[firstBlockApart + b] = rest + (int) ((long) apart * b / blocksApart);
         }
         for (int b = 0; b < blocks; b++) {
             Arrays.fill(blockOfNode, blockStart[b], blockStart[b + 1], b);
@@ -63,6 +77,16 @@ public final class NodeLayout {
      * @param positions x, y, z of each node in the caller's order, mm
      */
     public static NodeLayout morton(double[] positions) {
+        return morton(positions, 0, 0);
+    }
+
+    /**
+     * As {@link #morton(double[])}, with some nodes apart from the others.
+     *
+     * @param firstApart first of the nodes apart, caller's number
+     * @param apart number of nodes apart, fewer than all; 0 for none
+     */
+    public static NodeLayout morton(double[] positions, int firstApart, int apart) {
         int n = positions.length / 3;
         double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
         double extent = 0;
@@ -81,14 +105,24 @@ public final class NodeLayout {
             }
             code[i] = morton;
         }
-        return new NodeLayout(ArgSort.of(code));
+        int[] order = ArgSort.of(code);
+        return new NodeLayout(apart == 0 ? order : withLast(order, firstApart, apart), apart);
+    }
+
+    /** The same order with the nodes apart behind all others. */
+    private static int[] withLast(int[] order, int firstApart, int apart) {
+        IntPredicate isApart = node -> node >= firstApart && node < firstApart + apart;
+        return IntStream.concat(
+                        Arrays.stream(order).filter(isApart.negate()),
+                        Arrays.stream(order).filter(isApart))
+                .toArray();
     }
 
     /** Keeps nodes in the given order. */
     public static NodeLayout natural(int nodes) {
         int[] order = new int[nodes];
         Arrays.setAll(order, i -> i);
-        return new NodeLayout(order);
+        return new NodeLayout(order, 0);
     }
 
     /** Inserts two zero bits after each of the low 21 bits. */
@@ -107,6 +141,16 @@ public final class NodeLayout {
 
     public int blockCount() {
         return blockStart.length - 1;
+    }
+
+    /** Whether some nodes are apart. */
+    public boolean hasNodesApart() {
+        return firstBlockApart < blockCount();
+    }
+
+    /** First block of the nodes apart; {@link #blockCount} if there are none. */
+    public int firstBlockApart() {
+        return firstBlockApart;
     }
 
     /** First node of a block, in internal order. */

@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.engine.integrator.StabilityLimit;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
@@ -32,8 +33,11 @@ import org.phrenic.study.PaperScenarios;
  * @param tendonVertices number of tendon vertices of the sheet
  * @param rigidLinks number of rigid links across the tendon
  * @param attachedByPlace number of sheet vertices attached to bone, by the nearest part of the skeleton
- * @param rk2LimitS largest stable step of midpoint Runge-Kutta, s
+ * @param rk2LimitS largest stable step of midpoint Runge-Kutta, s; without sternum and cartilages, where these step
+ *     apart
+ * @param rk2SternumLimitS that of sternum and cartilages, s
  * @param rk2Substeps number of midpoint Runge-Kutta substeps needed for the paper's time step
+ * @param rk2SternumSubsteps that of sternum and cartilages
  */
 public record ModelCounts(
         int vertices,
@@ -45,7 +49,9 @@ public record ModelCounts(
         int rigidLinks,
         Map<String, Integer> attachedByPlace,
         double rk2LimitS,
-        int rk2Substeps) {
+        double rk2SternumLimitS,
+        int rk2Substeps,
+        int rk2SternumSubsteps) {
     private static final int FIRST_FLOATING = 11;
     private static final int FIRST_OF_MARGIN = 7;
 
@@ -64,6 +70,10 @@ public record ModelCounts(
                     .filter(s -> s.kind() == StructureKind.DIAPHRAGM)
                     .findFirst()
                     .orElseThrow();
+            StabilityLimit limit = simulation.stepper().limit();
+            StabilityLimit ofSternum = limit.apart().orElse(limit);
+            int substeps = limit.substeps(IntegratorKind.RK2, PaperScenarios.STEP_S, Stepper.SAFETY);
+            double substepS = PaperScenarios.STEP_S / substeps;
             int tendon = (int) IntStream.range(0, sheet.tendon().length)
                     .filter(i -> sheet.tendon()[i])
                     .count();
@@ -78,8 +88,10 @@ public record ModelCounts(
                             .map(o -> o.nodePairs().length / 2)
                             .orElse(0),
                     attachedByPlace(scene, sheet),
-                    simulation.stepper().limit().largestStep(IntegratorKind.RK2),
-                    simulation.stepper().limit().substeps(IntegratorKind.RK2, PaperScenarios.STEP_S, Stepper.SAFETY));
+                    limit.largestStep(IntegratorKind.RK2),
+                    ofSternum.largestStep(IntegratorKind.RK2),
+                    substeps,
+                    substeps * limit.stepsApart(IntegratorKind.RK2, substepS, Stepper.SAFETY));
         }
     }
 

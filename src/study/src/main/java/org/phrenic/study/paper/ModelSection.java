@@ -69,10 +69,12 @@ final class ModelSection {
             value(TissueMass.AREA_DENSITY, Materials.PHYSICAL),
             value(TissueMass.DAMPING, Materials.PAPER),
             value(TissueMass.DAMPING_RATE, Materials.PHYSICAL),
-            timeStep("paper"),
+            timeStep("published"),
             timeStep("physical"),
             format("%.2f", 1000 * published.rk2LimitS()),
-            published.rk2Substeps()
+            format("%.2f", 1000 * published.rk2SternumLimitS()),
+            published.rk2Substeps(),
+            published.rk2SternumSubsteps()
         };
         report.table("", PaperTexts.columns(5, headings), PaperTexts.rows("parameters", parameters));
     }

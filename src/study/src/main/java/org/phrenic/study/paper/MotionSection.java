@@ -60,8 +60,9 @@ record MotionSection(Reproduction reproduction) {
 
     private static List<Column> columns(String... headings) {
         List<String> all = new ArrayList<>(List.of("breath"));
+        all.add("scheme");
         all.addAll(Arrays.asList(headings));
-        return PaperTexts.columns(1, all.toArray(String[]::new));
+        return PaperTexts.columns(2, all.toArray(String[]::new));
     }
 
     @SafeVarargs
@@ -70,7 +71,7 @@ record MotionSection(Reproduction reproduction) {
         List<List<String>> rows = new ArrayList<>();
         for (Run run : runs) {
             reproduction.breath(run).ifPresent(breath -> {
-                List<String> row = new ArrayList<>(List.of(run.label()));
+                List<String> row = new ArrayList<>(List.of(run.label(), run.scheme()));
                 Arrays.stream(measures).forEach(m -> row.add(number(m.applyAsDouble(breath))));
                 rows.add(row);
             });

@@ -24,8 +24,8 @@ import org.phrenic.study.speed.SpeedTrials;
  * @param defaultModel size of the default model at the finest measured resolution
  * @param publishedModel size of the model with the paper's numbers and rules, at the finest measured resolution
  * @param speed table 1
- * @param realTimeFactor simulated time over processor time of the paper's material at the finest measured resolution,
- *     with the program's default scheme and step
+ * @param realTimeFactor simulated time over processor time of the published model, with its scheme and step, at the
+ *     finest measured resolution
  * @param breaths by run
  */
 public record Reproduction(
@@ -43,9 +43,9 @@ public record Reproduction(
         DEEP("deep breath"),
         DEEP_MUSCLE("deep breath, muscle alone"),
         DEEP_RIBS("deep breath, ribs and sternum alone"),
-        PUBLISHED("deep breath, the paper's material"),
-        PUBLISHED_THREE_LINKS("deep breath, the paper's material, three rigid links a node"),
-        PUBLISHED_HOMOGENEOUS("deep breath, the paper's material, no rigid links");
+        PUBLISHED("deep breath, the published model"),
+        PUBLISHED_THREE_LINKS("deep breath, the published model, three rigid links a node"),
+        PUBLISHED_HOMOGENEOUS("deep breath, the published model, no rigid links");
 
         private final String label;
 
@@ -56,6 +56,11 @@ public record Reproduction(
         /** Name in reports. */
         public String label() {
             return label;
+        }
+
+        /** Integrator and time step, as in {@code rk2, 10 ms}. */
+        String scheme() {
+            return PaperScenarios.scheme(scenario(Resolution.LOW));
         }
 
         private Scenario scenario(Resolution resolution) {

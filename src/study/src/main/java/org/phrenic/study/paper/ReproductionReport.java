@@ -12,6 +12,7 @@ import org.phrenic.model.material.Materials;
 import org.phrenic.scenario.Settings;
 import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.paper.Claim.Verdict;
+import org.phrenic.study.paper.Reproduction.Run;
 
 /**
  * Report with every table, figure and claim of the paper in its order, as printed and as reproduced.
@@ -32,6 +33,7 @@ public record ReproductionReport(
         PhysiologySection physiology = new PhysiologySection(reproduction);
         PatientSection patient = new PatientSection(patients, pictures);
         addSummary(report, motion.claims(), speed.claims(), physiology.claims(), patient.claims());
+        addSchemes(report);
         report.section("Fig. 1: anatomy and attachment points");
         addFigure(report, 1);
         model.addAttachments(report);
@@ -75,6 +77,22 @@ public record ReproductionReport(
                 "Verdicts: agrees or differs by the rule stated with each claim below.",
                 PaperTexts.columns(3, "of the paper", "found here", "verdict"),
                 rows);
+    }
+
+    /** Which material and scheme each figure is of. */
+    private static void addSchemes(ReportDocument report) {
+        String published = Run.PUBLISHED.scheme();
+        String used = Run.DEEP.scheme();
+        report.table(
+                PaperTexts.text("schemes"),
+                PaperTexts.columns(3, "of the paper", "material here", "scheme and step here"),
+                List.of(
+                        List.of("Fig. 3 and what it shows, the published model", "published", published),
+                        List.of("Fig. 3 and what it shows, the model as used here", "physical", used),
+                        List.of("Table 1, iterations a second", "published", "rk2, 0.5 ms, whole"),
+                        List.of("Real time", "published", published),
+                        List.of("Physiology", "physical", used),
+                        List.of("Figs. 4 and 5 and table 2, patients", "physical", used)));
     }
 
     private static void add(List<List<String>> rows, String heading, List<Claim> claims) {

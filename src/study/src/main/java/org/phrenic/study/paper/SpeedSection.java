@@ -103,8 +103,6 @@ final class SpeedSection {
     private Claim realTime() {
         Resolution finest = ours.resolutions().get(0);
         double published = PUBLISHED.row(finest, SpeedCase.HETEROGENEOUS).stepsPerS() * PaperScenarios.STEP_S;
-        double substepMs =
-                1000 * PaperScenarios.STEP_S / reproduction.publishedModel().rk2Substeps();
         return PaperTexts.claim(
                 "real-time",
                 Verdict.agrees(reproduction.realTimeFactor() >= 1),
@@ -112,6 +110,7 @@ final class SpeedSection {
                 format("%.2f", published),
                 format("%.0f", 1 / published),
                 grouped(ours.row(finest, SpeedCase.HETEROGENEOUS).vertices()),
-                format("%.1f", substepMs));
+                reproduction.publishedModel().rk2Substeps(),
+                reproduction.publishedModel().rk2SternumSubsteps());
     }
 }

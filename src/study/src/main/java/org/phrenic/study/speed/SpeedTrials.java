@@ -61,9 +61,7 @@ public final class SpeedTrials {
         }
     }
 
-    /**
-     * Simulated time over processor time of the paper's material on one thread, with the default scheme and time step.
-     */
+    /** Simulated time over processor time of the published model on one thread, with its scheme and time step. */
     public static double realTimeFactor(Resolution resolution, Thorax thorax, double trialS) {
         try (Simulation scene =
                 Simulation.of(PaperScenarios.publishedModel("deep", resolution).with("threads=1"), thorax)) {

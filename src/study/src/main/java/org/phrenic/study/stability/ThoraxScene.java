@@ -6,7 +6,6 @@ import java.util.function.Consumer;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.model.assembly.Breathing;
-import org.phrenic.model.material.Materials;
 import org.phrenic.model.material.TissueMass;
 import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Assignment;
@@ -61,7 +60,7 @@ final class ThoraxScene implements StabilityScene {
     @Override
     public void stopBreathing() {
         List<Assignment> changes = new ArrayList<>(List.of(assignment(Breathing.DEPTH, 0.0)));
-        if (simulation.start().material() == Materials.PAPER) {
+        if (simulation.start().material().uses(TissueMass.DAMPING)) {
             changes.add(assignment(TissueMass.DAMPING, SETTLING_DAMPING));
         }
         simulation.change(changes);

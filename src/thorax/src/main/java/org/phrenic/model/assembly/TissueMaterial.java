@@ -9,6 +9,7 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.cage.MovingChestWall;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.model.organ.TendonRule;
 import org.phrenic.model.organ.TissueLaw;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.parameter.SettingValues;
@@ -61,6 +62,16 @@ public abstract class TissueMaterial {
 
     /** Default number of Gauss-Seidel sweeps over all constraints per step. */
     public abstract int projectionSweeps();
+
+    /** Default division of the diaphragm into tendon and muscle. */
+    public TendonRule tendonRule() {
+        return TendonRule.TREFOIL;
+    }
+
+    /** Whether sternum and cartilages may make shorter steps than the other nodes. No force may act between the two. */
+    public boolean stepsSternumApart() {
+        return false;
+    }
 
     /** Displacement from rest beyond which a run counts as diverged, mm; infinite for no limit. */
     public abstract double maxDisplacementMm();

@@ -13,14 +13,16 @@ public final class Materials {
     public static final TissueMaterial PHYSICAL = new PhysicalMaterial();
     /** Mass-spring model of Villard, Bourne and Bello 2009. */
     public static final TissueMaterial PAPER = new PaperMaterial();
+    /** The same with the scheme, the step and the tendon of Villard, Bourne and Bello 2009. */
+    public static final TissueMaterial PUBLISHED = new PublishedMaterial();
 
     /** All materials, the default first. */
-    public static final List<TissueMaterial> ALL = List.of(PHYSICAL, PAPER);
+    public static final List<TissueMaterial> ALL = List.of(PHYSICAL, PAPER, PUBLISHED);
 
     /** The setting that selects the material. */
     public static final ChoiceSetting<TissueMaterial> MATERIAL = Setting.named("material", "Material", Effect.ASSEMBLY)
             .describedAs("physical: a membrane with pressure and muscle that shortens. paper: the springs of"
-                    + " Villard, Bourne and Bello 2009.")
+                    + " Villard, Bourne and Bello 2009. published: the same with their scheme, midpoint Runge-Kutta.")
             .choice(ALL, TissueMaterial::label, values -> PHYSICAL);
 
     private Materials() {}

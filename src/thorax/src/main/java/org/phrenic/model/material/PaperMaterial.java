@@ -18,13 +18,17 @@ import org.phrenic.parameter.SettingValues;
  * The model of Villard, Bourne and Bello 2009: uniform spring stiffness, uniform node mass and muscle force along
  * action lines.
  */
-final class PaperMaterial extends TissueMaterial {
+class PaperMaterial extends TissueMaterial {
     private static final double TIME_STEP_S = 0.01;
     private static final double LUNG_TO_MUSCLE = 0.1;
 
     PaperMaterial() {
+        this("paper");
+    }
+
+    PaperMaterial(String label) {
         super(
-                "paper",
+                label,
                 List.of(
                         new SheetSprings(SheetSprings.SPRING_STIFFNESS, false),
                         TissueMass.PER_NODE,

@@ -1,10 +1,13 @@
 package org.phrenic.model.material;
 
+import java.util.List;
 import org.phrenic.engine.constraint.RigidLinks;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
 import org.phrenic.model.assembly.SwitchedConstraint;
 import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.model.organ.TendonRule;
+import org.phrenic.parameter.ChoiceSetting;
 import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.RampedValue;
 import org.phrenic.parameter.Setting;
@@ -13,6 +16,10 @@ import org.phrenic.parameter.WholeSetting;
 
 /** Rigid links across the central tendon: the tensegrity of Villard, Bourne and Bello 2009. */
 public final class RigidTendon extends ScenePart {
+    public static final ChoiceSetting<TendonRule> TENDON = Setting.named("tendon", "Tendon", Effect.ASSEMBLY)
+            .describedAs("Central tendon: trefoil, or all above a plane as in Villard, Bourne and Bello 2009.")
+            .choice(List.of(TendonRule.values()), ChoiceSetting::nameOf, values -> values.get(Materials.MATERIAL)
+                    .tendonRule());
     public static final SwitchSetting TENSEGRITY = Setting.named("tensegrity", "Tensegrity", Effect.SCENE)
             .describedAs("Rigid links hold the two faces of the sheet apart.")
             .onOff(true);

@@ -121,7 +121,7 @@ public final class SceneAssembly {
         double stiffness = material.lungToMuscleStiffness(settings);
         scene.setLungs(face.filter(f -> !lungs.isEmpty())
                 .map(f -> new LungPart(scene.nodes(), lungs, join(f), scene.bones(), wall, law, stiffness)));
-        placeNodes(face);
+        placeNodes(face, sternum);
         addParts();
         scene.setOrgans(sternum, liver.map(SceneAssembly::join), lungModel == LungModel.EMBEDDED ? lungs : List.of());
         scene.close();
@@ -129,7 +129,7 @@ public final class SceneAssembly {
     }
 
     /** Creates the nodes. */
-    private void placeNodes(Optional<CompletableFuture<ThoracicFace>> face) {
+    private void placeNodes(Optional<CompletableFuture<ThoracicFace>> face, Optional<SternumPart> sternum) {
         double[] positions = scene.nodes().positions();
         // The recess tracks are computed while the particle system is created.
         scene.setRecessTracks(scene.lungs()
@@ -137,7 +137,9 @@ public final class SceneAssembly {
                 .map(l -> MassSpringBuilder.positionsOf(positions, 0, l.baseSprings.node()))
                 .map(points -> CompletableFuture.supplyAsync(() -> new RecessTracks(join(face.orElseThrow()), points)))
                 .<Supplier<RecessTracks>>map(future -> () -> join(future)));
-        NodeLayout layout = NodeLayout.morton(positions);
+        NodeLayout layout = sternum.filter(part -> part.nodeCount() > 0 && material.stepsSternumApart())
+                .map(part -> NodeLayout.morton(positions, part.firstNodes.get(0), part.nodeCount()))
+                .orElseGet(() -> NodeLayout.morton(positions));
         double[] masses = scene.nodes().masses();
         double massAdded = material.scaleMasses(scene, positions, masses);
         ParticleSystem system = new ParticleSystem(layout, positions, masses, scene.workers());
@@ -197,7 +199,7 @@ public final class SceneAssembly {
         if (!Remeshing.isAdequate(sheet, wanted)) {
             sheet = Remesher.toVertexCount(sheet, wanted);
         }
-        if (settings.get(OrganSettings.TENDON) == TendonRule.PLANE) {
+        if (settings.get(RigidTendon.TENDON) == TendonRule.PLANE) {
             double[] heights = IntStream.range(0, sheet.vertexCount())
                     .mapToDouble(sheet::z)
                     .sorted()

@@ -24,9 +24,6 @@ public final class OrganSettings {
     public static final SwitchSetting LIVER = Setting.named("liver", "Liver", Effect.ASSEMBLY)
             .describedAs("The liver moves along with the dome.")
             .onOff(true);
-    public static final ChoiceSetting<TendonRule> TENDON = Setting.named("tendon", "Tendon", Effect.ASSEMBLY)
-            .describedAs("Central tendon: trefoil, or all above a plane as in Villard, Bourne and Bello 2009.")
-            .choice(TendonRule.TREFOIL);
 
     private OrganSettings() {}
 }

@@ -69,6 +69,11 @@ public final class SternumPart {
         TieSprings.connect(parts, structures, firstNodes, 0.3 * edge);
     }
 
+    /** Number of nodes. They follow one another from the first of {@link #firstNodes} on. */
+    public int nodeCount() {
+        return structures.stream().mapToInt(s -> s.mesh().vertexCount()).sum();
+    }
+
     private static double distanceToRib(RibCage cage, Structure s, double[] p, int vertex) {
         int rib = s.kind() == StructureKind.COSTAL_CARTILAGE ? cage.rib(s.level(), s.side()) : -1;
         if (rib < 0) {
