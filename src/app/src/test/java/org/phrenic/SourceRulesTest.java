@@ -72,10 +72,21 @@ class SourceRulesTest {
         return file.endsWith("package-info.java");
     }
 
+    /** Shaders, style sheets and build files keep to the columns of the sources. */
     @Test
-    void linesEndAt120Columns() {
+    void linesEndAt120Columns() throws IOException {
+        Map<Path, List<String>> all = new TreeMap<>(sources);
+        all.put(Path.of("pom.xml"), Files.readAllLines(Path.of("pom.xml")));
+        try (Stream<Path> files = Files.walk(Path.of("src"))) {
+            for (Path file : files.filter(SourceRulesTest::isOtherSource).toList()) {
+                all.put(file, Files.readAllLines(file));
+            }
+        }
+        assertThat(all.keySet())
+                .extracting(file -> file.toString().replaceAll(".*\\.", ""))
+                .contains("java", "glsl", "css", "xml");
         List<String> found = new ArrayList<>();
-        sources.forEach((file, lines) -> {
+        all.forEach((file, lines) -> {
             for (int i = 0; i < lines.size(); i++) {
                 if (lines.get(i).codePointCount(0, lines.get(i).length()) > COLUMNS) {
                     found.add(file + ":" + (i + 1));
@@ -83,6 +94,12 @@ class SourceRulesTest {
             }
         });
         assertThat(found).isEmpty();
+    }
+
+    private static boolean isOtherSource(Path file) {
+        String path = file.toString().replace('\\', '/');
+        boolean resource = path.contains("/src/main/resources/") && (path.endsWith(".glsl") || path.endsWith(".css"));
+        return resource || file.endsWith("pom.xml");
     }
 
     @Test

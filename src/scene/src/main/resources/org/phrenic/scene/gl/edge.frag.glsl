@@ -1,4 +1,5 @@
-// Darkens what lies behind its neighbours in the picture, more the farther behind: eye-dome lighting (Boucheny 2009) on a ring of four points.
+// Darkens what lies behind its neighbours in the picture, more the farther behind: eye-dome lighting (Boucheny 2009)
+// on a ring of four points.
 uniform sampler2D depth;
 uniform vec3 unproject;     // projection[10], projection[14], 1 if parallel
 uniform float reach;        // a step in depth of this size is as dark as it gets, mm

@@ -6,5 +6,6 @@ out vec4 colour;
 void main() {
     float away = length(gl_PointCoord - 0.5) * pointSize;
     float cover = clamp(0.5 * pointSize - away, 0.0, 1.0);
-    colour = vec4(lineColour.rgb * mix(1.0, 0.6, smoothstep(0.25, 0.5, away / pointSize)), lineColour.a * cover * endStrength);
+    float shade = mix(1.0, 0.6, smoothstep(0.25, 0.5, away / pointSize));
+    colour = vec4(lineColour.rgb * shade, lineColour.a * cover * endStrength);
 }

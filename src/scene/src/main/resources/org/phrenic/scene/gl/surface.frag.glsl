@@ -1,5 +1,5 @@
-// Key, fill and rim light go with the camera, the ambient light comes from above (warm below, cool above). Colours are linear; the last step is a film curve that also encodes them
-// (Hejl and Burgess-Dawson 2010).
+// Key, fill and rim light go with the camera, the ambient light comes from above (warm below, cool above). Colours are
+// linear; the last step is a film curve that also encodes them (Hejl and Burgess-Dawson 2010).
 in vec3 eyePosition;
 in vec3 eyeNormal;
 in vec3 shownTrait;
@@ -78,7 +78,8 @@ void main() {
 #endif
     float edge = 1.0 - facing;
     float rim = edge * edge * edge * (0.35 + 0.65 * up) * openness;
-    vec3 light = albedo * (key * mix(0.55, 1.0, openness) * vec3(1.34, 1.27, 1.15) + fill * vec3(0.22, 0.24, 0.27) + ambient)
+    vec3 light = albedo
+            * (key * mix(0.55, 1.0, openness) * vec3(1.34, 1.27, 1.15) + fill * vec3(0.22, 0.24, 0.27) + ambient)
             + vec3(gloss) + rim * 0.22 * (albedo + 0.25);
     light = mix(light, accent.rgb * (0.5 + 0.5 * key), accent.a) + accent.rgb * accent.a * edge * edge;
     vec3 encoded = film(light * 1.05);

@@ -1,7 +1,9 @@
-// A surface: rigid ones move by their pose, the others come with their positions of now. Everything after is in eye coordinates, mm.
+// A surface: rigid ones move by their pose, the others come with their present positions. Everything after is in eye
+// coordinates, mm.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 normal;
-layout(location = 2) in vec4 trait;   // openness (1 in the open, 0 in a cleft), tendon, and what is left of a clear surface (0 at an open border)
+// openness (1 in the open, 0 in a cleft), tendon, and what is left of a clear surface (0 at an open border)
+layout(location = 2) in vec4 trait;
 #ifdef FIELD
 layout(location = 3) in float quantity;
 out float shownQuantity;
@@ -33,7 +35,8 @@ void main() {
 #endif
     gl_Position = projection * eye;
 #ifdef TRANSLUCENT
-    // The far side of what is clear and lies on something else, as a lung on the diaphragm, would be hidden in patches: its depth is taken a little nearer.
+    // The far side of a clear surface that lies on another, as a lung on the diaphragm, would be hidden in patches: its
+    // depth is taken a little nearer.
     float turnedAway = dot(eyeNormal, eye.xyz) > 0.0 ? 1.0 : 0.0;
     vec4 nearer = projection * vec4(eye.xyz + vec3(0.0, 0.0, lift * turnedAway), 1.0);
     gl_Position.z = nearer.z / nearer.w * gl_Position.w;
