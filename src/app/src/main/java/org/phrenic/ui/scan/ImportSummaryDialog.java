@@ -1,15 +1,14 @@
 package org.phrenic.ui.scan;
 
-import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Window;
 import java.util.List;
 import java.util.Locale;
-import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.table.DefaultTableModel;
@@ -18,42 +17,61 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
+import org.phrenic.patient.diaphragm.SheetQuality;
 import org.phrenic.patient.pipeline.ImportResult;
 import org.phrenic.ui.widget.Controls;
+import org.phrenic.ui.widget.Dialogs;
 
-/** Lists what an import built: the source and size of each structure, and the notes. */
+/** Lists what an import built: source and size of each structure, quality of the diaphragm, and the notes. */
 final class ImportSummaryDialog {
     private static final String[] COLUMNS = {"Structure", "From", "Volume, ml", "Off the labels, mm", "Cut at"};
     private static final int VOLUME_COLUMN = 2;
-    private static final Dimension SIZE = new Dimension(640, 560);
+    private static final Dimension SIZE = new Dimension(660, 590);
     private static final double MM3_PER_ML = 1000;
 
     private ImportSummaryDialog() {}
 
     /** Shows the summary beside the window; {@code rehearse} begins a rehearsal of liver access with the body. */
     static void show(Window owner, ImportResult result, Runnable rehearse) {
+        JTabbedPane tables = new JTabbedPane();
+        tables.addTab("Structures", new JScrollPane(table(result.body())));
+        result.quality().ifPresent(quality -> tables.addTab(title(quality), new JScrollPane(table(quality))));
         JPanel content =
                 new JPanel(new MigLayout("insets 14, gap 8, fill, wrap 1", "[grow, fill]", "[][grow][][140!]"));
         content.add(Controls.heading(result.body().name()));
-        content.add(new JScrollPane(table(result.body())), "grow");
+        content.add(tables, "grow");
         content.add(new JLabel(missing(result.body())), "wmin 0");
         content.add(new JScrollPane(notes(result.body().notes())), "grow");
-        JDialog dialog = new JDialog(owner, "Imported body");
+        JDialog dialog = Dialogs.of(
+                owner,
+                "Imported body",
+                content,
+                SIZE,
+                Disclaimer.TEXT,
+                Dialogs.closing("Rehearse", "Rehearse liver access with this body", rehearse),
+                Dialogs.closing("Close", "Close this summary", () -> {}));
         dialog.setName("import.summary");
-        JPanel foot = new JPanel(new MigLayout("insets 0 14 14 14, fillx", "[grow]push[][]", ""));
-        foot.add(Controls.secondaryLabel(Disclaimer.TEXT), "wmin 0");
-        foot.add(Controls.button("Rehearse", "Rehearse liver access with this body", () -> {
-            dialog.dispose();
-            rehearse.run();
-        }));
-        JButton close = Controls.button("Close", "Close this summary", dialog::dispose);
-        foot.add(close);
-        dialog.getContentPane().add(content);
-        dialog.getContentPane().add(foot, BorderLayout.SOUTH);
-        dialog.getRootPane().setDefaultButton(close);
-        dialog.setSize(SIZE);
-        dialog.setLocationRelativeTo(owner);
         dialog.setVisible(true);
+    }
+
+    private static String title(SheetQuality quality) {
+        long good =
+                quality.measures().stream().filter(SheetQuality.Measure::isGood).count();
+        return "Diaphragm: " + good + " of " + quality.measures().size() + " within limits";
+    }
+
+    private static JTable table(SheetQuality quality) {
+        String[][] rows = quality.measures().stream()
+                .map(m -> new String[] {
+                    Controls.capitalise(m.what()),
+                    String.format(Locale.ROOT, "%.2f", m.value()),
+                    String.format(Locale.ROOT, "%s %.0f", m.atMost() ? "at most" : "at least", m.limit()),
+                    m.unit(),
+                    m.isGood() ? "" : "beyond"
+                })
+                .toArray(String[][]::new);
+        JTable table = Dialogs.table("Quality of the diaphragm", rows, "Measure", "Value", "Limit", "Unit", "");
+        return Dialogs.widths(table, 300, 60, 90, 70, 60);
     }
 
     private static String missing(PatientBody body) {
@@ -78,11 +96,7 @@ final class ImportSummaryDialog {
         JTable table = new JTable(model);
         table.getAccessibleContext().setAccessibleName("Structures of the body");
         table.setAutoCreateRowSorter(true);
-        int[] widths = {200, 80, 90, 130, 70};
-        for (int i = 0; i < widths.length; i++) {
-            table.getColumnModel().getColumn(i).setPreferredWidth(widths[i]);
-        }
-        return table;
+        return Dialogs.widths(table, 200, 80, 90, 130, 70);
     }
 
     private static Object[] row(PatientStructure s) {

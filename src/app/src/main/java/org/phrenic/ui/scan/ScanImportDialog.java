@@ -1,6 +1,5 @@
 package org.phrenic.ui.scan;
 
-import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Window;
 import java.nio.file.Files;
@@ -19,6 +18,7 @@ import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.ui.widget.Controls;
+import org.phrenic.ui.widget.Dialogs;
 import org.phrenic.ui.widget.FileDialogs;
 
 /** Asks which label is which structure, what completes the body, and where its thorax folder goes. */
@@ -43,8 +43,7 @@ final class ScanImportDialog {
     private final JComboBox<String> template =
             new JComboBox<>(TEMPLATES.keySet().stream().sorted().toArray(String[]::new));
     private final JTextField folder = new JTextField();
-    private final JButton start = new JButton("Import");
-    private JDialog dialog;
+    private final JButton start = Dialogs.closing("Import", "Import the scan with these labels", () -> {});
 
     ScanImportDialog(Path file, ScanLabels labels) {
         this.file = file;
@@ -66,23 +65,11 @@ final class ScanImportDialog {
 
     /** Shows the dialog; {@code import} receives the answers unless it is cancelled. */
     void show(Window owner, Start onStart) {
-        JPanel content = content();
-        dialog = new JDialog(owner, "Import scan");
-        dialog.setName("import");
         start.setName("import.start");
-        start.addActionListener(e -> {
-            dialog.dispose();
-            onStart.accept(new Choice(labels, template(), Path.of(folder.getText())));
-        });
-        JPanel foot = new JPanel(new MigLayout("insets 0 14 14 14, fillx", "[grow]push[][]", ""));
-        foot.add(Controls.secondaryLabel(Disclaimer.TEXT), "wmin 0");
-        foot.add(Controls.button("Cancel", "Import nothing", dialog::dispose));
-        foot.add(start);
-        dialog.getContentPane().add(content);
-        dialog.getContentPane().add(foot, BorderLayout.SOUTH);
-        dialog.getRootPane().setDefaultButton(start);
-        dialog.setSize(SIZE);
-        dialog.setLocationRelativeTo(owner);
+        start.addActionListener(e -> onStart.accept(new Choice(labels, template(), Path.of(folder.getText()))));
+        JButton cancel = Dialogs.closing("Cancel", "Import nothing", () -> {});
+        JDialog dialog = Dialogs.of(owner, "Import scan", content(), SIZE, Disclaimer.TEXT, cancel, start);
+        dialog.setName("import");
         dialog.setVisible(true);
     }
 
@@ -120,11 +107,7 @@ final class ScanImportDialog {
         structures.addItem(ScanLabels.NONE);
         labels.known().forEach(structures::addItem);
         table.getColumnModel().getColumn(ScanLabels.STRUCTURE_COLUMN).setCellEditor(new DefaultCellEditor(structures));
-        int[] widths = {60, 200, 90, 200};
-        for (int i = 0; i < widths.length; i++) {
-            table.getColumnModel().getColumn(i).setPreferredWidth(widths[i]);
-        }
-        return table;
+        return Dialogs.widths(table, 60, 200, 90, 200);
     }
 
     private Optional<String> template() {

@@ -1,26 +1,20 @@
 package org.phrenic.ui.window;
 
-import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Frame;
-import java.awt.Window;
-import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.BorderFactory;
-import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
-import javax.swing.KeyStroke;
-import javax.swing.table.DefaultTableModel;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.ui.widget.Dialogs;
 
 /** Help > Keys and Help > About. */
 final class HelpDialogs {
@@ -67,24 +61,9 @@ final class HelpDialogs {
     }
 
     private static JTable keyTable(String name, String[][] rows) {
-        JTable table = table(name, rows, name, "Does", "That is");
+        JTable table = Dialogs.table(name, rows, name, "Does", "That is");
         table.setRowHeight(table.getRowHeight() + 4);
-        int[] widths = {150, 160, 360};
-        for (int i = 0; i < widths.length; i++) {
-            table.getColumnModel().getColumn(i).setPreferredWidth(widths[i]);
-        }
-        return table;
-    }
-
-    private static JTable table(String name, String[][] rows, String... columns) {
-        JTable table = new JTable(new DefaultTableModel(rows, columns) {
-            @Override
-            public boolean isCellEditable(int row, int column) {
-                return false;
-            }
-        });
-        table.getAccessibleContext().setAccessibleName(name);
-        return table;
+        return Dialogs.widths(table, 150, 160, 360);
     }
 
     /** Version, citation, licences and the disclaimer. */
@@ -92,7 +71,7 @@ final class HelpDialogs {
         String version = HelpDialogs.class.getPackage().getImplementationVersion();
         JLabel title = bold("Phrenic" + (version == null ? "" : " " + version));
         title.setFont(title.getFont().deriveFont(title.getFont().getSize2D() * 1.6f));
-        JTable libraries = table("Libraries and their licences", LIBRARIES, "Library", "For", "Licence");
+        JTable libraries = Dialogs.table("Libraries and their licences", LIBRARIES, "Library", "For", "Licence");
         JScrollPane scroll = new JScrollPane(libraries);
         scroll.setPreferredSize(new Dimension(560, libraries.getRowHeight() * (LIBRARIES.length + 1) + 12));
         JPanel content = new JPanel(new MigLayout("insets 18, gap 8, wrap 1", "[grow, fill]", ""));
@@ -125,26 +104,7 @@ final class HelpDialogs {
         return area;
     }
 
-    /** A dialog with a button below its content; the Escape key hides it. */
-    static JDialog dialog(Window owner, String title, JComponent content, JButton button, Dimension size) {
-        JDialog dialog = new JDialog(owner, title);
-        JPanel foot = new JPanel(new MigLayout("insets 0 14 14 14, fillx", "push[]", ""));
-        foot.add(button);
-        dialog.getContentPane().add(content);
-        dialog.getContentPane().add(foot, BorderLayout.SOUTH);
-        dialog.getRootPane().setDefaultButton(button);
-        KeyStroke escape = KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0);
-        dialog.getRootPane()
-                .registerKeyboardAction(e -> dialog.setVisible(false), escape, JComponent.WHEN_IN_FOCUSED_WINDOW);
-        dialog.setSize(size);
-        dialog.setLocationRelativeTo(owner);
-        return dialog;
-    }
-
     private static JDialog closable(Frame owner, String title, JPanel content, Dimension size) {
-        JButton close = new JButton("Close");
-        JDialog dialog = dialog(owner, title, content, close, size);
-        close.addActionListener(e -> dialog.dispose());
-        return dialog;
+        return Dialogs.of(owner, title, content, size, "", Dialogs.closing("Close", "Close this dialog", () -> {}));
     }
 }

@@ -24,6 +24,7 @@ import javax.swing.JScrollPane;
 import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.ui.widget.Controls;
+import org.phrenic.ui.widget.Dialogs;
 
 /** A dialog that lists the log records since the window opened. */
 final class LogDialog extends Handler {
@@ -78,7 +79,7 @@ final class LogDialog extends Handler {
                 "Copy", "Copy the selected lines, or all of them", () -> copy(list.getSelectedValuesList()));
         JPanel content = new JPanel(new MigLayout("insets 12", "[grow, fill]", "[grow, fill]"));
         content.add(new JScrollPane(list));
-        return HelpDialogs.dialog(owner, "Log", content, copy, new Dimension(760, 320));
+        return Dialogs.of(owner, "Log", content, new Dimension(760, 320), "", copy);
     }
 
     private void copy(List<String> chosen) {

@@ -1,0 +1,75 @@
+package org.phrenic.ui.widget;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JPanel;
+import javax.swing.JTable;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
+import javax.swing.table.DefaultTableModel;
+import net.miginfocom.swing.MigLayout;
+
+/** Makes dialogs of one style: content, and below it a note and a row of buttons. */
+public final class Dialogs {
+    private Dialogs() {}
+
+    /**
+     * A dialog that is not shown yet. The Escape key hides it.
+     *
+     * @param note text on the left of the buttons, or empty
+     * @param buttons the last one is the default button
+     */
+    public static JDialog of(
+            Window owner, String title, JComponent content, Dimension size, String note, JButton... buttons) {
+        JDialog dialog = new JDialog(owner, title);
+        JPanel foot = new JPanel(new MigLayout("insets 0 14 14 14, fillx", "[grow]push" + "[]".repeat(buttons.length)));
+        foot.add(Controls.secondaryLabel(note), "wmin 0");
+        for (JButton button : buttons) {
+            foot.add(button);
+            dialog.getRootPane().setDefaultButton(button);
+        }
+        dialog.getContentPane().add(content);
+        dialog.getContentPane().add(foot, BorderLayout.SOUTH);
+        KeyStroke escape = KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0);
+        dialog.getRootPane()
+                .registerKeyboardAction(e -> dialog.setVisible(false), escape, JComponent.WHEN_IN_FOCUSED_WINDOW);
+        dialog.setSize(size);
+        dialog.setLocationRelativeTo(owner);
+        return dialog;
+    }
+
+    /** A button that closes its dialog, and then runs an action. */
+    public static JButton closing(String text, String tip, Runnable then) {
+        JButton button = Controls.describe(new JButton(text), text, tip);
+        button.addActionListener(e -> {
+            SwingUtilities.getWindowAncestor(button).dispose();
+            then.run();
+        });
+        return button;
+    }
+
+    /** A table of text that cannot be edited. */
+    public static JTable table(String name, String[][] rows, String... columns) {
+        JTable table = new JTable(new DefaultTableModel(rows, columns) {
+            @Override
+            public boolean isCellEditable(int row, int column) {
+                return false;
+            }
+        });
+        table.getAccessibleContext().setAccessibleName(name);
+        return table;
+    }
+
+    /** Sets the preferred widths of the columns of a table, pixels. */
+    public static JTable widths(JTable table, int... widths) {
+        for (int i = 0; i < widths.length; i++) {
+            table.getColumnModel().getColumn(i).setPreferredWidth(widths[i]);
+        }
+        return table;
+    }
+}

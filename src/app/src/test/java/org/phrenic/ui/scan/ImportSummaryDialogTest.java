@@ -1,0 +1,76 @@
+package org.phrenic.ui.scan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Window;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.Stream;
+import javax.swing.JButton;
+import javax.swing.JDialog;
+import javax.swing.JTable;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.diaphragm.SheetQuality;
+import org.phrenic.patient.pipeline.ImportResult;
+import org.phrenic.ui.window.WindowHarness;
+
+/** What the summary of an import shows of the diaphragm. */
+class ImportSummaryDialogTest {
+    private static final SheetQuality.Measure KEPT =
+            new SheetQuality.Measure("smallest_angle_deg", "smallest angle", 15.61, "degrees", 10, false);
+    private static final SheetQuality.Measure EXCEEDED =
+            new SheetQuality.Measure("outside_cage_maximum_mm", "outside the cage", 12.345, "mm", 10, true);
+
+    @BeforeAll
+    static void display() {
+        WindowHarness.assumeDisplay();
+    }
+
+    private static JDialog show(Optional<SheetQuality> quality, Runnable rehearse) {
+        PatientBody body = new PatientBody("scanned", List.of(), List.of("sternum"), List.of());
+        return WindowHarness.onEdt(() -> {
+            ImportSummaryDialog.show(
+                    null, new ImportResult("scan.mha", Optional.empty(), body, Optional.empty(), quality), rehearse);
+            return Stream.of(Window.getWindows())
+                    .filter(w -> w.isVisible() && "import.summary".equals(w.getName()))
+                    .map(JDialog.class::cast)
+                    .findFirst()
+                    .orElseThrow();
+        });
+    }
+
+    private static Optional<JTable> quality(JDialog dialog) {
+        return WindowHarness.find(dialog.getRootPane(), JTable.class, "Quality of the diaphragm");
+    }
+
+    @Test
+    void everyMeasureIsARowAndSaysWhetherItsLimitIsExceeded() {
+        AtomicBoolean rehearsed = new AtomicBoolean();
+        JDialog dialog = show(
+                Optional.of(new SheetQuality(List.of(KEPT, EXCEEDED), Optional.empty())), () -> rehearsed.set(true));
+        JTable table = quality(dialog).orElseThrow();
+        assertThat(row(table, 0)).containsExactly("Smallest angle", "15.61", "at least 10", "degrees", "");
+        assertThat(row(table, 1)).containsExactly("Outside the cage", "12.35", "at most 10", "mm", "beyond");
+        JButton button = WindowHarness.find(dialog.getRootPane(), JButton.class, "Rehearse")
+                .orElseThrow();
+        WindowHarness.doOnEdt(button::doClick);
+        assertThat(rehearsed).isTrue();
+        assertThat(dialog.isVisible()).isFalse();
+    }
+
+    @Test
+    void aBodyWithoutADiaphragmHasNoTableOfIt() {
+        JDialog dialog = show(Optional.empty(), () -> {});
+        assertThat(quality(dialog)).isEmpty();
+        WindowHarness.doOnEdt(dialog::dispose);
+    }
+
+    private static List<String> row(JTable table, int row) {
+        return WindowHarness.onEdt(() -> Stream.of(0, 1, 2, 3, 4)
+                .map(column -> String.valueOf(table.getValueAt(row, column)))
+                .toList());
+    }
+}
