@@ -1,12 +1,18 @@
 package org.phrenic.cli;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.phrenic.anatomy.Thorax;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.TextTable;
@@ -24,7 +30,7 @@ import org.phrenic.study.body.BodyCut;
 import org.phrenic.study.body.BodyReport;
 import org.phrenic.study.body.BodyStudy;
 import org.phrenic.study.body.BreathDepth;
-import org.phrenic.study.body.CutBodies;
+import org.phrenic.study.body.ImportedBodies;
 import org.phrenic.study.body.RandomBodies;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -40,6 +46,7 @@ import picocli.CommandLine.Parameters;
             "",
             "Examples:",
             "  phrenic bench bodies patient-1 patient-2 --out result",
+            "  phrenic bench bodies virtual/adult-male scan.nii.gz --cuts all --out result --pictures",
             "  phrenic bench bodies --random 60 --out result            20 minutes of processor time",
             "  phrenic bench bodies --random 6 --seed 3 --extremes --resolution medium",
             "",
@@ -48,11 +55,16 @@ import picocli.CommandLine.Parameters;
             Disclaimer.TEXT
         })
 final class BenchBodiesCommand extends ReportingCommand {
+    private static final String VIRTUAL_MAN = "virtual/adult-male";
+    private static final String VIRTUAL_WOMAN = "virtual/adult-female";
     private static final int MAX_BODIES = 10_000;
     private static final int THUMBNAIL_WIDTH = 220;
     private static final int THUMBNAIL_HEIGHT = 250;
 
-    @Parameters(paramLabel = "BODY", description = "A thorax folder, virtual/adult-male or virtual/adult-female.")
+    @Parameters(
+            paramLabel = "BODY",
+            description = "A thorax folder, virtual/adult-male or virtual/adult-female; a label volume or a folder of "
+                    + "meshes without a diaphragm is imported (needs --out).")
     private List<String> bodies = new ArrayList<>();
 
     @Option(
@@ -70,16 +82,18 @@ final class BenchBodiesCommand extends ReportingCommand {
     @Option(
             names = "--cuts",
             paramLabel = "NAME,...",
-            description = "Instead of each body, bodies imported from simulated scans of it: all, or some of "
-                    + "whole, abdomen, bones, lungs, lungs-liver, right-side, cut-ends, ribs-10, ribs-20, ribs-30, "
-                    + "dropped, slices-5, oblique, turned. Needs --out.")
+            description =
+                    "Instead of each body that is not a scan, bodies imported from simulated scans of it: all, or some of "
+                            + "whole, abdomen, bones, bone-meshes, lungs, lungs-liver, right-side, cut-ends, ribs-10, ribs-20, ribs-30, "
+                            + "dropped, slices-5, oblique, turned. Needs --out.")
     private String cuts;
 
     @Option(
             names = "--complete",
             paramLabel = "BODY",
-            description = "Completes the bodies of --cuts (default ${DEFAULT-VALUE}).")
-    private String complete = "virtual/adult-female";
+            description = "Completes imported bodies (default virtual/adult-male, for scans of himself "
+                    + "virtual/adult-female).")
+    private String complete;
 
     @Option(names = "--resolution", paramLabel = "NAME", description = "low (default), medium or high.")
     private String resolution = "low";
@@ -166,7 +180,10 @@ final class BenchBodiesCommand extends ReportingCommand {
             given.addAll(List.of("--random", random, "--seed", seed));
         }
         if (cuts != null) {
-            given.addAll(List.of("--cuts", cuts, "--complete", complete));
+            given.addAll(List.of("--cuts", cuts));
+        }
+        if (complete != null) {
+            given.addAll(List.of("--complete", complete));
         }
         given.addAll(List.of("--resolution", resolution));
         settings.forEach(s -> given.addAll(List.of("--set", s)));
@@ -182,9 +199,14 @@ final class BenchBodiesCommand extends ReportingCommand {
 
     private List<BodyCase> cases(Scenario scenario) {
         List<BodyCase> cases = new ArrayList<>();
+        List<BodyCase> scans = new ArrayList<>();
         for (String body : bodies) {
-            Scenario on = scenario.with(List.of(Assignment.read(body, "anatomy", body)));
-            cases.add(new BodyCase(body, "as it is", 1, () -> SimulationRun.loadThorax(on)));
+            if (isScan(body)) {
+                scans.add(ImportedBodies.scan(Path.of(body), template(body), scansFolder()));
+            } else {
+                Scenario on = scenario.with(List.of(Assignment.read(body, "anatomy", body)));
+                cases.add(new BodyCase(body, "as it is", 1, () -> SimulationRun.loadThorax(on)));
+            }
         }
         if (extremes) {
             cases.addAll(RandomBodies.extremes(scenario));
@@ -193,20 +215,52 @@ final class BenchBodiesCommand extends ReportingCommand {
                 scenario,
                 OptionValues.integer("--random", random, 0, MAX_BODIES),
                 OptionValues.integer("--seed", seed, 0, Integer.MAX_VALUE)));
-        if (cases.isEmpty()) {
+        if (cases.isEmpty() && scans.isEmpty()) {
             throw new ParameterException(commandLine(), "found no body, expected BODY, --random or --extremes");
         }
-        return cuts == null
-                ? cases
-                : cases.stream().flatMap(source -> scans(source).stream()).toList();
+        Stream<BodyCase> sources =
+                cuts == null ? cases.stream() : cases.stream().flatMap(source -> simulatedScans(source).stream());
+        return Stream.concat(sources, scans.stream()).toList();
     }
 
-    private List<BodyCase> scans(BodyCase source) {
-        Scenario with = Scenario.defaults().with(List.of(Assignment.read("--complete", "anatomy", complete)));
+    /** Whether a body is a file, or a folder of meshes without a diaphragm. */
+    private static boolean isScan(String body) {
+        Path path = Path.of(body);
+        if (!Files.isDirectory(path)) {
+            return Files.exists(path);
+        }
+        try (Stream<Path> files = Files.list(path)) {
+            List<Path> all = files.toList();
+            return !all.isEmpty()
+                    && all.stream().noneMatch(file -> file.getFileName()
+                            .toString()
+                            .toLowerCase(Locale.ROOT)
+                            .matches("thorax\\.yaml|.*diaphragm.*"));
+        } catch (IOException e) {
+            throw new BadInputException(body + ": cannot be read: " + e.getMessage(), e);
+        }
+    }
+
+    private Path scansFolder() {
+        if (out == null) {
+            throw new ParameterException(commandLine(), "found a scan without --out, expected both");
+        }
+        return out.resolve("scans");
+    }
+
+    /** Loads what completes the scans of a body. */
+    private Supplier<Thorax> template(String body) {
+        String usual = body.equals(VIRTUAL_MAN) ? VIRTUAL_WOMAN : VIRTUAL_MAN;
+        String name = complete == null ? usual : complete;
+        Scenario with = Scenario.defaults().with(List.of(Assignment.read("--complete", "anatomy", name)));
+        return () -> SimulationRun.loadThorax(with);
+    }
+
+    private List<BodyCase> simulatedScans(BodyCase source) {
         List<BodyCut> wanted = cuts.equals("all")
                 ? List.of(BodyCut.values())
                 : OptionValues.split(cuts).stream().map(BenchBodiesCommand::cut).toList();
-        return CutBodies.of(source, wanted, () -> SimulationRun.loadThorax(with), out.resolve("scans"));
+        return ImportedBodies.cuts(source, wanted, template(source.name()), scansFolder());
     }
 
     private static BodyCut cut(String label) {

@@ -23,12 +23,17 @@ import org.phrenic.scene.style.Appearance;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * A contact sheet of bodies: a row for each body, with its states from the front, the right and the back. The diaphragm
- * and the organs lie behind translucent bones and lungs; the skin is left out.
+ * A contact sheet of bodies, up to {@value #BESIDE} side by side, with the states of each from the front, the right and
+ * the back. The diaphragm and the organs lie behind translucent bones and lungs; the skin is left out.
  */
 public final class BodyThumbnails implements AutoCloseable {
     private static final List<AnatomicalView> VIEWS =
             List.of(AnatomicalView.ANTERIOR, AnatomicalView.RIGHT, AnatomicalView.POSTERIOR);
+    /** Greatest number of bodies side by side. */
+    private static final int BESIDE = 3;
+    /** Number of bodies from which on another is set beside. */
+    private static final int BELOW = 8;
+
     private static final int CAPTION_PX = 18;
     private static final int FONT_PX = 13;
     private static final Appearance ORGAN = Appearance.of(0x7fa37a, 1);
@@ -66,7 +71,7 @@ public final class BodyThumbnails implements AutoCloseable {
     /**
      * Adds a state of a body to its row. May be called from any thread.
      *
-     * @param body name of the row
+     * @param body name of the body
      * @param state such as {@code rest}
      * @param meshes positions of the surfaces, in their order
      */
@@ -98,22 +103,26 @@ public final class BodyThumbnails implements AutoCloseable {
         if (columns == 0) {
             throw new IllegalStateException("found no body on the sheet of thumbnails, expected one");
         }
+        int beside = Math.min(BESIDE, 1 + rows.size() / BELOW);
+        int below = (rows.size() + beside - 1) / beside;
         BufferedImage sheet =
-                new BufferedImage(columns * width, rows.size() * (height + CAPTION_PX), BufferedImage.TYPE_INT_RGB);
+                new BufferedImage(beside * columns * width, below * (height + CAPTION_PX), BufferedImage.TYPE_INT_RGB);
         Graphics2D g = sheet.createGraphics();
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, FONT_PX));
         g.setColor(Color.WHITE);
         g.fillRect(0, 0, sheet.getWidth(), sheet.getHeight());
         g.setColor(Color.BLACK);
-        int y = 0;
+        int number = 0;
         for (String body : rows.keySet()) {
+            int left = number % beside * columns * width;
+            int top = number / beside * (height + CAPTION_PX);
             for (int i = 0; i < rows.get(body).size(); i++) {
                 String caption = captions.get(body).get(i);
-                g.drawString(i == 0 ? body + ": " + caption : caption, i * width + 2, y + FONT_PX);
-                g.drawImage(rows.get(body).get(i), i * width, y + CAPTION_PX, null);
+                g.drawString(i == 0 ? body + ": " + caption : caption, left + i * width + 2, top + FONT_PX);
+                g.drawImage(rows.get(body).get(i), left + i * width, top + CAPTION_PX, null);
             }
-            y += height + CAPTION_PX;
+            number++;
         }
         g.dispose();
         PngFile.write(file, sheet);

@@ -10,6 +10,7 @@ public enum BodyCut {
     WHOLE("everything in voxels of 1.5 mm"),
     ABDOMEN("from the lowest vertebra to 25 mm above the liver"),
     BONES("ribs, cartilages, sternum and vertebrae alone"),
+    BONE_MESHES("meshes of ribs, cartilages, sternum and vertebrae alone"),
     LUNGS("lungs alone"),
     LUNGS_LIVER("lungs and liver alone"),
     RIGHT_SIDE("the right side to 10 mm beyond the midline"),
@@ -49,7 +50,7 @@ public enum BodyCut {
     boolean shows(StructureKind kind) {
         boolean bone = BONE_KINDS.contains(kind);
         return switch (this) {
-            case BONES -> bone;
+            case BONES, BONE_MESHES -> bone;
             case LUNGS -> kind == StructureKind.LUNG;
             case LUNGS_LIVER -> kind == StructureKind.LUNG || kind == StructureKind.LIVER;
             default -> bone || kind == StructureKind.LUNG || kind == StructureKind.LIVER || kind.isNamed();

@@ -28,7 +28,8 @@ public final class BodyReport {
             Column.number("deep"),
             Column.number("deepest mm"),
             Column.number("outside cage mm"),
-            Column.number("insertion mm"));
+            Column.number("insertion mm"),
+            Column.number("95 %"));
 
     private final BodyStudy study;
 
@@ -39,14 +40,9 @@ public final class BodyReport {
     /** One-line summary. */
     public String summary() {
         long within = study.bodies().stream().filter(BodyResult::passes).count();
-        long breathe = study.bodies().stream().filter(BodyReport::completes).count();
+        long breathe = study.bodies().stream().filter(BodyResult::breathes).count();
         return study.bodies().size() + " bodies: " + breathe + " breathe quietly and deeply to the end, " + within
                 + " within all limits";
-    }
-
-    private static boolean completes(BodyResult body) {
-        return body.refusal().isEmpty()
-                && body.breaths().stream().allMatch(b -> b.failure().isEmpty());
     }
 
     /** A header and one row for each body. */
@@ -82,6 +78,7 @@ public final class BodyReport {
                 .max(Double::compare)));
         row.add(ReportNumbers.number(body.measure("outside_cage_maximum_mm")));
         row.add(ReportNumbers.number(body.measure("insertion_to_margin_mean_mm")));
+        row.add(ReportNumbers.number(body.measure("insertion_to_margin_percentile_95_mm")));
         return row;
     }
 
@@ -99,7 +96,10 @@ public final class BodyReport {
      * @param provenance lines on how it was made: commit, machine, date
      */
     public ReportDocument document(List<String> provenance) {
-        ReportDocument report = new ReportDocument("Bodies that breathe", summary() + ".");
+        boolean imported =
+                study.bodies().stream().anyMatch(body -> !body.notInScan().isEmpty());
+        ReportDocument report =
+                new ReportDocument(imported ? "Imported bodies" : "Bodies that breathe", summary() + ".");
         report.points(provenance.toArray(String[]::new));
         report.paragraph("One quiet and one deep breath of each body from rest, default numbers, "
                 + ReportNumbers.label(study.scenario().resolution())
@@ -110,25 +110,30 @@ public final class BodyReport {
                 + ReportNumbers.trimmed(BodyLimits.THROUGH_MM, 2) + " mm through the diaphragm at rest or at full"
                 + " inspiration (columns through: number of such vertices), diaphragm at rest at most "
                 + ReportNumbers.trimmed(BodyLimits.OUTSIDE_CAGE_MM, 2)
-                + " mm outside the cage. Insertion: mean distance"
-                + " from the bones of the costal margin, in front of the tips of ribs 12.");
+                + " mm outside the cage. Insertion: mean and 95 % of the"
+                + " distances from the bones of the costal margin, in front of the tips of ribs 12.");
         List<List<String>> table = table();
         report.table("", COLUMNS, table.subList(1, table.size()));
-        report.section("How the bodies were made");
+        report.section(imported ? "What the scans show" : "How the bodies were made");
+        List<Column> columns = new ArrayList<>(List.of(Column.text("body"), Column.text("made of")));
+        if (imported) {
+            columns.add(Column.text("not in the scan"));
+        }
+        columns.add(Column.text("status"));
         report.table(
                 "",
-                List.of(Column.text("body"), Column.text("made of")),
-                study.bodies().stream().map(b -> List.of(b.name(), b.origin())).toList());
-        report.section("Beyond the limits");
-        List<List<String>> faults = study.bodies().stream()
-                .flatMap(b -> b.faults().stream().map(fault -> List.of(b.name(), fault)))
-                .toList();
-        if (faults.isEmpty()) {
-            report.paragraph("Nothing.");
-        } else {
-            report.table("", List.of(Column.text("body"), Column.text("what")), faults);
-        }
+                columns,
+                study.bodies().stream().map(b -> origin(b, imported)).toList());
         return report;
+    }
+
+    private static List<String> origin(BodyResult body, boolean imported) {
+        List<String> row = new ArrayList<>(List.of(body.name(), body.origin()));
+        if (imported) {
+            row.add(body.notInScan());
+        }
+        row.add(body.status());
+        return row;
     }
 
     private static String range(double low, double high) {
@@ -182,7 +187,9 @@ public final class BodyReport {
             Map<String, Object> one = new LinkedHashMap<>();
             one.put("body", body.name());
             one.put("made_of", body.origin());
+            one.put("not_in_scan", body.notInScan());
             one.put("refusal", body.refusal());
+            one.put("status", body.status());
             body.sheet()
                     .ifPresent(sheet -> sheet.measures().forEach(measure -> one.put(measure.key(), measure.value())));
             for (BreathResult breath : body.breaths()) {

@@ -10,11 +10,13 @@ import org.phrenic.patient.diaphragm.SheetQuality;
  * What the check of a body gave.
  *
  * @param body what was checked
+ * @param notInScan what an imported body has that its scan does not show, by kind; empty if there is nothing
  * @param refusal why the body cannot be simulated, one sentence; empty if it can
  * @param sheet quality of the diaphragm at rest; empty after a refusal or if the body lacks what it is measured on
  * @param breaths results in the order of {@link BreathDepth}; empty after a refusal
  */
-public record BodyResult(BodyCase body, String refusal, Optional<SheetQuality> sheet, List<BreathResult> breaths) {
+public record BodyResult(
+        BodyCase body, String notInScan, String refusal, Optional<SheetQuality> sheet, List<BreathResult> breaths) {
     public BodyResult {
         breaths = List.copyOf(breaths);
     }
@@ -40,6 +42,20 @@ public record BodyResult(BodyCase body, String refusal, Optional<SheetQuality> s
     /** A measure of {@link SheetQuality}; NaN if the sheet was not measured. */
     double measure(String key) {
         return sheet.map(quality -> quality.value(key)).orElse(Double.NaN);
+    }
+
+    /** Whether the body breathes quietly and deeply to the end. */
+    public boolean breathes() {
+        return refusal.isEmpty() && breaths.stream().allMatch(b -> b.failure().isEmpty());
+    }
+
+    /** {@code within limits}, {@code beyond limits}, {@code diverges} or {@code refused}, with what is beyond. */
+    public String status() {
+        if (passes()) {
+            return "within limits";
+        }
+        String status = breathes() ? "beyond limits" : refusal.isEmpty() ? "diverges" : "refused";
+        return status + ": " + String.join("; ", faults());
     }
 
     /** Whether the body breathes within all limits. */

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.DivergenceException;
-import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.patient.diaphragm.SheetQuality;
 import org.phrenic.scenario.Assignment;
@@ -39,8 +38,10 @@ final class BreathCheck {
     static BodyResult of(BodyCase body, Scenario scenario, BodyStudy.Witness witness) {
         List<BreathResult> breaths = new ArrayList<>();
         Optional<SheetQuality> sheet = Optional.empty();
+        String notInScan = "";
         try {
             Thorax thorax = body.thorax().get();
+            notInScan = thorax.notInScanSummary();
             sheet = SheetQuality.of(thorax);
             Scenario quiet = scenario.with("preset=" + BreathDepth.QUIET.preset());
             try (Simulation simulation = Simulation.of(quiet, thorax)) {
@@ -53,9 +54,11 @@ final class BreathCheck {
                     breaths.add(check.breathe(depth));
                 }
             }
-            return new BodyResult(body, "", sheet, breaths);
-        } catch (BadInputException | IllegalArgumentException | IllegalStateException | DivergenceException e) {
-            return new BodyResult(body, String.valueOf(e.getMessage()), sheet, breaths);
+            return new BodyResult(body, notInScan, "", sheet, breaths);
+        } catch (RuntimeException e) {
+            // Whatever a body brings about is a result of the check, and the other bodies are checked all the same.
+            String why = e.getMessage() == null ? e.toString() : e.getMessage();
+            return new BodyResult(body, notInScan, why, sheet, breaths);
         }
     }
 

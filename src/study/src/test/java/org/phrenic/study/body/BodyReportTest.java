@@ -23,6 +23,7 @@ class BodyReportTest {
     private static final BodyResult GOOD = new BodyResult(
             body("good"),
             "",
+            "",
             Optional.empty(),
             List.of(
                     breath(BreathDepth.QUIET, 15, 0.2, OrganCrossing.NONE),
@@ -33,6 +34,7 @@ class BodyReportTest {
         assertThat(GOOD.passes()).isTrue();
         BodyResult bad = new BodyResult(
                 body("bad"),
+                "",
                 "",
                 Optional.empty(),
                 List.of(
@@ -48,9 +50,10 @@ class BodyReportTest {
 
     @Test
     void refusalsAndDivergencesAreToldInTheTableAndTheSummary() {
-        BodyResult refused = new BodyResult(body("refused"), "no ribs, expected some", Optional.empty(), List.of());
+        BodyResult refused = new BodyResult(body("refused"), "", "no ribs, expected some", Optional.empty(), List.of());
         BodyResult diverged = new BodyResult(
                 body("diverged"),
+                "",
                 "",
                 Optional.empty(),
                 List.of(BreathResult.failed(BreathDepth.QUIET, "it diverged at 0.8 s", OrganCrossing.NONE)));
@@ -58,7 +61,8 @@ class BodyReportTest {
         assertThat(report.summary())
                 .isEqualTo("3 bodies: 1 breathe quietly and deeply to the end, 1 within all limits");
         assertThat(MarkdownPage.format(report.document(List.of("By a test"))))
-                .contains("- By a test", "| refused | no ribs, expected some |", "| quiet: it diverged at 0.8 s |");
+                .contains(
+                        "- By a test", "refused: no ribs, expected some |", "diverges: quiet: it diverged at 0.8 s |");
         assertThat(report.csv().lines()).hasSize(4);
         assertThat(report.values()).containsEntry("passes", false);
     }

@@ -1,0 +1,82 @@
+package org.phrenic.study.body;
+
+import java.nio.file.Path;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.mesh.io.VtpWriter;
+import org.phrenic.mesh.io.volume.NiftiWriter;
+import org.phrenic.patient.pipeline.ImportPipeline;
+import org.phrenic.patient.pipeline.ImportRequest;
+import org.phrenic.patient.pipeline.ImportResult;
+import org.phrenic.patient.segmentation.LabelTable;
+
+/** Bodies that are imported from scans, real or simulated, by the way that {@code phrenic import} takes. */
+public final class ImportedBodies {
+    private ImportedBodies() {}
+
+    /**
+     * One body for each simulated scan of a body. The scan is written to {@code FOLDER/NAME.nii.gz} and the body to
+     * {@code FOLDER/NAME}.
+     *
+     * @param template completes the bodies; loaded for each of them
+     * @param folder receives scans and bodies
+     */
+    public static List<BodyCase> cuts(
+            BodyCase source, Collection<BodyCut> cuts, Supplier<Thorax> template, Path folder) {
+        String stem = stem(source.name());
+        return cuts.stream()
+                .map(cut -> {
+                    String name = stem + "-" + cut.label();
+                    return new BodyCase(
+                            name,
+                            stem + ", scanned: " + cut.description(),
+                            source.height(),
+                            () -> imported(scanned(name, source.thorax().get(), cut, template.get(), folder), folder));
+                })
+                .toList();
+    }
+
+    /** Writes what a scan of a body shows and asks for its import. */
+    private static ImportRequest scanned(String name, Thorax body, BodyCut cut, Thorax template, Path folder) {
+        if (cut == BodyCut.BONE_MESHES) {
+            Path meshes = folder.resolve(name + "-meshes");
+            body.structures().stream()
+                    .filter(s -> cut.shows(s.kind()))
+                    .forEach(s -> VtpWriter.write(meshes.resolve(s.name() + ".vtp"), s.mesh(), Map.of()));
+            return ImportRequest.of(meshes, name, Optional.empty(), template);
+        }
+        Path file = folder.resolve(name + ".nii.gz");
+        NiftiWriter.write(file, CutScan.of(body, cut));
+        return ImportRequest.of(file, name, Optional.of(LabelTable.TOTALSEGMENTATOR), template);
+    }
+
+    /**
+     * The body of a scan.
+     *
+     * @param file label volume or folder of meshes
+     * @param template completes the body
+     * @param folder receives the body as {@code FOLDER/NAME}
+     */
+    public static BodyCase scan(Path file, Supplier<Thorax> template, Path folder) {
+        String name = stem(file.toString()).replaceAll("\\.(nii|nii\\.gz|nrrd|nhdr|mha|mhd)$", "");
+        return new BodyCase(
+                name,
+                "scan " + file.getFileName(),
+                1,
+                () -> imported(ImportRequest.of(file, name, Optional.empty(), template.get()), folder));
+    }
+
+    private static String stem(String path) {
+        return path.replaceAll("[/\\\\]+$", "").replaceAll("^.*[/\\\\]", "");
+    }
+
+    private static Thorax imported(ImportRequest request, Path folder) {
+        ImportResult result = ImportPipeline.run(request, (count, total, structure) -> {});
+        result.write(folder.resolve(request.name()));
+        return result.body().thorax();
+    }
+}
