@@ -39,6 +39,9 @@ public final class Simulation implements AutoCloseable {
      */
     private static final double SETTLE_S = 0.5;
 
+    /** Settling time of a diaphragm of more than usual size, whose modes are slower. */
+    private static final double LARGE_SETTLE_S = 2;
+
     /**
      * Settling steps of the paper's scene, which is in equilibrium from the start. They verify this and warm up the JIT
      * compiler before the run is timed.
@@ -122,7 +125,8 @@ public final class Simulation implements AutoCloseable {
         Stepper stepper =
                 new Stepper(IntegratorKind.VERLET.create(system), scenario.timeStepS(), StepPolicy.SUBSTEP, limit);
         stepper.nameNodes(node -> NodeNames.of(scene, node));
-        long steps = Math.max(MIN_SETTLING_STEPS, Math.round(SETTLE_S / scenario.timeStepS()));
+        double settleS = scene.diaphragm().relativeSize() > 1 ? LARGE_SETTLE_S : SETTLE_S;
+        long steps = Math.max(MIN_SETTLING_STEPS, Math.round(settleS / scenario.timeStepS()));
         for (long i = 0; i < steps; i++) {
             stepper.step();
         }

@@ -1,22 +1,28 @@
 package org.phrenic.study.body;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.patient.diaphragm.CageEnvelope;
 
 /**
  * Size and shape of a body relative to another, as smooth maps of its surfaces. Bones and organs are mapped alike, so
  * that what touches goes on touching; only the height of the domes changes soft organs alone.
  *
  * <p>In order: the domes are raised, the chest is made deeper about the front of the spine and its front is raised
- * (barrel), the spine is bent forward above T12 (kyphosis), and all axes are scaled.
+ * (barrel), the spine is bent forward above T12 (kyphosis), and all axes are scaled. Last, the diaphragm is kept within
+ * the cage.
  *
  * @param scaleX factor from side to side
  * @param scaleY factor from front to back
@@ -43,6 +49,9 @@ public record BodyVariation(
     private static final double ROOF = 0.45;
     /** Height of the sheet above its lowest point below which nothing is raised, relative to its whole height. */
     private static final double FOOT = 0.35;
+
+    /** Greatest distance of the sheet outside the inner envelope of the cage, mm. */
+    private static final double OUTSIDE_MM = 2.5;
 
     private static final Set<StructureKind> SOFT = EnumSet.of(
             StructureKind.DIAPHRAGM,
@@ -121,7 +130,40 @@ public record BodyVariation(
             }
             mapped.add(s.withMesh(s.mesh().withPositions(p)));
         }
+        Thorax thorax = new Thorax(name, mapped, body.notes());
+        mapped.replaceAll(s -> s.kind() == StructureKind.DIAPHRAGM ? s.withMesh(withinCage(s.mesh(), thorax)) : s);
         return new Thorax(name, mapped, body.notes());
+    }
+
+    /**
+     * The sheet moved inward where its thoracic face stands outside the inner envelope of the cage, which does not
+     * scale with the bones exactly. Each abdominal vertex goes with the nearest thoracic one, so that the thickness
+     * stays.
+     */
+    private static TriangleMesh withinCage(TriangleMesh sheet, Thorax body) {
+        CageEnvelope cage = new CageEnvelope(body);
+        Diaphragm faces = Diaphragm.withTrefoilTendon(sheet);
+        double[] p = sheet.positions().clone();
+        int[] thoracic = IntStream.range(0, sheet.vertexCount())
+                .filter(faces::isThoracic)
+                .toArray();
+        for (int v = 0; v < sheet.vertexCount(); v++) {
+            int outer = faces.isThoracic(v) ? v : nearest(sheet, v, thoracic);
+            double inward = cage.at(sheet.x(outer), sheet.y(outer), sheet.z(outer)) - OUTSIDE_MM;
+            if (inward > 0) {
+                double azimuth = cage.azimuth(sheet.x(outer), sheet.y(outer));
+                p[3 * v] -= inward * StrictMath.sin(azimuth);
+                p[3 * v + 1] -= inward * StrictMath.cos(azimuth);
+            }
+        }
+        return sheet.withPositions(p);
+    }
+
+    private static int nearest(TriangleMesh sheet, int vertex, int[] among) {
+        return IntStream.of(among)
+                .boxed()
+                .min(Comparator.comparingDouble(other -> MeshMeasure.distance(sheet, vertex, other)))
+                .orElseThrow();
     }
 
     /** Raises a point below the apex by a share of the lift: all of it under the roof, nothing at the wall. */

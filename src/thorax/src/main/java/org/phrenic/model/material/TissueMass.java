@@ -34,7 +34,7 @@ public final class TissueMass extends ScenePart {
             .range(0, 200, "1/s")
             .initial(10)
             .effect(Effect.TISSUE)
-            .describedAs("Viscous damping over mass.");
+            .describedAs("Viscous damping over mass; less in a diaphragm of more than usual size.");
 
     /** Mass per area. Mass scales with the relative stiffness, so that all tissue has the same wave speed. */
     static final TissueMass PER_AREA = new TissueMass(AREA_DENSITY, DAMPING_RATE, true);
@@ -51,9 +51,12 @@ public final class TissueMass extends ScenePart {
         this.perArea = perArea;
     }
 
-    private void setDamping(ParticleSystem system, double value) {
+    /** A large sheet has slower modes; with less damping they return as fast as those of a usual one. */
+    private void setDamping(Scene scene, double value) {
+        ParticleSystem system = scene.system();
         if (perArea) {
-            system.setViscosityPerMass(value);
+            double size = scene.diaphragm().relativeSize();
+            system.setViscosityPerMass(value / (size * size));
         } else {
             system.setViscosity(value);
         }
@@ -61,7 +64,7 @@ public final class TissueMass extends ScenePart {
 
     @Override
     public void addTo(Scene scene) {
-        setDamping(scene.system(), scene.settings().get(damping));
+        setDamping(scene, scene.settings().get(damping));
         List<Parameter> tuned = new ArrayList<>(parameters());
         if (perArea) {
             tuned.addAll(List.of(SheetSprings.TENDON_RATIO, SheetSprings.MUSCLE_STIFFNESS, Lungs.LUNG_STIFFNESS));
@@ -87,7 +90,7 @@ public final class TissueMass extends ScenePart {
                 double f = asAssembled ? 1 : node >= firstLungNode ? lung : inTendon ? tendon : all;
                 system.setMass(i, f * masses[i]);
             }
-            setDamping(system, value[1]);
+            setDamping(scene, value[1]);
         };
     }
 }

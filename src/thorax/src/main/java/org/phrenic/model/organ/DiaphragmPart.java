@@ -44,6 +44,9 @@ public final class DiaphragmPart {
      */
     private static final double CRURAL_KPA_PER_MM = 1;
 
+    /** Diagonal of the box of a sheet up to which it counts as one of usual size, mm. */
+    private static final double USUAL_SIZE_MM = 380;
+
     public final Diaphragm diaphragm;
     public final int firstNode;
     public final List<OpposingVertices.Pair> links;
@@ -120,6 +123,20 @@ public final class DiaphragmPart {
         }
         links = across.greedyMatching(diaphragm::isTendon, from.linksPerNode);
         faceOrder = new FaceOrder(diaphragm, from.struts ? across.greedyMatching(i -> isFreeMuscle(i), 1) : List.of());
+    }
+
+    /**
+     * Size of the sheet relative to a usual one, at least 1. The time constants of its slow modes grow with the size.
+     * Up to 380 mm across its box, somewhat more than in the virtual bodies and the scanned man, a sheet is a usual
+     * one.
+     */
+    public double relativeSize() {
+        double[] box = diaphragm.sheet().bounds();
+        double squared = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            squared += (box[axis + 3] - box[axis]) * (box[axis + 3] - box[axis]);
+        }
+        return Math.max(1, Math.sqrt(squared) / USUAL_SIZE_MM);
     }
 
     private boolean isFreeMuscle(int vertex) {
