@@ -134,13 +134,14 @@ class CommandsTest {
         summary.put("nodes", 16023);
         summary.put("steps_per_s", 1234.5678);
         summary.put("dome_excursion_right_mm", 15.249999);
+        summary.put("dome_excursion_right_peak_to_peak_mm", 15.5);
         summary.put("max_rigid_link_error", 1.23456e-15);
         assertThat(RunReport.table(summary))
                 .isEqualTo(
                         """
-                        quantity                   value  unit
+                        quantity                   value  unit  peak to peak
                         nodes                      16023
-                        dome excursion right       15.25  mm
+                        dome excursion right       15.25  mm            15.5
                         max rigid link error  1.2346E-15
 
                         steps per s               1234.6

@@ -10,8 +10,14 @@ import org.phrenic.simulation.observe.Observation;
  * Summary of a run. For every whole breath it takes the change from the start (end-expiration) to the sample with the
  * lowest domes (end-inspiration), and averages over the breaths. A run without a whole breath, such as a hold or a
  * cough, counts as one breath.
+ *
+ * <p>Beside each change it gives the peak-to-peak value: the largest minus the smallest value within a breath, averaged
+ * over the breaths. The two differ where a part of the body lags behind the domes.
  */
-final class RunSummary {
+public final class RunSummary {
+    private static final String PEAK_TO_PEAK = "_peak_to_peak";
+    private static final List<String> PLACES = List.of("anterior", "middle", "posterior", "lateral", "medial");
+
     private final List<Observation> samples;
     private final List<int[]> breaths = new ArrayList<>();
 
@@ -69,28 +75,64 @@ final class RunSummary {
         return Math.max(worst, samples.get(breaths.get(breaths.size() - 1)[1]).get("from_rest_rms_mm"));
     }
 
+    /** Mean over all breaths of the largest minus the smallest value of a column within a breath. */
+    private double meanPeakToPeak(String column) {
+        double sum = 0;
+        for (int[] breath : breaths) {
+            double low = Double.POSITIVE_INFINITY;
+            double high = Double.NEGATIVE_INFINITY;
+            for (int i = breath[0]; i <= breath[1]; i++) {
+                double value = samples.get(i).get(column);
+                low = Math.min(low, value);
+                high = Math.max(high, value);
+            }
+            sum += high - low;
+        }
+        return sum / breaths.size();
+    }
+
+    /** Key of the peak-to-peak value beside that of a change, such as {@code liver_si_peak_to_peak_mm}. */
+    public static String peakToPeakKey(String key) {
+        int unit = key.lastIndexOf('_');
+        return unit < 0 ? key + PEAK_TO_PEAK : key.substring(0, unit) + PEAK_TO_PEAK + key.substring(unit);
+    }
+
+    /** Column of the observables that each change is taken from, by the key of the change. */
+    private static Map<String, String> columns() {
+        Map<String, String> columns = new LinkedHashMap<>();
+        columns.put("dome_excursion_right_mm", "dome_right_mm");
+        columns.put("dome_excursion_left_mm", "dome_left_mm");
+        columns.put("central_tendon_excursion_mm", "central_tendon_mm");
+        for (String place : PLACES) {
+            columns.put(place + "_excursion_right_mm", place + "_right_mm");
+            columns.put(place + "_excursion_left_mm", place + "_left_mm");
+        }
+        List.of(
+                        "lung_volume_change_ml",
+                        "ap_change_mm",
+                        "transverse_change_mm",
+                        "sternum_cranial_mm",
+                        "sternum_ventral_mm",
+                        "fibre_shortening_percent",
+                        "liver_si_mm",
+                        "liver_ap_mm",
+                        "liver_lr_mm")
+                .forEach(key -> columns.put(key, key));
+        return columns;
+    }
+
     /** All values of the summary, in the order of the output. */
     Map<String, Object> toMap() {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("breaths", breaths.size());
         map.put("max_rigid_link_error", maximum("rigid_link_error"));
         map.put("rest_return_rms_mm", returnToRest());
-        map.put("dome_excursion_right_mm", -meanChange("dome_right_mm"));
-        map.put("dome_excursion_left_mm", -meanChange("dome_left_mm"));
-        map.put("central_tendon_excursion_mm", -meanChange("central_tendon_mm"));
-        for (String place : List.of("anterior", "middle", "posterior", "lateral", "medial")) {
-            map.put(place + "_excursion_right_mm", -meanChange(place + "_right_mm"));
-            map.put(place + "_excursion_left_mm", -meanChange(place + "_left_mm"));
-        }
-        map.put("lung_volume_change_ml", meanChange("lung_volume_change_ml"));
-        map.put("ap_change_mm", meanChange("ap_change_mm"));
-        map.put("transverse_change_mm", meanChange("transverse_change_mm"));
-        map.put("sternum_cranial_mm", meanChange("sternum_cranial_mm"));
-        map.put("sternum_ventral_mm", meanChange("sternum_ventral_mm"));
-        map.put("fibre_shortening_percent", meanChange("fibre_shortening_percent"));
-        map.put("liver_si_mm", Math.abs(meanChange("liver_si_mm")));
-        map.put("liver_ap_mm", Math.abs(meanChange("liver_ap_mm")));
-        map.put("liver_lr_mm", Math.abs(meanChange("liver_lr_mm")));
+        Map<String, String> columns = columns();
+        columns.forEach((key, column) -> {
+            double change = meanChange(column);
+            map.put(key, key.contains("_excursion") ? -change : key.startsWith("liver_") ? Math.abs(change) : change);
+        });
+        columns.forEach((key, column) -> map.put(peakToPeakKey(key), meanPeakToPeak(column)));
         return map;
     }
 }

@@ -15,12 +15,14 @@ import org.phrenic.simulation.SimulationRun;
 public final class ConsoleProgress implements SimulationRun.Progress, ProgressListener, FitProgress, ImportProgress {
     private static final int BAR_WIDTH = 30;
     private static final long LINE_INTERVAL_NS = 5_000_000_000L;
+    private static final long FIRST_ESTIMATE_NS = 10_000_000_000L;
     private static final long BAR_INTERVAL_NS = 100_000_000L;
 
     private final PrintWriter err;
     private final String counted;
     private final boolean terminal = isTerminal();
-    private long last = System.nanoTime();
+    private final long begun = System.nanoTime();
+    private long last = begun;
     private boolean drawn;
 
     /** Progress with the counter label "runs done". */
@@ -78,7 +80,21 @@ public final class ConsoleProgress implements SimulationRun.Progress, ProgressLi
 
     @Override
     public void done(int count, int total, String what) {
-        note(count + " of " + total + " " + counted + ": " + what);
+        note(count + " of " + total + " " + counted + timeLeft(System.nanoTime() - begun, count, total) + ": " + what);
+    }
+
+    /**
+     * Estimated time until the last item is done, as the items before took on average; empty in the first ten seconds
+     * and after the last item.
+     */
+    static String timeLeft(long elapsedNs, int count, int total) {
+        if (elapsedNs < FIRST_ESTIMATE_NS || count < 1 || count >= total) {
+            return "";
+        }
+        long seconds = Math.round(1e-9 * elapsedNs / count * (total - count));
+        return seconds < 90
+                ? " (about " + seconds + " s left)"
+                : " (about " + Math.round(seconds / 60.0) + " min left)";
     }
 
     @Override

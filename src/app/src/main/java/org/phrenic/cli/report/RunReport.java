@@ -5,9 +5,11 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.RunSummary;
 import org.phrenic.simulation.SimulationRun;
 
 /** Runs a scenario and formats its summary. */
@@ -16,6 +18,7 @@ public final class RunReport {
     private static final Set<String> PERFORMANCE_KEYS = Set.of(
             "steps",
             "substeps",
+            "sternum_substeps",
             "dt_s",
             "stability_limit_s",
             "until_first_step_s",
@@ -46,18 +49,33 @@ public final class RunReport {
         }
     }
 
-    /** Table of quantity, value and unit: breathing quantities, then performance, then the disclaimer. */
+    /**
+     * Table of quantity, value, unit and, of a change over a breath, its peak-to-peak value: breathing quantities, then
+     * performance, then the disclaimer.
+     */
     public static String table(Map<String, Object> summary) {
-        TextTable table = new TextTable(false, true, false).row("quantity", "value", "unit");
+        TextTable table = new TextTable(false, true, false, true).row("quantity", "value", "unit", "peak to peak");
         Map<String, Object> breath = new LinkedHashMap<>(summary);
         breath.keySet().removeAll(PERFORMANCE_KEYS);
         breath.values().removeIf(value -> !(value instanceof Number));
-        breath.forEach(table::quantity);
-        table.row("", "", "");
+        Set<String> peaks =
+                breath.keySet().stream().map(RunSummary::peakToPeakKey).collect(Collectors.toSet());
+        breath.forEach((key, value) -> {
+            if (!peaks.contains(key)) {
+                Object peak = summary.get(RunSummary.peakToPeakKey(key));
+                addRow(table, key, value, peak == null ? "" : QuantityKey.format(peak));
+            }
+        });
+        table.row("", "", "", "");
         Map<String, Object> performance = new LinkedHashMap<>(summary);
         performance.keySet().retainAll(PERFORMANCE_KEYS);
-        performance.forEach(table::quantity);
+        performance.forEach((key, value) -> addRow(table, key, value, ""));
         Object chosen = summary.get("chosen");
         return table.text() + (chosen == null ? "" : "\n" + chosen + "\n") + "\n" + Disclaimer.TEXT + "\n";
+    }
+
+    private static void addRow(TextTable table, String key, Object value, String peakToPeak) {
+        QuantityKey quantity = QuantityKey.parse(key);
+        table.row(quantity.label(), QuantityKey.format(value), quantity.unit(), peakToPeak);
     }
 }

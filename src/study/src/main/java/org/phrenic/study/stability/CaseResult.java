@@ -32,6 +32,8 @@ public record CaseResult(
         STABLE("stable"),
         /** A divergence was detected, an earlier state was restored, and the bounds held afterwards. */
         RECOVERED("recovered"),
+        /** A divergence was detected and undone, but at the end the body was not back where it began. */
+        NOT_RETURNED("DID NOT RETURN"),
         /** The scene was refused before the run, with a reason. */
         REFUSED("refused"),
         /** A bound was violated without any report. This must not occur. */
@@ -55,7 +57,12 @@ public record CaseResult(
 
     /** Whether the run ended early because its budget of force evaluations was spent. */
     boolean endedEarly() {
-        return outcome != Outcome.REFUSED && outcome != Outcome.SILENT_FAILURE && simulatedS < requestedS - dtS;
+        return (outcome == Outcome.STABLE || outcome == Outcome.RECOVERED) && simulatedS < requestedS - dtS;
+    }
+
+    /** Whether the outcome is one that must not occur. */
+    boolean fails() {
+        return outcome == Outcome.SILENT_FAILURE || outcome == Outcome.NOT_RETURNED;
     }
 
     /** Value of a measure; NaN if it was not evaluated. */

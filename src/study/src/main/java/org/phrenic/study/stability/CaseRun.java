@@ -49,6 +49,7 @@ final class CaseRun {
     private double[] settledPeriodEnd;
     private double endS;
     private String violation = "";
+    private boolean notReturned;
     private String divergence = "";
     private double divergenceTime = Double.NEGATIVE_INFINITY;
     private String refinement = "";
@@ -199,8 +200,10 @@ final class CaseRun {
         endS = scene.stepper().time();
         double distance = NodeState.rmsDistance(nodes.positions(), start);
         found.put(StabilityMeasure.RETURN_MM, distance);
-        if (violation.isEmpty() && divergence.isEmpty() && endS >= durationS - 1e-9) {
+        if (violation.isEmpty() && endS >= durationS - 1e-9) {
             checkBound(StabilityMeasure.RETURN_MM, distance, 1, endS);
+            // Whatever was undone on the way, the body must come back.
+            notReturned = !violation.isEmpty() && !divergence.isEmpty();
         }
         if (violation.isEmpty() && bounds.isBounded(StabilityMeasure.DRIFT_MM)) {
             measureDrift();
@@ -238,10 +241,16 @@ final class CaseRun {
         }
     }
 
+    private Outcome outcome(String reported) {
+        if (!violation.isEmpty()) {
+            return notReturned ? Outcome.NOT_RETURNED : Outcome.SILENT_FAILURE;
+        }
+        return reported.isEmpty() ? Outcome.STABLE : Outcome.RECOVERED;
+    }
+
     private CaseResult result(double durationS) {
         String reported = divergence.isEmpty() ? refinement : divergence;
-        Outcome outcome =
-                !violation.isEmpty() ? Outcome.SILENT_FAILURE : reported.isEmpty() ? Outcome.STABLE : Outcome.RECOVERED;
+        Outcome outcome = outcome(reported);
         double repeat = found.getOrDefault(StabilityMeasure.REPEAT_MM, Double.NaN);
         if (reported.isEmpty() && repeat > MAX_REPEAT_MM) {
             reported = format(

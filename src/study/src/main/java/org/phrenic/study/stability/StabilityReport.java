@@ -27,11 +27,18 @@ public record StabilityReport(StabilityStudy study) {
                 .orElseThrow();
     }
 
-    /** Number of cells by outcome: "120 stable, 6 recovered, ...". */
+    /** Number of cells by outcome, and of those that ended before their time: "120 stable, 6 recovered, ...". */
     public String summary() {
-        return Arrays.stream(CaseResult.Outcome.values())
+        String outcomes = Arrays.stream(CaseResult.Outcome.values())
                 .map(o -> study.cells().stream().filter(c -> c.outcome() == o).count() + " " + o.label())
                 .collect(Collectors.joining(", "));
+        List<CaseResult> early =
+                study.cells().stream().filter(CaseResult::endedEarly).toList();
+        if (early.isEmpty()) {
+            return outcomes;
+        }
+        double least = early.stream().mapToDouble(CaseResult::simulatedS).min().orElseThrow();
+        return outcomes + format("; %d of them ended before their time, the first after %.3g s", early.size(), least);
     }
 
     /**

@@ -117,8 +117,8 @@ public record StabilityStudy(Map<String, String> cases, List<IntegratorKind> int
                 + (cell.sentence().isEmpty() ? "" : " (" + cell.sentence() + ")");
     }
 
-    /** Whether no cell failed silently. */
+    /** Whether no cell failed silently, and every body returned to where it began. */
     public boolean passes() {
-        return cells.stream().noneMatch(c -> c.outcome() == CaseResult.Outcome.SILENT_FAILURE);
+        return cells.stream().noneMatch(CaseResult::fails);
     }
 }

@@ -1,0 +1,21 @@
+package org.phrenic.cli.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+class ConsoleProgressTest {
+    private static final long SECOND = 1_000_000_000L;
+
+    @Test
+    void timeLeftIsTheMeanTimeOfAnItemForEachThatIsLeft() {
+        assertThat(ConsoleProgress.timeLeft(30 * SECOND, 3, 7)).isEqualTo(" (about 40 s left)");
+        assertThat(ConsoleProgress.timeLeft(660 * SECOND, 3, 182)).isEqualTo(" (about 656 min left)");
+    }
+
+    @Test
+    void nothingIsEstimatedFromTheFirstSecondsNorAfterTheLastItem() {
+        assertThat(ConsoleProgress.timeLeft(9 * SECOND, 3, 7)).isEmpty();
+        assertThat(ConsoleProgress.timeLeft(60 * SECOND, 7, 7)).isEmpty();
+    }
+}
