@@ -1,7 +1,6 @@
 package org.phrenic.anatomy;
 
-import java.util.Collections;
-import java.util.LinkedHashMap;
+import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -21,42 +20,36 @@ public final class OrganNames {
     private OrganNames() {}
 
     private static Map<String, StructureKind> known() {
-        Map<String, StructureKind> all = new LinkedHashMap<>();
-        put(
-                all,
+        Map<StructureKind, String> names = Map.of(
                 StructureKind.ORGAN,
-                "heart atrial_appendage spleen stomach kidney gallbladder pancreas colon small_bowel");
-        put(
-                all,
-                StructureKind.ORGAN,
-                "duodenum esophagus oesophagus adrenal_gland urinary_bladder prostate uterus rectum");
-        put(all, StructureKind.ORGAN, "thyroid_gland kidney_cyst spinal_cord brain");
-        put(
-                all,
+                """
+                heart atrial_appendage spleen stomach kidney gallbladder pancreas colon small_bowel duodenum esophagus
+                oesophagus adrenal_gland urinary_bladder prostate uterus rectum thyroid_gland kidney_cyst spinal_cord
+                brain""",
                 StructureKind.VESSEL,
-                "aorta inferior_vena_cava superior_vena_cava portal_and_splenic_vein portal_vein");
-        put(
-                all,
-                StructureKind.VESSEL,
-                "splenic_vein hepatic_vein pulmonary_vein pulmonary_artery brachiocephalic_trunk");
-        put(all, StructureKind.VESSEL, "brachiocephalic_vein subclavian_artery common_carotid_artery iliac_artery");
-        put(all, StructureKind.VESSEL, "iliac_vein liver_vessels");
-        put(all, StructureKind.MUSCLE, "autochthon iliopsoas gluteus_maximus gluteus_medius gluteus_minimus");
-        put(all, StructureKind.MUSCLE, "intercostal_muscles abdominal_wall");
-        put(
-                all,
+                """
+                aorta inferior_vena_cava superior_vena_cava portal_and_splenic_vein portal_vein splenic_vein
+                hepatic_vein pulmonary_vein pulmonary_artery brachiocephalic_trunk brachiocephalic_vein
+                subclavian_artery common_carotid_artery iliac_artery iliac_vein liver_vessels""",
+                StructureKind.MUSCLE,
+                """
+                autochthon iliopsoas gluteus_maximus gluteus_medius gluteus_minimus intercostal_muscles
+                abdominal_wall""",
                 StructureKind.BONE,
-                "scapula clavicle humerus femur hip sacrum skull vertebra_s1 vertebra_c1 vertebra_c2");
-        put(all, StructureKind.BONE, "vertebra_c3 vertebra_c4 vertebra_c5 vertebra_c6 vertebra_c7");
-        put(all, StructureKind.LESION, "liver_tumor liver_tumour liver_lesion tumor tumour lesion");
-        put(all, StructureKind.OTHER, "trachea");
-        return Collections.unmodifiableMap(all);
-    }
-
-    private static void put(Map<String, StructureKind> all, StructureKind kind, String names) {
-        for (String name : names.split(" ", -1)) {
-            all.put(name, kind);
-        }
+                """
+                scapula clavicle humerus femur hip sacrum skull vertebra_s1 vertebra_c1 vertebra_c2 vertebra_c3
+                vertebra_c4 vertebra_c5 vertebra_c6 vertebra_c7""",
+                StructureKind.LESION,
+                "liver_tumor liver_tumour liver_lesion tumor tumour lesion",
+                StructureKind.OTHER,
+                "trachea");
+        Map<String, StructureKind> all = new HashMap<>();
+        names.forEach((kind, list) -> {
+            for (String name : list.split("\\s+", -1)) {
+                all.put(name, kind);
+            }
+        });
+        return Map.copyOf(all);
     }
 
     /** Kind and side of a named structure; empty if the name is unknown. Case is ignored. */

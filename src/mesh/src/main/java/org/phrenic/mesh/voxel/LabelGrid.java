@@ -1,6 +1,7 @@
 package org.phrenic.mesh.voxel;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 
 /**
  * A box of voxels with labels from 0 (background) to 65535. Voxel (i, j, k) has the index {@code i + columns (j + rows
@@ -138,6 +139,36 @@ public final class LabelGrid {
             length--;
         }
         return Arrays.copyOf(counts, length);
+    }
+
+    /**
+     * Bounding box of the voxels whose label fulfils a condition: first column, row and slice, then last column, row
+     * and slice. Without such voxels the last ones are -1.
+     */
+    public int[] box(IntPredicate wanted) {
+        int[] box = {columns, rows, slices, -1, -1, -1};
+        for (int k = 0; k < slices; k++) {
+            for (int j = 0; j < rows; j++) {
+                int row = columns * (j + rows * k);
+                int first = 0;
+                while (first < columns && !wanted.test(label(row + first))) {
+                    first++;
+                }
+                if (first < columns) {
+                    int last = columns - 1;
+                    while (!wanted.test(label(row + last))) {
+                        last--;
+                    }
+                    box[0] = Math.min(box[0], first);
+                    box[1] = Math.min(box[1], j);
+                    box[2] = Math.min(box[2], k);
+                    box[3] = Math.max(box[3], last);
+                    box[4] = Math.max(box[4], j);
+                    box[5] = k;
+                }
+            }
+        }
+        return box;
     }
 
     @Override

@@ -27,8 +27,9 @@ final class BodyOutline {
         if (largest == 0 || counts[largest] < LEAST_SHARE * all || counts[largest] == all) {
             return OptionalInt.empty();
         }
-        int[] own = box(grid, largest);
-        int[] whole = box(grid, 0);
+        int body = largest;
+        int[] own = grid.box(label -> label == body);
+        int[] whole = grid.box(label -> label != 0);
         for (int axis = 0; axis < 3; axis++) {
             double margin = MARGIN * (whole[3 + axis] - whole[axis] + 1);
             if (own[axis] - whole[axis] > margin || whole[3 + axis] - own[3 + axis] > margin) {
@@ -36,26 +37,5 @@ final class BodyOutline {
             }
         }
         return OptionalInt.of(largest);
-    }
-
-    /** Bounding box of a label, or of all labels for 0. */
-    private static int[] box(LabelGrid grid, int wanted) {
-        int[] box = {grid.columns(), grid.rows(), grid.slices(), -1, -1, -1};
-        int voxel = 0;
-        for (int k = 0; k < grid.slices(); k++) {
-            for (int j = 0; j < grid.rows(); j++) {
-                for (int i = 0; i < grid.columns(); i++) {
-                    int label = grid.label(voxel++);
-                    if (label != 0 && (wanted == 0 || label == wanted)) {
-                        int[] at = {i, j, k};
-                        for (int axis = 0; axis < 3; axis++) {
-                            box[axis] = Math.min(box[axis], at[axis]);
-                            box[3 + axis] = Math.max(box[3 + axis], at[axis]);
-                        }
-                    }
-                }
-            }
-        }
-        return box;
     }
 }

@@ -99,7 +99,7 @@ public final class CartilageSplitter {
         byte nearest = 0;
         int stride = Math.max(1, cells.size() / SAMPLES);
         for (int v = 0; v < segmentation.voxels.length; v++) {
-            byte mark = markOfSegment[segmentation.voxels[v] & LabelGrid.MAX_BYTE_LABEL];
+            byte mark = markOfSegment[segmentation.segmentAt(v)];
             if (mark == 0 || taken[mark]) {
                 continue;
             }
@@ -128,8 +128,7 @@ public final class CartilageSplitter {
         for (int z = Math.max(0, k - GAP); z <= Math.min(segmentation.slices - 1, k + GAP); z++) {
             for (int y = Math.max(0, j - GAP); y <= Math.min(segmentation.rows - 1, j + GAP); y++) {
                 for (int x = Math.max(0, i - GAP); x <= Math.min(segmentation.columns - 1, i + GAP); x++) {
-                    int segment = segmentation.voxels[x + segmentation.columns * (y + segmentation.rows * z)]
-                            & LabelGrid.MAX_BYTE_LABEL;
+                    int segment = segmentation.segmentAt(x + segmentation.columns * (y + segmentation.rows * z));
                     byte mark = markOfSegment[segment];
                     first = mark > 0 && (first == 0 || mark < first) ? mark : first;
                 }

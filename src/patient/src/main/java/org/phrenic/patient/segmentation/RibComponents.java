@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.phrenic.mesh.IntList;
-import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
  * The ribs of a volume as connected parts of the union of all rib labels. Parts that lie end to end under one label are
@@ -64,7 +63,7 @@ final class RibComponents {
             Rib rib = byComponent.computeIfAbsent(runs.component(run), component -> new Rib());
             for (int v = runs.from(run); v < runs.to(run); v++) {
                 rib.voxels.add(v);
-                rib.segments.merge(s.voxels[v] & LabelGrid.MAX_BYTE_LABEL, 1, Integer::sum);
+                rib.segments.merge(s.segmentAt(v), 1, Integer::sum);
             }
         }
         double[] middle = new double[3];
@@ -203,7 +202,7 @@ final class RibComponents {
         for (Rib rib : ribs) {
             int dominant = rib.dominantSegment();
             for (int i = 0; i < rib.voxels.size(); i++) {
-                int segment = s.voxels[rib.voxels.get(i)] & LabelGrid.MAX_BYTE_LABEL;
+                int segment = s.segmentAt(rib.voxels.get(i));
                 if (rib.segments.get(segment) < SUBSTANTIAL * totals.get(segment)) {
                     s.voxels[rib.voxels.get(i)] = (byte) dominant;
                 }

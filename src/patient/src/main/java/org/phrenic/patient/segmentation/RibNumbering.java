@@ -142,7 +142,7 @@ final class RibNumbering {
         }
         for (int pass = 0; pass < 2; pass++) {
             for (int v = 0; v < s.voxels.length; v++) {
-                int segment = s.voxels[v] & LabelGrid.MAX_BYTE_LABEL;
+                int segment = s.segmentAt(v);
                 if (levels[segment] > 0) {
                     double y = s.coordinate(v, 1);
                     double[] sum = sums[segment];

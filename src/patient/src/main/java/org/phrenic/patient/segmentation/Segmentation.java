@@ -56,7 +56,7 @@ public final class Segmentation {
             throw new BadInputException(file + ": found " + held(counts) + " and none of the "
                     + map.structures().size() + " labels asked for, expected at least one");
         }
-        int[] box = box(all, segmentOfLabel);
+        int[] box = all.box(label -> segmentOfLabel[label] != 0);
         columns = box[3] - box[0] + 1;
         rows = box[4] - box[1] + 1;
         slices = box[5] - box[2] + 1;
@@ -88,26 +88,6 @@ public final class Segmentation {
         return labels.isEmpty()
                 ? "background alone"
                 : "labels " + String.join(", ", labels) + (labels.size() == MAX_LISTED ? " ..." : "");
-    }
-
-    private static int[] box(LabelGrid grid, byte[] segmentOfLabel) {
-        int[] box = {grid.columns(), grid.rows(), grid.slices(), -1, -1, -1};
-        int voxel = 0;
-        for (int k = 0; k < grid.slices(); k++) {
-            for (int j = 0; j < grid.rows(); j++) {
-                for (int i = 0; i < grid.columns(); i++) {
-                    if (segmentOfLabel[grid.label(voxel++)] != 0) {
-                        box[0] = Math.min(box[0], i);
-                        box[1] = Math.min(box[1], j);
-                        box[2] = Math.min(box[2], k);
-                        box[3] = Math.max(box[3], i);
-                        box[4] = Math.max(box[4], j);
-                        box[5] = k;
-                    }
-                }
-            }
-        }
-        return box;
     }
 
     private static double[] shifted(LabelGrid grid, int[] box) {
@@ -151,7 +131,7 @@ public final class Segmentation {
         boolean[] met = new boolean[MAX_SEGMENTS + 1];
         for (int i = 0; i < sizes[one]; i++) {
             for (int j = 0; j < sizes[two]; j++) {
-                met[voxels[at * strides[direction] + i * strides[one] + j * strides[two]] & MAX_SEGMENTS] = true;
+                met[segmentAt(at * strides[direction] + i * strides[one] + j * strides[two])] = true;
             }
         }
         for (int segment = 1; segment <= names.size(); segment++) {
@@ -212,6 +192,11 @@ public final class Segmentation {
     /** Labels that a structure was built from. */
     public List<Integer> labels(String name) {
         return labels.get(name);
+    }
+
+    /** Segment number of a voxel; 0 for none. */
+    int segmentAt(int voxel) {
+        return voxels[voxel] & MAX_SEGMENTS;
     }
 
     /** Bounding box of a segment: first column, row and slice, then last column, row and slice. */

@@ -11,7 +11,6 @@ import java.util.TreeMap;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.mesh.IntList;
-import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
  * Mending of voxels: pits, dropped voxels and holes are filled, pieces of a bone joined, specks left out, and ribs
@@ -102,7 +101,7 @@ public final class SegmentationRepair {
         }
         for (int run = 0; run < runs.count(); run++) {
             int component = runs.component(run);
-            sizes.get(s.voxels[runs.from(run)] & LabelGrid.MAX_BYTE_LABEL).put(component, runs.size(component));
+            sizes.get(s.segmentAt(runs.from(run))).put(component, runs.size(component));
         }
         boolean[] kept = new boolean[runs.count()];
         Arrays.fill(kept, true);
@@ -156,7 +155,7 @@ public final class SegmentationRepair {
         TreeMap<Integer, Integer> segmentOf = new TreeMap<>();
         for (int run = 0; run < runs.count(); run++) {
             int component = runs.component(run);
-            int segment = s.voxels[runs.from(run)] & LabelGrid.MAX_BYTE_LABEL;
+            int segment = s.segmentAt(runs.from(run));
             if (kept[component] && pieces.containsKey(segment)) {
                 segmentOf.put(component, segment);
                 IntList list = voxels.computeIfAbsent(component, c -> new IntList());

@@ -89,7 +89,7 @@ final class VoxelRuns {
     }
 
     private byte group(int run) {
-        return groupOfSegment[segmentation.voxels[from[run]] & LabelGrid.MAX_BYTE_LABEL];
+        return groupOfSegment[segmentation.segmentAt(from[run])];
     }
 
     /** Joins neighbouring runs of a row, which are of different segments. */
