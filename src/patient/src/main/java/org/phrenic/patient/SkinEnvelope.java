@@ -96,11 +96,17 @@ public final class SkinEnvelope {
         return envelope.closed(RADIUS_MM, WALL_MM, EDGE_MM);
     }
 
+    /** Marks the cells of a section and all within: an outline alone would leave the body hollow at its lower end. */
     private static void mark(TrunkSection s, SurfaceEnvelope envelope) {
-        int steps = (int) Math.ceil(2 * Math.PI * Math.max(s.a(), s.b()) / CELL_MM) * 2;
-        for (int step = 0; step < steps; step++) {
-            double angle = 2 * Math.PI * step / steps;
-            envelope.mark(s.x() + s.a() * StrictMath.cos(angle), s.y() + s.b() * StrictMath.sin(angle), s.z());
+        int half = (int) Math.ceil(Math.max(s.a(), s.b()) / CELL_MM);
+        for (int row = -half; row <= half; row++) {
+            for (int column = -half; column <= half; column++) {
+                double dx = column * CELL_MM;
+                double dy = row * CELL_MM;
+                if (dx * dx / (s.a() * s.a()) + dy * dy / (s.b() * s.b()) <= 1) {
+                    envelope.mark(s.x() + dx, s.y() + dy, s.z());
+                }
+            }
         }
     }
 }

@@ -11,7 +11,8 @@ import org.phrenic.mesh.TriangleMesh;
 
 /**
  * Elliptic sections of the parts of the trunk that have no structures of their own: the neck above the first thoracic
- * vertebra and, in a body without bowel or skin, the abdomen below the costal margin.
+ * vertebra and, in a body without bowel or skin, the abdomen below the middle of the lower ribs: as broad and deep as
+ * the lower rib cage at the costal margin and at the lower end, narrower at the waist between them.
  *
  * @param z height, mm
  * @param a half the breadth, mm
@@ -20,8 +21,10 @@ import org.phrenic.mesh.TriangleMesh;
 record TrunkSection(double z, double x, double y, double a, double b) {
     /** Spacing of the sections along the body, mm. */
     private static final double STEP_MM = 4;
-    /** Breadth and depth of the abdomen relative to those of the lower rib cage. */
+    /** Breadth and depth of the abdomen relative to those of the lower rib cage, at the waist. */
     private static final double WAIST = 0.9;
+    /** The same of what fills the lower half of the rib cage, inside the ribs. */
+    private static final double INSIDE = 0.85;
     /** Length of the abdomen below the twelfth thoracic vertebra where no structure reaches lower, mm. */
     private static final double ABDOMEN_MM = 200;
     /** Half the breadth and depth of the neck without skin and muscle, and its height above T1, mm. */
@@ -65,9 +68,12 @@ record TrunkSection(double z, double x, double y, double a, double b) {
                 .min()
                 .orElseThrow();
         double bottom = Math.min(lowest, t12.get()[2] - ABDOMEN_MM);
-        for (double z = bottom; z < c[2] + 2 * STEP_MM; z += STEP_MM) {
+        double margin = c[2] + 2 * STEP_MM;
+        for (double z = bottom; z < 0.5 * (c[2] + c[5]); z += STEP_MM) {
+            double down = Math.max(0, (margin - z) / (margin - bottom));
+            double share = z < margin ? 1 - (1 - WAIST) * StrictMath.sin(Math.PI * down) : INSIDE;
             all.add(new TrunkSection(
-                    z, (c[0] + c[3]) / 2, (c[1] + c[4]) / 2, WAIST * (c[3] - c[0]) / 2, WAIST * (c[4] - c[1]) / 2));
+                    z, (c[0] + c[3]) / 2, (c[1] + c[4]) / 2, share * (c[3] - c[0]) / 2, share * (c[4] - c[1]) / 2));
         }
     }
 

@@ -66,6 +66,34 @@ class SkinEnvelopeTest {
         assertThat(ratio).isCloseTo(1, within(0.25));
     }
 
+    /** Of a large body of bones alone, twice as wide as usual: the abdomen is full from the costal margin down. */
+    @Test
+    void theTrunkBelowTheCageIsNotHollow() {
+        List<Structure> bones = body(PatientStructure.Source.VIRTUAL).structures().stream()
+                .map(PatientStructure::structure)
+                .filter(s -> s.kind() == StructureKind.RIB || s.kind() == StructureKind.VERTEBRA)
+                .map(s -> s.withMesh(s.mesh()
+                        .withPositions(Arrays.stream(s.mesh().positions())
+                                .map(x -> 1.5 * x)
+                                .toArray())))
+                .toList();
+        TriangleMesh skin = SkinEnvelope.around(bones);
+        assertThat(new MeshTopology(skin).eulerCharacteristic()).isEqualTo(2);
+        double[] spine = PatientBody.merged(
+                        bones.stream().filter(s -> s.kind() == StructureKind.VERTEBRA && s.level() == 12))
+                .orElseThrow()
+                .bounds();
+        double lowest = skin.bounds()[2];
+        double[] inside = new double[3 * 4];
+        for (int i = 0; i < 4; i++) {
+            inside[3 * i] = 0.5 * (spine[0] + spine[3]);
+            inside[3 * i + 1] = spine[1] - 60;
+            inside[3 * i + 2] = lowest + 30 + i * (spine[2] - lowest - 30) / 4;
+        }
+        assertThat(Arrays.stream(new SurfaceDistance(skin).signedDistance(inside)))
+                .allMatch(distance -> distance < -10);
+    }
+
     @Test
     void theSkinOfAScanStaysUnlessItEndsBelowTheRibs() {
         PatientBody whole = body(PatientStructure.Source.SCAN);
