@@ -21,7 +21,9 @@ class PaperMaterialTest {
     void itsStepIsStableWithVerletAndItMovesAndStaysBounded() {
         Runs.Run breaths = Runs.of(8, paper("preset=deep", "step_policy=refuse"));
         assertThat(breaths.substeps()).isEqualTo(1);
-        assertThat(breaths.most("from_rest_rms_mm")).isBetween(0.1, 60.0);
+        assertThat(breaths.most("from_rest_rms_mm"))
+                .as("rms of all nodes, 14.0 mm when this was written")
+                .isBetween(12.0, 16.0);
         assertThat(breaths.fall("dome_right_mm")).as("the force pulls down").isPositive();
         assertThat(breaths.most("rigid_link_error")).isLessThanOrEqualTo(1e-4);
     }

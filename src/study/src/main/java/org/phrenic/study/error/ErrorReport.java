@@ -58,7 +58,7 @@ public final class ErrorReport {
             p.rmsMm(), rmsPercent, p.maxMm(), maxPercent, p.allRmsMm(), p.allMaxMm(), p.cpuS(), p.wallS(), p.realTime()
         };
         Arrays.stream(figures).mapToObj(ErrorReport::number).forEach(cells::add);
-        String front = p.paretoOptimal() ? "front" : "";
+        String front = p.paretoOptimal() ? "front" : study.isResolved(p) ? "" : "unresolved";
         cells.add(p.isDefault() ? front + (front.isEmpty() ? "default" : ", default") : front);
         return cells;
     }
@@ -81,7 +81,16 @@ public final class ErrorReport {
                 " diaphragm is %.2g mm rms (%.2g %%) and at most %.2g mm elsewhere, all its nodes %.2g mm rms and"
                         + " at most %.2g mm.";
         double percent = study.percent(uncertainty[0]);
-        return scene + format(pattern, uncertainty[0], percent, uncertainty[1], uncertainty[2], uncertainty[3]);
+        long unresolved =
+                study.points().stream().filter(p -> !study.isResolved(p)).count();
+        String ranked = unresolved == 0
+                ? ""
+                : format(
+                        " %d of %d errors are below three times that and not resolved: they are not ranked.",
+                        unresolved, study.points().size());
+        return scene
+                + format(pattern, uncertainty[0], percent, uncertainty[1], uncertainty[2], uncertainty[3])
+                + ranked;
     }
 
     private static String title(ErrorStudy study) {

@@ -7,7 +7,6 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.IntStream;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.DivergenceException;
@@ -43,6 +42,9 @@ public record ErrorStudy(
         List<ErrorPoint> points,
         List<EquilibriumLag> equilibrium,
         List<String> skipped) {
+    /** Least ratio of an error to the reference's uncertainty. */
+    private static final double RESOLVED = 3;
+
     /** Simulated time of a quick study, s: enough for the sheet to move. */
     private static final double QUICK_S = 0.2;
 
@@ -109,7 +111,7 @@ public record ErrorStudy(
                     ? EquilibriumLag.of(runs, exact, SolverSettings.of(scenario))
                     : List.of();
             double excursionMm = runs.excursionMm(exact);
-            List<ErrorPoint> marked = withParetoFront(points);
+            List<ErrorPoint> marked = withParetoFront(points, RESOLVED * proof[0]);
             return new ErrorStudy(
                     scenario,
                     runs.nodes(),
@@ -174,13 +176,26 @@ public record ErrorStudy(
                 });
     }
 
-    private static List<ErrorPoint> withParetoFront(List<ErrorPoint> points) {
+    /** Marks the Pareto front of the points whose error is at least {@code leastMm}. */
+    private static List<ErrorPoint> withParetoFront(List<ErrorPoint> points, double leastMm) {
+        List<ErrorPoint> ranked =
+                points.stream().filter(p -> p.rmsMm() >= leastMm).toList();
         boolean[] front = ParetoFront.of(
-                points.stream().mapToDouble(ErrorPoint::cpuS).toArray(),
-                points.stream().mapToDouble(ErrorPoint::rmsMm).toArray());
-        return IntStream.range(0, front.length)
-                .mapToObj(i -> points.get(i).withParetoOptimal(front[i]))
-                .toList();
+                ranked.stream().mapToDouble(ErrorPoint::cpuS).toArray(),
+                ranked.stream().mapToDouble(ErrorPoint::rmsMm).toArray());
+        List<ErrorPoint> marked = new ArrayList<>(points);
+        for (int i = 0; i < front.length; i++) {
+            marked.set(points.indexOf(ranked.get(i)), ranked.get(i).withParetoOptimal(front[i]));
+        }
+        return marked;
+    }
+
+    /**
+     * Whether the reference is known well enough to measure this error: the error is at least three times the distance
+     * between the reference and the same with twice the step. An error that is not resolved is not ranked.
+     */
+    public boolean isResolved(ErrorPoint point) {
+        return point.rmsMm() >= RESOLVED * referenceUncertainty[0];
     }
 
     /** Mesh refinement errors, each resolution simulated with its own settings. */

@@ -74,4 +74,23 @@ class ErrorStudyTest {
         assertThat(new ErrorReport(List.of(study), Map.of()).values().toString())
                 .contains("reference_halving_rms_mm");
     }
+
+    @Test
+    void anErrorBelowThreeTimesTheUncertaintyOfTheReferenceIsNotResolved() {
+        double shortest = rms(0.0025, 1);
+        double[] uncertain = {0.5 * shortest, 1, 1, 1};
+        ErrorStudy known = new ErrorStudy(
+                study.scenario(),
+                study.nodes(),
+                study.simulatedS(),
+                study.excursionMm(),
+                study.reference(),
+                uncertain,
+                study.points(),
+                List.of(),
+                List.of());
+        assertThat(known.points())
+                .allSatisfy(p -> assertThat(known.isResolved(p)).isEqualTo(p.rmsMm() >= 1.5 * shortest));
+        assertThat(ErrorReport.heading(known)).contains("not resolved");
+    }
 }
