@@ -1,6 +1,7 @@
 package org.phrenic.anatomy;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.phrenic.engine.math.DisjointSets;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
@@ -18,7 +19,8 @@ import org.phrenic.mesh.TriangleMesh;
  * joined by edges across which the normal turns little form patches, and the two largest are the insides of the faces.
  * The integral of the upward normal over a face is the area inside the projected border, so the patch with the larger
  * one is thoracic, whatever its shape. If the votes contradict the patches at more than {@value #MISREAD_SHARE} of all
- * vertices, the patches decide, and vertices between them take the face of the neighbour with the most similar normal.
+ * vertices, not counting those within {@value #BORDER_EDGES} edges of a patch's border, the patches decide, and
+ * vertices between them take the face of the neighbour with the most similar normal.
  */
 public final class DiaphragmFaces {
     /**
@@ -29,8 +31,10 @@ public final class DiaphragmFaces {
 
     private static final double HEIGHT_SHARE = 0.45;
     private static final int VOTING_ROUNDS = 12;
-    /** Share of misread vertices up to which the votes decide: a few vertices at the border belong to either face. */
-    private static final double MISREAD_SHARE = 0.005;
+    /** Edges from the border of a patch within which the votes decide: a vertex there may belong to either face. */
+    private static final int BORDER_EDGES = 3;
+
+    private static final double MISREAD_SHARE = 0.002;
     /** Least share of the vertices in the smaller of the two largest patches, if these are the two faces. */
     private static final double FACE_SHARE = 0.4;
     /** Cosines of the angle between neighbouring normals within a patch, tried in this order. */
@@ -96,11 +100,7 @@ public final class DiaphragmFaces {
         for (double least : PATCH_COSINES) {
             int[] patch = patches(edges, normals, least);
             int[] size = new int[patch.length];
-            int[] above = new int[patch.length];
-            for (int i = 0; i < patch.length; i++) {
-                size[patch[i]]++;
-                above[patch[i]] += thoracic[i] ? 1 : 0;
-            }
+            IntStream.of(patch).forEach(root -> size[root]++);
             int first = largest(size, -1);
             int second = largest(size, first);
             if (size[second] < FACE_SHARE * patch.length) {
@@ -109,12 +109,33 @@ public final class DiaphragmFaces {
             boolean up = upward(sheet, patch, first) > upward(sheet, patch, second);
             int top = up ? first : second;
             int bottom = up ? second : first;
-            if (size[top] - above[top] + above[bottom] > MISREAD_SHARE * patch.length) {
+            boolean[] near = nearBorder(edges, patch);
+            long misread = IntStream.range(0, patch.length)
+                    .filter(i -> !near[i] && patch[i] == (thoracic[i] ? bottom : top))
+                    .count();
+            if (misread > MISREAD_SHARE * patch.length) {
                 Arrays.setAll(patch, i -> patch[i] == top ? 1 : patch[i] == bottom ? 0 : -1);
                 fill(patch, edges, normals);
             }
             return;
         }
+    }
+
+    /** The vertices at most {@value #BORDER_EDGES} edges from a vertex of another patch. */
+    private static boolean[] nearBorder(int[] edges, int[] patch) {
+        boolean[] near = new boolean[patch.length];
+        for (int round = 0; round < BORDER_EDGES; round++) {
+            boolean[] next = near.clone();
+            for (int e = 0; e < edges.length; e += 2) {
+                int a = edges[e];
+                int b = edges[e + 1];
+                boolean crosses = patch[a] != patch[b];
+                next[a] |= crosses || near[b];
+                next[b] |= crosses || near[a];
+            }
+            near = next;
+        }
+        return near;
     }
 
     /** Twice the integral of the upward normal over the triangles of a patch, mm². */

@@ -3,6 +3,8 @@ package org.phrenic.patient.diaphragm;
 import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.shape.ImplicitSurface;
 import org.phrenic.anatomy.virtual.shape.Meridians;
@@ -11,7 +13,9 @@ import org.phrenic.anatomy.virtual.shape.RootFinder;
 import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
+import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.edit.Remesher;
+import org.phrenic.mesh.query.TriangleTree;
 
 /**
  * Builds the diaphragm of a body from its bones and organs. The middle surface is the border of the region below the
@@ -27,10 +31,18 @@ public final class DiaphragmBuilder implements ImplicitSurface {
 
     private static final double TURN_MM = 4;
     private static final double DENSE_MM = 3;
-    /** Least height of the zone of apposition, mm. */
-    private static final double LEAST_APPOSED_MM = 12;
+    /** Least height of the zone of apposition below a lung, mm. */
+    private static final double BELOW_LUNG_MM = 12;
+    /** Least height of the zone of apposition elsewhere, mm. */
+    private static final double LEAST_APPOSED_MM = 2;
+    /** Distance from the place where the roof leaves the wall within which a lung counts as above it, mm. */
+    private static final double LUNG_REACH_MM = 10;
     /** Depth inside the wall to which the surface counts as apposed, mm. */
     private static final double ON_WALL_MM = 3;
+
+    private static final int SMOOTHING = 2;
+    /** Distance between neighbouring points of a course that shows a hidden part, mm. */
+    private static final double HIDDEN_MM = 6;
 
     private static final double START_MM = 100;
 
@@ -40,11 +52,15 @@ public final class DiaphragmBuilder implements ImplicitSurface {
     private final CageEnvelope cage;
     private final DomeSurface dome;
     private final InsertionLine insertion;
+    private final TriangleTree lungs;
 
     private DiaphragmBuilder(Thorax body) {
         cage = new CageEnvelope(body);
         dome = new DomeSurface(body, cage, THICKNESS_MM / 2);
         insertion = dome.insertion();
+        lungs = new TriangleTree(MeshMerge.merge(body.structuresOf(StructureKind.LUNG).stream()
+                .map(Structure::mesh)
+                .toList()));
     }
 
     /**
@@ -74,21 +90,57 @@ public final class DiaphragmBuilder implements ImplicitSurface {
     }
 
     private TriangleMesh middleSurface() {
-        double[][] border = new double[Meridians.AZIMUTHS][];
-        for (int i = 0; i < border.length; i++) {
-            double azimuth = Meridians.azimuth(i);
-            border[i] = border(azimuth, insertion.height(azimuth > Math.PI ? azimuth - 2 * Math.PI : azimuth));
-        }
+        double[][] border = border();
         Meridians meridians = new Meridians(this, cage, dome.pivotZ(), true, border);
         int[] counts = RingMesh.counts(meridians, DENSE_MM, 0);
         return RingMesh.mesh(meridians, counts, true);
     }
 
     /**
-     * The point of the surface at an azimuth and the height of the insertion, but at least {@value #LEAST_APPOSED_MM}
-     * mm below the place where the roof leaves the wall, so that no lung lies between the insertion and the wall.
+     * The points of the surface at the height of the insertion, but at least {@value #LEAST_APPOSED_MM} mm below the
+     * places where the roof leaves the wall, {@value #BELOW_LUNG_MM} mm below a lung, so that no lung lies between the
+     * insertion and the wall. Where the roof lowers the border, it is smoothed over {@value #SMOOTHING} azimuths.
      */
-    private double[] border(double azimuth, double height) {
+    private double[][] border() {
+        double[][][] course = new double[Meridians.AZIMUTHS][][];
+        double[] height = new double[course.length];
+        double[] lowered = new double[course.length];
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        for (int i = 0; i < course.length; i++) {
+            double azimuth = Meridians.azimuth(i);
+            course[i] = course(azimuth);
+            height[i] = insertion.height(azimuth > Math.PI ? azimuth - 2 * Math.PI : azimuth);
+            double[] top = onWall(course[i]);
+            boolean lung = lungs.isWithin(top[0], top[1], top[2], LUNG_REACH_MM, hit);
+            lowered[i] = Math.max(0, height[i] - top[2] + (lung ? BELOW_LUNG_MM : LEAST_APPOSED_MM));
+        }
+        double[] drop = smoothed(lowered);
+        double[][] border = new double[course.length][];
+        for (int i = 0; i < border.length; i++) {
+            border[i] = atHeight(course[i], height[i] - drop[i]);
+        }
+        return border;
+    }
+
+    /** The greatest value within {@value #SMOOTHING} azimuths, averaged over as many. */
+    private static double[] smoothed(double[] values) {
+        double[] most = new double[values.length];
+        double[] mean = new double[values.length];
+        for (int i = 0; i < values.length; i++) {
+            for (int k = -SMOOTHING; k <= SMOOTHING; k++) {
+                most[i] = Math.max(most[i], values[Math.floorMod(i + k, values.length)]);
+            }
+        }
+        for (int i = 0; i < values.length; i++) {
+            for (int k = -SMOOTHING; k <= SMOOTHING; k++) {
+                mean[i] += most[Math.floorMod(i + k, values.length)] / (2 * SMOOTHING + 1);
+            }
+        }
+        return mean;
+    }
+
+    /** The surface at an azimuth, from below to above. */
+    private double[][] course(double azimuth) {
         List<double[]> course = new ArrayList<>();
         double guess = START_MM;
         for (double angle = LOWEST_RAD; angle < Math.PI / 2; angle += STEP_RAD) {
@@ -96,16 +148,36 @@ public final class DiaphragmBuilder implements ImplicitSurface {
             guess = Vectors.distance(p, cage.point(azimuth, 0, dome.pivotZ()));
             course.add(p);
         }
-        double onWall = Double.NEGATIVE_INFINITY;
-        double highest = Double.NEGATIVE_INFINITY;
+        return course.toArray(double[][]::new);
+    }
+
+    /** The point where a course leaves the wall; its highest point if it never lies on the wall. */
+    private double[] onWall(double[][] course) {
+        double[] onWall = {0, 0, Double.NEGATIVE_INFINITY};
+        double[] highest = course[0];
         boolean beside = true;
         for (double[] p : course) {
             beside &= wall(p[0], p[1], p[2]) > -ON_WALL_MM;
-            onWall = beside ? Math.max(onWall, p[2]) : onWall;
-            highest = Math.max(highest, p[2]);
+            onWall = beside && p[2] > onWall[2] ? p : onWall;
+            highest = p[2] > highest[2] ? p : highest;
         }
-        double z = Math.min(height, (onWall > Double.NEGATIVE_INFINITY ? onWall : highest) - LEAST_APPOSED_MM);
-        return course.stream().filter(p -> p[2] > z).findFirst().orElseThrow();
+        return onWall[2] > Double.NEGATIVE_INFINITY ? onWall : highest;
+    }
+
+    /**
+     * The first point of a course at a height; its first point above the height where the spine hides the surface below
+     * from the pivot.
+     */
+    private static double[] atHeight(double[][] course, double z) {
+        int i = 1;
+        while (i < course.length - 1 && course[i][2] <= z) {
+            i++;
+        }
+        if (Vectors.distance(course[i - 1], course[i]) > HIDDEN_MM) {
+            return course[i];
+        }
+        double t = (z - course[i - 1][2]) / Math.max(1e-9, course[i][2] - course[i - 1][2]);
+        return Vectors.lerp(course[i - 1], course[i], Math.max(0, Math.min(1, t)));
     }
 
     /** Point of the surface along the ray from the pivot at an azimuth and an elevation. */

@@ -72,7 +72,7 @@ final class DomeSurface implements ImplicitSurface {
         bases.forEach(bounds::lung);
         ContactingOrgans.heart(body).forEach(heart -> bounds.heart(heart.mesh()));
         bounds.organs(organs, cage);
-        insertion = new InsertionLine(body, cage, top - BELOW_TOP_MM);
+        insertion = new InsertionLine(new InsertionSites(body, cage), top - BELOW_TOP_MM);
         bounds.wall(cage);
         rho = bounds.solve(breadth * Math.toRadians(STEP_DEG));
     }
@@ -176,13 +176,18 @@ final class DomeSurface implements ImplicitSurface {
             }
         }
 
-        /** Keeps the roof outside the wall where no lung is along a ray to the zone of apposition. */
+        /**
+         * Keeps the roof outside the wall up to the insertion, unless lung or heart lies inside the wall there, so that
+         * the roof meets the wall above the insertion.
+         */
         void wall(CageEnvelope cage) {
             for (int k = 0; k < lower.length; k++) {
-                if (upper[k] < Double.POSITIVE_INFINITY) {
+                double[] d = direction(k);
+                double bound = upper[k];
+                if (bound < Double.POSITIVE_INFINITY
+                        && cage.at(pivot[0] + bound * d[0], pivot[1] + bound * d[1], pivot[2] + bound * d[2]) < 0) {
                     continue;
                 }
-                double[] d = direction(k);
                 double r = RootFinder.firstOutward(
                         s -> cage.at(pivot[0] + s * d[0], pivot[1] + s * d[1], pivot[2] + s * d[2])
                                 + Math.max(0, s - FAR_MM),
@@ -190,7 +195,7 @@ final class DomeSurface implements ImplicitSurface {
                 double z = pivot[2] + r * d[2];
                 double azimuth = StrictMath.atan2(d[0], d[1]);
                 if (d[2] < 0 || z < insertion.height(azimuth) + ABOVE_INSERTION_MM) {
-                    lower[k] = Math.max(lower[k], r + BEYOND_WALL_MM);
+                    lower[k] = Math.max(lower[k], Math.min(bound, r + BEYOND_WALL_MM));
                     weight[k] = 0;
                 }
             }

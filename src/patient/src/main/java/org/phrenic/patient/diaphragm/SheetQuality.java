@@ -27,8 +27,8 @@ import org.phrenic.mesh.query.TriangleTree;
  *
  * <ul>
  *   <li>Outside the cage: distance of vertices beyond {@link CageEnvelope}.
- *   <li>Insertion: distance of the vertices of the insertion in front of the tip of rib 11 to cartilages 6 to 10, ribs
- *       7 to 12 and sternum.
+ *   <li>Insertion: distance of the border of the thoracic face from where it inserts: lower end of the sternum, costal
+ *       cartilages, ends of ribs 7 to 10, ribs 11 and 12, arcuate ligaments, vertebrae L1 to L3.
  *   <li>Wall: distance of the apposed vertices of the thoracic face from the envelope.
  *   <li>Wrong side: organ vertices more than 3 mm beyond the middle of the sheet.
  *   <li>Triangles: self-intersections, smallest angle, longest over shortest edge.
@@ -140,33 +140,33 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
                     .toArray();
             double share =
                     100.0 * Arrays.stream(outside).filter(d -> d > OUTSIDE_MM).count() / outside.length;
-            add("outside_cage_maximum_mm", "outside the cage, greatest", greatest(outside), "mm", 10);
-            add("outside_cage_percentile_95_mm", "outside the cage, 95 %", percentile95(outside), "mm", 3);
-            add("outside_cage_share_percent", "vertices more than 3 mm outside", share, "%", 5);
+            add("outside_cage_maximum_mm", "outside the cage, greatest", greatest(outside), "mm", 3);
+            add("outside_cage_percentile_95_mm", "outside the cage, 95 %", percentile95(outside), "mm", 2);
+            add("outside_cage_share_percent", "vertices more than 3 mm outside", share, "%", 0);
             double[] insertion = insertionDistances();
-            add("insertion_to_margin_mean_mm", "insertion to the costal margin, mean", mean(insertion), "mm", 14);
+            add("insertion_to_margin_mean_mm", "insertion to the costal margin, mean", mean(insertion), "mm", 5);
             add(
                     "insertion_to_margin_percentile_95_mm",
                     "insertion to the costal margin, 95 %",
                     percentile95(insertion),
                     "mm",
-                    22);
+                    8);
             double[] apposed = apposedDistances();
             add("apposed_to_wall_mean_mm", "apposed part to the wall, mean", mean(apposed), "mm", 5);
-            add("apposed_to_wall_percentile_95_mm", "apposed part to the wall, 95 %", percentile95(apposed), "mm", 12);
+            add("apposed_to_wall_percentile_95_mm", "apposed part to the wall, 95 %", percentile95(apposed), "mm", 10);
             addOrgans();
             MeshQuality quality = MeshQuality.of(sheet);
-            add("self_intersections", "self-intersections", SelfIntersections.count(sheet), "", 10);
+            add("self_intersections", "self-intersections", SelfIntersections.count(sheet), "", 0);
             measures.add(new Measure(
                     "first_percentile_angle_deg",
                     "angles of triangles, first percentile",
                     quality.firstPercentileAngleDeg(),
                     "degrees",
-                    10,
+                    15,
                     false));
             measures.add(new Measure(
-                    "smallest_angle_deg", "smallest angle", quality.smallestAngleDeg(), "degrees", 0, false));
-            add("edge_ratio", "longest over shortest edge", quality.edgeRatio(), "", 40);
+                    "smallest_angle_deg", "smallest angle", quality.smallestAngleDeg(), "degrees", 5, false));
+            add("edge_ratio", "longest over shortest edge", quality.edgeRatio(), "", 10);
             return new SheetQuality(measures, refusal(share, greatest(outside)));
         }
 
@@ -187,28 +187,21 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
                             * (thoracic.count() + abdominal.count())
                             / Math.max(1, thoracic.vertices() + abdominal.vertices()),
                     "%",
-                    2);
+                    0);
             add(
                     "organs_through_maximum_mm",
                     "organs through the sheet, greatest",
                     Math.max(thoracic.greatestMm(), abdominal.greatestMm()),
                     "mm",
-                    10);
+                    OrganSides.THROUGH_MM);
         }
 
-        /** Distances of the insertion to the lower bones of the cage, in front of the tip of rib 11. */
+        /** Distances of the border of the thoracic face, which lies on the wall, from the nearest site of insertion. */
         private double[] insertionDistances() {
-            List<TriangleMesh> bones = body.structures().stream()
-                    .filter(s -> s.kind() == StructureKind.STERNUM
-                            || (s.kind() == StructureKind.COSTAL_CARTILAGE && s.level() >= 6)
-                            || (s.kind() == StructureKind.RIB && s.level() >= 7))
-                    .map(Structure::mesh)
-                    .toList();
-            TriangleTree tree = new TriangleTree(MeshMerge.merge(bones));
+            TriangleTree tree = new InsertionSites(body, cage).tree();
             TriangleTree.Hit hit = new TriangleTree.Hit();
-            double from = new InsertionLine(body, cage, Double.POSITIVE_INFINITY).marginAzimuth();
             return IntStream.range(0, sheet.vertexCount())
-                    .filter(v -> diaphragm.isInserted(v) && Math.abs(cage.azimuth(sheet.x(v), sheet.y(v))) > from)
+                    .filter(v -> diaphragm.isInserted(v) && diaphragm.isThoracic(v))
                     .mapToDouble(v -> tree.closest(sheet.x(v), sheet.y(v), sheet.z(v), hit)
                             ? Math.sqrt(hit.distanceSquared)
                             : Double.POSITIVE_INFINITY)

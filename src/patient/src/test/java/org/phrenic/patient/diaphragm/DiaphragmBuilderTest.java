@@ -63,6 +63,19 @@ class DiaphragmBuilderTest {
     }
 
     @Test
+    void theBorderLiesOnTheCostalMarginAndTheArcuateLigaments() {
+        SheetQuality built = quality(BUILT);
+        assertThat(built.value("insertion_to_margin_percentile_95_mm")).isLessThan(8);
+        assertThat(built.value("insertion_to_margin_mean_mm")).isLessThan(4);
+        double[] lifted = BUILT.positions().clone();
+        for (int i = 2; i < lifted.length; i += 3) {
+            lifted[i] += 25;
+        }
+        assertThat(quality(BUILT.withPositions(lifted)).value("insertion_to_margin_percentile_95_mm"))
+                .isGreaterThan(10);
+    }
+
+    @Test
     void aSheetBesideItsPlaceIsToldApart() {
         double[] shifted = TRUE_SHEET.positions().clone();
         for (int i = 2; i < shifted.length; i += 3) {

@@ -111,7 +111,7 @@ public final class BodyReport {
                 + " inspiration (columns through: number of such vertices), diaphragm at rest at most "
                 + ReportNumbers.trimmed(BodyLimits.OUTSIDE_CAGE_MM, 2)
                 + " mm outside the cage. Insertion: mean and 95 % of the"
-                + " distances from the bones of the costal margin, in front of the tips of ribs 12.");
+                + " distances of the border from the bones and ligaments where it inserts.");
         List<List<String>> table = table();
         report.table("", COLUMNS, table.subList(1, table.size()));
         report.section(imported ? "What the scans show" : "How the bodies were made");
