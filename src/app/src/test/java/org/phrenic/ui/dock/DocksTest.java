@@ -115,21 +115,29 @@ class DocksTest {
         assertThat(keys).allSatisfy(key -> assertThat(dock.rows()).anyMatch(row -> row.isFor(key)));
     }
 
+    /**
+     * Another material is another scene: it is chosen in a session of its own, so that no other test sees it arrive.
+     */
     @Test
     void theMaterialChosenHereIsThatOfTheCommandLineAndBack() {
-        ParameterDock dock = on(() -> new ParameterDock(session));
-        ChoiceRow material = (ChoiceRow) dock.rows().stream()
-                .filter(r -> r.isFor("material"))
-                .findFirst()
-                .orElseThrow();
-        EventThread.run(() -> material.comboBox().setSelectedItem("paper"));
-        assertThat(on(() -> session.scenario())).isEqualTo(FIRST.with("material=paper"));
-        EventThread.run(() -> dock.onChange());
-        EventThread.run(() -> material.comboBox().setSelectedItem("physical"));
-        assertThat(on(() -> session.scenario())).isEqualTo(FIRST);
-        EventThread.run(() -> session.edits().undo());
-        EventThread.run(() -> session.edits().undo());
-        assertThat(on(() -> session.scenario())).isEqualTo(FIRST);
+        Session own = on(() -> new Session(FIRST));
+        try {
+            ParameterDock dock = on(() -> new ParameterDock(own));
+            ChoiceRow material = (ChoiceRow) dock.rows().stream()
+                    .filter(r -> r.isFor("material"))
+                    .findFirst()
+                    .orElseThrow();
+            EventThread.run(() -> material.comboBox().setSelectedItem("paper"));
+            assertThat(on(() -> own.scenario())).isEqualTo(FIRST.with("material=paper"));
+            EventThread.run(() -> dock.onChange());
+            EventThread.run(() -> material.comboBox().setSelectedItem("physical"));
+            assertThat(on(() -> own.scenario())).isEqualTo(FIRST);
+            EventThread.run(() -> own.edits().undo());
+            EventThread.run(() -> own.edits().undo());
+            assertThat(on(() -> own.scenario())).isEqualTo(FIRST);
+        } finally {
+            EventThread.run(own::close);
+        }
     }
 
     @Test
