@@ -108,6 +108,11 @@ final class ImportCommand extends ReportingCommand {
     private String complete = "virtual/adult-male";
 
     @Option(
+            names = "--keep-level",
+            description = "Leave a scan at inspiration as it is, where it would be brought to end-expiration.")
+    private boolean keepLevel;
+
+    @Option(
             names = "--align-to",
             paramLabel = "THORAX",
             description = "A body made of another scan of the same patient: this scan is brought to it rigidly, by "
@@ -127,7 +132,7 @@ final class ImportCommand extends ReportingCommand {
                         Optional.ofNullable(labels),
                         edgeMm,
                         this::corrected,
-                        template(),
+                        template().map(thorax -> new ImportRequest.Completion(thorax, keepLevel)),
                         Optional.ofNullable(alignTo).map(ThoraxFolder::load)),
                 progress());
         result.write(out);

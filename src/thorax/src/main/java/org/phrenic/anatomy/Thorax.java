@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * A thorax at end-expiration: its named surfaces, in LPS and mm.
@@ -13,7 +14,8 @@ import java.util.stream.Collectors;
  * @param name display name for reports
  * @param structures all surfaces, with unique names
  * @param notes repairs and omissions by the loader, one sentence each
- * @param notInScan names of the structures of a scanned body that its scan does not show
+ * @param notInScan names of the structures of a scanned body that its scan does not show, and words for what else it
+ *     does not show, such as the breath level of the body
  */
 public record Thorax(String name, List<Structure> structures, List<String> notes, Set<String> notInScan) {
 
@@ -28,11 +30,14 @@ public record Thorax(String name, List<Structure> structures, List<String> notes
         this(name, structures, notes, Set.of());
     }
 
-    /** The structures that are not in the scan, by kind, such as "skin, 4 of 24 ribs"; empty if there are none. */
+    /** What is not in the scan, structures by kind, such as "skin, 4 of 24 ribs"; empty if there is nothing. */
     public String notInScanSummary() {
-        return Arrays.stream(StructureKind.values())
-                .map(this::notInScanOfKind)
-                .filter(text -> !text.isEmpty())
+        Set<String> names = structures.stream().map(Structure::name).collect(Collectors.toSet());
+        Stream<String> ofKinds =
+                Arrays.stream(StructureKind.values()).map(this::notInScanOfKind).filter(text -> !text.isEmpty());
+        return Stream.concat(
+                        ofKinds,
+                        notInScan.stream().filter(name -> !names.contains(name)).sorted())
                 .collect(Collectors.joining(", "));
     }
 

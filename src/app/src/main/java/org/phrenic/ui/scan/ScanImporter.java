@@ -94,7 +94,7 @@ public final class ScanImporter {
                     labels,
                     Optional.empty(),
                     UnaryOperator.identity(),
-                    choice.template().map(ScanImporter::template),
+                    choice.template().map(body -> new ImportRequest.Completion(template(body), false)),
                     Optional.empty());
             ImportResult result = ImportPipeline.run(request, progress);
             progress.stage("writing the thorax folder");

@@ -33,7 +33,9 @@ class ImportSummaryDialogTest {
         PatientBody body = new PatientBody("scanned", List.of(), List.of("sternum"), List.of());
         return WindowHarness.onEdt(() -> {
             ImportSummaryDialog.show(
-                    null, new ImportResult("scan.mha", Optional.empty(), body, Optional.empty(), quality), rehearse);
+                    null,
+                    new ImportResult("scan.mha", Optional.empty(), body, Optional.empty(), quality, Optional.empty()),
+                    rehearse);
             return Stream.of(Window.getWindows())
                     .filter(w -> w.isVisible() && "import.summary".equals(w.getName()))
                     .map(JDialog.class::cast)

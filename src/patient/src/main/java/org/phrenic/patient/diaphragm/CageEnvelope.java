@@ -60,6 +60,10 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
 
     /** @throws IllegalArgumentException if the body lacks ribs, vertebrae T8 to L2 or anything in front of them */
     public CageEnvelope(Thorax body) {
+        this(body, null);
+    }
+
+    private CageEnvelope(Thorax body, CageEnvelope like) {
         List<Structure> spine = body.structuresOf(StructureKind.VERTEBRA).stream()
                 .filter(s -> s.level() >= FIRST_LEVEL && s.level() <= LAST_LEVEL)
                 .toList();
@@ -73,14 +77,19 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
                 MeshMerge.merge(spine.stream().map(Structure::mesh).toList()).bounds();
         TriangleMesh cage = MeshMerge.merge(bones);
         double[] all = cage.bounds();
-        axisX = 0.5 * (box[0] + box[3]);
-        axisY = box[1] + FORWARD * (frontY(body, all) - box[1]);
+        axisX = like == null ? 0.5 * (box[0] + box[3]) : like.axisX;
+        axisY = like == null ? box[1] + FORWARD * (frontY(body, all) - box[1]) : like.axisY;
         bottom = Math.max(all[2], box[2] - BELOW_MM) - MARGIN_MM;
         int count = (int) Math.ceil((Math.min(all[5], box[5] + ABOVE_MM) + MARGIN_MM - bottom) / LAYER_MM) + 1;
         layers = (count + 15) / 16 * 16;
         double[] sample = samples(cage, ofCage);
         double[] ofBones = fit(sample, new double[sample.length], new double[0]);
         radius = fit(sample, organRadii(body, sample, ofBones), ofBones);
+    }
+
+    /** The envelope of another pose of the body about the axis of this one. */
+    CageEnvelope about(Thorax other) {
+        return new CageEnvelope(other, this);
     }
 
     private static List<TriangleMesh> meshes(Thorax body, Predicate<Structure> chosen) {

@@ -42,14 +42,13 @@ public final class ImportPipeline {
             ScanAlignment.Aligned aligned = aligned(request, scanned);
             return ImportResult.of(file, grid, aligned.body(), Optional.of(aligned.alignment()));
         }
-        PatientBody body =
-                request.template().map(t -> completed(scanned, t, progress)).orElse(scanned);
-        ImportResult result = ImportResult.of(file, grid, body, Optional.empty());
-        if (request.template().isPresent()) {
-            result.quality().flatMap(SheetQuality::refusal).ifPresent(why -> {
-                throw new BadInputException(file + ": " + why);
-            });
+        if (request.completion().isEmpty()) {
+            return ImportResult.of(file, grid, scanned, Optional.empty());
         }
+        ImportResult result = ImportResult.of(file, grid, completed(request, scanned, progress));
+        result.quality().flatMap(SheetQuality::refusal).ifPresent(why -> {
+            throw new BadInputException(file + ": " + why);
+        });
         return result;
     }
 
@@ -65,11 +64,17 @@ public final class ImportPipeline {
                 : LabelTable.read(Path.of(labels), volume);
     }
 
-    private static PatientBody completed(PatientBody scanned, Thorax template, ImportProgress progress) {
+    private static RestingBody completed(ImportRequest request, PatientBody scanned, ImportProgress progress) {
+        ImportRequest.Completion completion = request.completion().orElseThrow();
+        Thorax template = completion.template();
         progress.stage("bringing " + template.name() + " to the scan for what it lacks");
-        PatientBody completed = BodyCompletion.complete(scanned, template);
+        RestingBody resting = RestingBody.asScanned(BodyCompletion.complete(scanned, template));
+        if (resting.isInspired() && !completion.keepLevel()) {
+            progress.stage("bringing the scan, which is one at inspiration, to end-expiration");
+            resting = resting.atEndExpiration(scanned, template);
+        }
         progress.stage("building the diaphragm from the organs and bones that it touches");
-        return SkinEnvelope.complete(DiaphragmCompletion.complete(completed));
+        return resting.with(SkinEnvelope.complete(DiaphragmCompletion.complete(resting.body())));
     }
 
     private static ScanAlignment.Aligned aligned(ImportRequest request, PatientBody scanned) {

@@ -34,6 +34,7 @@ final class ImportReport {
                         body.structures().stream().map(s -> row(s, voxelMm)).toList())
                 .with("missing", body.missing())
                 .with("can_breathe", body.canBreathe());
+        result.resting().flatMap(RestingBody::report).ifPresent(level -> report.with("breath_level", level));
         result.quality().ifPresent(quality -> report.with("diaphragm_quality", quality(quality)));
         result.alignment().ifPresent(a -> report.with("alignment", alignment(a)));
         return report.with("notes", body.notes());

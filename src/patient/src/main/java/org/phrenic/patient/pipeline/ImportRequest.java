@@ -15,7 +15,7 @@ import org.phrenic.mesh.io.volume.LabelVolume;
  * @param edgeMm edge length of the triangles, mm; empty uses a length by structure (see
  *     {@link org.phrenic.patient.ScanImport})
  * @param geometry correction of the volume's axes and spacing; the identity where the file states them correctly
- * @param template thorax that completes the body; empty leaves the body as scanned
+ * @param completion how the body is completed; empty leaves it as scanned
  * @param alignTo body of an earlier scan of the same patient; the new scan is brought to it rigidly and not completed
  */
 public record ImportRequest(
@@ -24,8 +24,16 @@ public record ImportRequest(
         Optional<String> labels,
         Optional<Double> edgeMm,
         UnaryOperator<LabelVolume> geometry,
-        Optional<Thorax> template,
+        Optional<Completion> completion,
         Optional<Thorax> alignTo) {
+    /**
+     * How a body is completed.
+     *
+     * @param template thorax from which structures come that the scan lacks
+     * @param keepLevel leave a scan at inspiration as it is; otherwise it is brought to end-expiration
+     */
+    public record Completion(Thorax template, boolean keepLevel) {}
+
     /** A request with default edges that completes the body with a template. */
     public static ImportRequest of(Path file, String name, Optional<String> labels, Thorax template) {
         return new ImportRequest(
@@ -34,7 +42,7 @@ public record ImportRequest(
                 labels,
                 Optional.empty(),
                 UnaryOperator.identity(),
-                Optional.of(template),
+                Optional.of(new Completion(template, false)),
                 Optional.empty());
     }
 }

@@ -1,6 +1,7 @@
 package org.phrenic.patient.pipeline;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.phrenic.document.report.Disclaimer;
@@ -16,13 +17,15 @@ import org.phrenic.patient.registration.ScanAlignment;
  * @param grid voxel grid of the volume; empty for a folder of meshes
  * @param alignment how a second scan was brought to the body of a first one; empty if it was not
  * @param quality quality of the diaphragm; empty if the body has none, or no cage that it could be measured against
+ * @param resting the completed body and its breath level; empty if it was not completed
  */
 public record ImportResult(
         String file,
         Optional<LabelGrid> grid,
         PatientBody body,
         Optional<ScanAlignment> alignment,
-        Optional<SheetQuality> quality) {
+        Optional<SheetQuality> quality,
+        Optional<RestingBody> resting) {
     /** Measures the diaphragm of the body and adds a note if it is beyond a limit. */
     static ImportResult of(String file, Optional<LabelGrid> grid, PatientBody body, Optional<ScanAlignment> alignment) {
         Optional<SheetQuality> quality = SheetQuality.of(body.thorax());
@@ -31,7 +34,14 @@ public record ImportResult(
                 grid,
                 body.withNotes(quality.flatMap(SheetQuality::warning).stream().toList()),
                 alignment,
-                quality);
+                quality,
+                Optional.empty());
+    }
+
+    /** The result for a completed body. */
+    static ImportResult of(String file, Optional<LabelGrid> grid, RestingBody resting) {
+        ImportResult plain = of(file, grid, resting.body(), Optional.empty());
+        return new ImportResult(file, grid, plain.body(), Optional.empty(), plain.quality(), Optional.of(resting));
     }
 
     /** The content of {@code import.json}. */
@@ -45,6 +55,6 @@ public record ImportResult(
      * @throws org.phrenic.file.OutputException if a file cannot be written
      */
     public void write(Path folder) {
-        PatientFolder.write(folder, body, report());
+        PatientFolder.write(folder, body, resting.map(RestingBody::statements).orElse(List.of()), report());
     }
 }

@@ -1,0 +1,307 @@
+package org.phrenic.patient.diaphragm;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.phrenic.anatomy.OrganNames;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.cage.RibAxisTable;
+import org.phrenic.anatomy.cage.RibCage;
+import org.phrenic.anatomy.cage.RibCagePose;
+import org.phrenic.anatomy.cage.SkinningWeights;
+import org.phrenic.engine.force.FallOff;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.PatientStructure;
+
+/**
+ * Brings a scan at inspiration to end-expiration. Ribs turn back on their helical axes by the share s of a full
+ * inspiration that {@link BreathLevel} states; the sternum follows, cartilages bend between both. Domes, with the
+ * organs above and below them, rise by the descent d of that level:
+ *
+ * <pre>
+ * z' = z + d p(u, v) g(z),   x' = x + g(z) (X'(u, z') - X(u, z)),   y' = y + g(z) (Y'(v, z') - Y(v, z))
+ * </pre>
+ *
+ * Above the domes the share 1 - g goes with the bones nearby ({@link SkinningWeights}). u and v are the place of a
+ * point in the breadth and depth of the cage ({@link CageEnvelope}) at its height, -1 to 1; X and Y state that place,
+ * X' and Y' the same place in the cage whose ribs have turned, at the height to which the point rises. p is the share
+ * of the domes' descent over the plan of the cage, 1 at the domes, less in front and in the middle (physiology C3). g
+ * is 1 about the domes and falls to 0 at the apex of the lungs and in the pelvis. As d is at most
+ * {@value #GREATEST_SHARE} of the lungs' height, the field has no folds.
+ */
+public final class EndExpiration {
+    /** Share of the descent in the midline, where the pericardium holds the tendon (2 of 5 to 10 cm). */
+    private static final double MIDDLE_SHARE = 0.3;
+    /** Distance from the midline at which the descent is whole, in half-breadths of the cage. */
+    private static final double WHOLE_BREADTH = 0.5;
+    /** Share of the descent at the front: posterior to middle to anterior is 1 : 0.8 : 0.5. */
+    private static final double FRONT_SHARE = 0.5;
+    /**
+     * Places behind and before the middle, in half-depths of the cage, between which the descent falls to that share.
+     */
+    private static final double BACK = 0.35;
+
+    private static final double FRONT = -0.55;
+    /** Depth below the domes to which everything rises with them, and over which that fades, mm. */
+    private static final double WITH_DOMES_MM = 100;
+
+    private static final double FADE_MM = 200;
+    /** Greatest descent as a share of the height of the lungs above their bases. */
+    private static final double GREATEST_SHARE = 0.6;
+
+    private static final int SECTOR_STEP = 4;
+    /** Greatest upward component of the normals of a lung's base. */
+    private static final double BASE_NORMAL = -0.5;
+    /** Height above the domes up to which surfaces belong to the base, mm: half the difference of both domes. */
+    private static final double ABOVE_DOMES_MM = 15;
+    /** Share of the base below its stated top. */
+    private static final double TOP_SHARE = 0.95;
+
+    private static final int RISE_ROUNDS = 4;
+    /** Greatest change of the rise in a round. */
+    private static final double FASTEST = 1.5;
+    /** Soft structures within the cage; the skin, muscles, other bones and great vessels keep their places. */
+    private static final Set<StructureKind> SOFT =
+            EnumSet.of(StructureKind.LUNG, StructureKind.LIVER, StructureKind.ORGAN, StructureKind.LESION);
+
+    private static final Set<String> STILL = Set.of("spinal_cord", "thyroid_gland", "oesophagus", "esophagus", "brain");
+
+    /** Organs that keep their volume, besides the liver. */
+    private static final Set<String> SOLID = Set.of("heart", "spleen", "kidney");
+
+    private final RibCagePose pose;
+    private final SkinningWeights skinning;
+    private final CageEnvelope before;
+    private final CageEnvelope after;
+    private final double share;
+    /** Rise d of the highest part of the domes, mm. */
+    private double rise;
+
+    private final double domes;
+    private final double apex;
+
+    private EndExpiration(Thorax completed, BreathLevel level) {
+        share = Math.min(1, level.share());
+        RibCage cage = RibCage.of(completed, RibAxisTable.preset(RibAxisTable.WILSON_CT), true);
+        pose = new RibCagePose(cage, (time, amplitude) -> amplitude[0] = -share);
+        pose.update(0);
+        skinning = SkinningWeights.of(completed, cage);
+        List<Structure> bones = completed.structures().stream()
+                .filter(s -> isCage(s.kind()) || s.kind() == StructureKind.VERTEBRA || s.kind() == StructureKind.DISC)
+                .toList();
+        before = new CageEnvelope(new Thorax(completed.name(), bones, List.of()));
+        after = before.about(
+                new Thorax(completed.name(), bones.stream().map(this::turned).toList(), List.of()));
+        List<Structure> lungs = completed.structuresOf(StructureKind.LUNG);
+        domes = LungBase.of(completed).stream()
+                .mapToDouble(LungBase::top)
+                .average()
+                .orElseThrow();
+        apex = lungs.stream().mapToDouble(s -> s.mesh().bounds()[5]).max().orElseThrow();
+        List<double[]> base = lungs.stream().flatMap(s -> base(s.mesh())).toList();
+        // The domes of an inspired lung stand in front, where less than the whole descent is taken back.
+        double greatest = GREATEST_SHARE * (apex - domes);
+        rise = Math.min(level.descentMm(), greatest);
+        double top = top(base);
+        for (int i = 0; i < RISE_ROUNDS; i++) {
+            double risen = top(base.stream().map(this::raised).toList()) - top;
+            rise = Math.min(greatest, rise * Math.min(FASTEST, level.descentMm() / Math.max(risen, 1)));
+        }
+    }
+
+    /** Vertices of the base of a lung. */
+    private Stream<double[]> base(TriangleMesh lung) {
+        double[] normals = MeshMeasure.vertexNormals(lung);
+        return IntStream.range(0, lung.vertexCount())
+                .filter(v -> normals[3 * v + 2] < BASE_NORMAL && lung.z(v) < domes + ABOVE_DOMES_MM)
+                .mapToObj(v -> new double[] {lung.x(v), lung.y(v), lung.z(v)});
+    }
+
+    private static double top(List<double[]> base) {
+        double[] z = base.stream().mapToDouble(p -> p[2]).sorted().toArray();
+        return z[(int) (TOP_SHARE * (z.length - 1))];
+    }
+
+    /**
+     * Returns the structures of a scan at end-expiration, with a note that states the amounts. A diaphragm of the scan
+     * is left out, since it is built anew.
+     *
+     * @param scanned body as scanned
+     * @param completed the same body with ribs, vertebrae and lungs completed
+     * @param level breath level of the scan
+     * @throws IllegalArgumentException if the completed body has no cage
+     */
+    public static PatientBody of(PatientBody scanned, PatientBody completed, BreathLevel level) {
+        EndExpiration expiration = new EndExpiration(completed.thorax(), level);
+        List<PatientStructure> moved = scanned.structures().parallelStream()
+                .filter(s -> s.structure().kind() != StructureKind.DIAPHRAGM)
+                .map(s -> s.withStructure(expiration.moved(s.structure())))
+                .toList();
+        PatientBody body = new PatientBody(scanned.name(), moved, scanned.missing(), scanned.notes());
+        return body.withNotes(List.of(expiration.note(level, lungMl(scanned), lungMl(body))));
+    }
+
+    private String note(BreathLevel level, double scannedMl, double ml) {
+        return String.format(
+                Locale.ROOT,
+                "the scan is one at inspiration, the domes at %s (T8 and T9 at end-expiration): they are raised by"
+                        + " %.0f mm, up to %.0f mm at the back, with the organs about them, the lungs deflated from"
+                        + " %.1f to %.1f l, the ribs turned back by %.0f %% of a full inspiration",
+                level.domes(),
+                level.descentMm(),
+                rise,
+                scannedMl / 1000,
+                ml / 1000,
+                100 * share);
+    }
+
+    private static double lungMl(PatientBody body) {
+        return body.structures().stream()
+                .map(PatientStructure::structure)
+                .filter(s -> s.kind() == StructureKind.LUNG)
+                .mapToDouble(s -> MeshMeasure.signedVolume(s.mesh()) / 1000)
+                .sum();
+    }
+
+    private static boolean isCage(StructureKind kind) {
+        return kind == StructureKind.RIB || kind == StructureKind.STERNUM || kind == StructureKind.COSTAL_CARTILAGE;
+    }
+
+    private Structure moved(Structure s) {
+        if (isCage(s.kind())) {
+            return turned(s);
+        }
+        return SOFT.contains(s.kind()) && !STILL.contains(s.name()) ? raised(s) : s;
+    }
+
+    private Structure turned(Structure s) {
+        if (s.kind() == StructureKind.COSTAL_CARTILAGE) {
+            return s.withMesh(s.mesh().withPositions(carried(s.mesh().positions())));
+        }
+        int body = s.kind() == StructureKind.RIB
+                ? pose.cage().rib(s.level(), s.side())
+                : pose.cage().sternum();
+        return !isCage(s.kind()) || body < 0 ? s : withPoints(s, p -> at(pose.pose(body), p));
+    }
+
+    /** Points carried by the bones near them. */
+    private double[] carried(double[] p) {
+        SkinningWeights.Weights weights = skinning.weightsAt(p);
+        double[] out = new double[p.length];
+        for (int i = 0; i < p.length / 3; i++) {
+            double[] point = {p[3 * i], p[3 * i + 1], p[3 * i + 2]};
+            for (int k = i * SkinningWeights.MAX_BODIES; k < (i + 1) * SkinningWeights.MAX_BODIES; k++) {
+                double[] moved = weights.weight()[k] == 0 ? point : at(pose.pose(weights.body()[k]), point);
+                for (int axis = 0; axis < 3; axis++) {
+                    out[3 * i + axis] += weights.weight()[k] * moved[axis];
+                }
+            }
+        }
+        return out;
+    }
+
+    private static double[] at(double[] t, double[] p) {
+        return new double[] {
+            t[0] * p[0] + t[1] * p[1] + t[2] * p[2] + t[3],
+            t[4] * p[0] + t[5] * p[1] + t[6] * p[2] + t[7],
+            t[8] * p[0] + t[9] * p[1] + t[10] * p[2] + t[11]
+        };
+    }
+
+    private static Structure withPoints(Structure s, UnaryOperator<double[]> map) {
+        TriangleMesh mesh = s.mesh();
+        double[] out = new double[mesh.positions().length];
+        IntStream.range(0, mesh.vertexCount())
+                .forEach(v ->
+                        System.arraycopy(map.apply(new double[] {mesh.x(v), mesh.y(v), mesh.z(v)}), 0, out, 3 * v, 3));
+        return s.withMesh(mesh.withPositions(out));
+    }
+
+    /** A soft organ at end-expiration. */
+    private Structure raised(Structure s) {
+        double[] p = s.mesh().positions();
+        double[] carried = carried(p);
+        double[] out = new double[p.length];
+        for (int i = 0; i < p.length; i += 3) {
+            double above = p[i + 2] > domes ? 1 - heightShare(p[i + 2]) : 0;
+            double[] q = raised(new double[] {p[i], p[i + 1], p[i + 2]});
+            for (int axis = 0; axis < 3; axis++) {
+                out[i + axis] = q[axis] + above * (carried[i + axis] - p[i + axis]);
+            }
+        }
+        boolean solid = s.kind() == StructureKind.LIVER || SOLID.contains(OrganNames.words(s.name()));
+        return s.withMesh(solid ? ofVolume(s.mesh(), out) : s.mesh().withPositions(out));
+    }
+
+    /** Gives a solid organ back its volume, by stretching it along z from where it touches the diaphragm. */
+    private TriangleMesh ofVolume(TriangleMesh scanned, double[] moved) {
+        TriangleMesh mesh = scanned.withPositions(moved);
+        double stretch = Math.max(1, MeshMeasure.signedVolume(scanned) / MeshMeasure.signedVolume(mesh));
+        double held = scanned.centre()[2] > domes ? mesh.bounds()[2] : mesh.bounds()[5];
+        for (int i = 2; i < moved.length; i += 3) {
+            moved[i] = held + stretch * (moved[i] - held);
+        }
+        return mesh.withPositions(moved);
+    }
+
+    /** A point that rises with the domes. */
+    private double[] raised(double[] p) {
+        double[] from = extent(before, p[2]);
+        double u = 2 * share(p[0], from[0], from[1]) - 1;
+        double v = 2 * share(p[1], from[2], from[3]) - 1;
+        double fade = heightShare(p[2]);
+        double z = p[2] + rise * planShare(u, v) * fade;
+        double[] to = extent(after, z);
+        return new double[] {
+            p[0] + 0.5 * fade * ((1 - u) * (to[0] - from[0]) + (1 + u) * (to[1] - from[1])),
+            p[1] + 0.5 * fade * ((1 - v) * (to[2] - from[2]) + (1 + v) * (to[3] - from[3])),
+            z
+        };
+    }
+
+    private static double share(double x, double low, double high) {
+        return Math.max(0, Math.min(1, (x - low) / (high - low)));
+    }
+
+    /** Least and greatest x, least and greatest y of the cage at a height, mm. */
+    private static double[] extent(CageEnvelope cage, double z) {
+        double[] box = {cage.x(z), cage.x(z), cage.y(z), cage.y(z)};
+        for (int i = 0; i < CageEnvelope.SECTORS; i += SECTOR_STEP) {
+            double azimuth = CageEnvelope.azimuth(i);
+            double[] q = cage.point(azimuth, cage.radius(azimuth, z), z);
+            box[0] = Math.min(box[0], q[0]);
+            box[1] = Math.max(box[1], q[0]);
+            box[2] = Math.min(box[2], q[1]);
+            box[3] = Math.max(box[3], q[1]);
+        }
+        return box;
+    }
+
+    /** Share p of the descent in the plan of the cage: u to the left, v to the back, -1 to 1. */
+    private static double planShare(double u, double v) {
+        double beside = MIDDLE_SHARE + (1 - MIDDLE_SHARE) * smoothStep(Math.abs(u) / WHOLE_BREADTH);
+        double behind = FRONT_SHARE + (1 - FRONT_SHARE) * smoothStep((v - FRONT) / (BACK - FRONT));
+        return beside * behind;
+    }
+
+    /** Share g of the descent over the height. */
+    private double heightShare(double z) {
+        if (z > domes) {
+            return 1 - smoothStep((z - domes) / (apex - domes));
+        }
+        return FallOff.at(Math.max(0, domes - WITH_DOMES_MM - z), FADE_MM);
+    }
+
+    private static double smoothStep(double x) {
+        double t = Math.max(0, Math.min(1, x));
+        return t * t * (3 - 2 * t);
+    }
+}

@@ -1,0 +1,69 @@
+package org.phrenic.patient.pipeline;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.document.OrderedValues;
+import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.diaphragm.BreathLevel;
+import org.phrenic.patient.diaphragm.EndExpiration;
+import org.phrenic.patient.registration.BodyCompletion;
+
+/**
+ * A completed body and the breath level of its scan. A body breathes from end-expiration.
+ *
+ * @param level breath level of the scan; empty if the scan shows too little of it
+ * @param moved whether the body was brought from that level to end-expiration
+ */
+public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean moved) {
+    /** A completed body at the breath level of its scan, with a note if that is one at inspiration. */
+    static RestingBody asScanned(PatientBody completed) {
+        return new RestingBody(completed, BreathLevel.of(completed), false);
+    }
+
+    /** Whether the scan is clearly one at inspiration. */
+    public boolean isInspired() {
+        return level.filter(BreathLevel::isInspired).isPresent();
+    }
+
+    /** The body of the same scan at end-expiration, completed anew. */
+    RestingBody atEndExpiration(PatientBody scanned, Thorax template) {
+        PatientBody rest = EndExpiration.of(scanned, body, level.orElseThrow());
+        return new RestingBody(BodyCompletion.complete(rest, template), level, true);
+    }
+
+    /** The same with its diaphragm and skin. A body left at inspiration gets a note. */
+    RestingBody with(PatientBody whole) {
+        return new RestingBody(
+                isInspired() && !moved
+                        ? whole.withNotes(List.of("the scan is one at inspiration, the domes at "
+                                + level.orElseThrow().domes()
+                                + " (T8 and T9 at end-expiration), and is left as it is: it breathes less than from"
+                                + " end-expiration"))
+                        : whole,
+                level,
+                moved);
+    }
+
+    /** What a view of the body states, such as "end-expiration (domes raised by 41 mm)". */
+    public List<String> statements() {
+        return moved
+                ? List.of(String.format(
+                        Locale.ROOT,
+                        "end-expiration (domes raised by %.0f mm)",
+                        level.orElseThrow().descentMm()))
+                : List.of();
+    }
+
+    /** The entry of {@code import.json}. */
+    Optional<OrderedValues> report() {
+        return level.map(found -> new OrderedValues()
+                .with("dome_right_vertebra", Double.isNaN(found.right()) ? null : found.right())
+                .with("dome_left_vertebra", Double.isNaN(found.left()) ? null : found.left())
+                .with("share_of_full_inspiration", found.share())
+                .with("domes_below_end_expiration_mm", found.descentMm())
+                .with("inspired", found.isInspired())
+                .with("brought_to_end_expiration", moved));
+    }
+}

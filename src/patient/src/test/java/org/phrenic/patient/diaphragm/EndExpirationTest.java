@@ -1,0 +1,124 @@
+package org.phrenic.patient.diaphragm;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.PatientStructure;
+
+/** The virtual man, and the same with lungs that reach farther down and a lower liver, as at inspiration. */
+class EndExpirationTest {
+    private static final Thorax MAN =
+            VirtualThorax.generate(VirtualThoraxParameters.preset("adult-male"), Resolution.LOW);
+    /** Heights of the lungs of the inspired body as a multiple of those at end-expiration. */
+    private static final double TALLER = 1.3;
+
+    private static final PatientBody INSPIRED = body(true, s -> true);
+    private static final BreathLevel LEVEL = BreathLevel.of(INSPIRED).orElseThrow();
+    private static final PatientBody RESTING = EndExpiration.of(INSPIRED, INSPIRED, LEVEL);
+
+    private static PatientBody body(boolean inspired, Predicate<Structure> kept) {
+        double apex = MAN.structuresOf(StructureKind.LUNG).stream()
+                .mapToDouble(s -> s.mesh().bounds()[5])
+                .max()
+                .orElseThrow();
+        List<PatientStructure> all = MAN.structures().stream()
+                .filter(kept)
+                .map(s -> inspired ? lowered(s, apex) : s)
+                .map(s -> new PatientStructure(s, PatientStructure.Source.SCAN, Optional.empty(), Optional.empty()))
+                .toList();
+        return new PatientBody("patient", all, List.of(), List.of());
+    }
+
+    private static Structure lowered(Structure s, double apex) {
+        if (s.kind() != StructureKind.LUNG && s.kind() != StructureKind.LIVER) {
+            return s;
+        }
+        double[] p = s.mesh().positions().clone();
+        double down = (TALLER - 1) * (apex - s.mesh().bounds()[5]);
+        for (int i = 2; i < p.length; i += 3) {
+            p[i] = s.kind() == StructureKind.LUNG ? apex - TALLER * (apex - p[i]) : p[i] - down;
+        }
+        return s.withMesh(s.mesh().withPositions(p));
+    }
+
+    private static TriangleMesh mesh(PatientBody body, String name) {
+        return body.structure(name).orElseThrow().structure().mesh();
+    }
+
+    private static double lungMl(PatientBody body) {
+        return (MeshMeasure.signedVolume(mesh(body, "lung_R")) + MeshMeasure.signedVolume(mesh(body, "lung_L"))) / 1000;
+    }
+
+    @Test
+    void theVirtualManIsAtEndExpiration() {
+        BreathLevel level = BreathLevel.of(body(false, s -> true)).orElseThrow();
+        assertThat(level.right()).isCloseTo(8, within(0.5));
+        assertThat(level.left()).isCloseTo(9, within(0.6));
+        assertThat(level.isInspired()).isFalse();
+    }
+
+    @Test
+    void lowDomesTellAnInspiration() {
+        assertThat(LEVEL.isInspired()).isTrue();
+        assertThat(LEVEL.right()).isBetween(9.5, 11.0);
+        assertThat(LEVEL.descentMm()).isBetween(35.0, 60.0);
+        assertThat(LEVEL.domes()).matches("T\\d+\\.\\d on the right and T\\d+\\.\\d on the left");
+    }
+
+    @Test
+    void nothingIsSaidOfTheLevelWithoutBonesOrBasesOfLungs() {
+        assertThat(BreathLevel.of(body(true, s -> s.kind() == StructureKind.LUNG)))
+                .isEmpty();
+        assertThat(BreathLevel.of(body(true, s -> s.kind() != StructureKind.LUNG)))
+                .isEmpty();
+    }
+
+    @Test
+    void domesRiseToTheirLevelAndLungsDeflate() {
+        BreathLevel level = BreathLevel.of(RESTING).orElseThrow();
+        assertThat(level.descentMm()).as("left of the descent, mm").isCloseTo(0, within(7.0));
+        assertThat(lungMl(RESTING)).isBetween(0.5 * lungMl(INSPIRED), 0.8 * lungMl(INSPIRED));
+        for (String lung : new String[] {"lung_R", "lung_L"}) {
+            double apex = mesh(INSPIRED, lung).bounds()[5];
+            assertThat(mesh(RESTING, lung).bounds()[5]).as("apex").isCloseTo(apex, within(3.0));
+            assertThat(SelfIntersections.count(mesh(RESTING, lung))).isZero();
+        }
+    }
+
+    @Test
+    void organsRiseWithTheDomesAndKeepTheirVolume() {
+        TriangleMesh before = mesh(INSPIRED, "liver");
+        TriangleMesh after = mesh(RESTING, "liver");
+        assertThat(after.bounds()[5] - before.bounds()[5]).isBetween(0.7 * LEVEL.descentMm(), 1.5 * LEVEL.descentMm());
+        assertThat(MeshMeasure.signedVolume(after))
+                .isCloseTo(MeshMeasure.signedVolume(before), within(0.05 * MeshMeasure.signedVolume(before)));
+        assertThat(SelfIntersections.count(after)).isZero();
+    }
+
+    @Test
+    void ribsAndSternumGoDownAndBackAndTheSpineStays() {
+        for (String rib : new String[] {"rib_03_R", "rib_07_L", "sternum_body"}) {
+            double[] before = mesh(INSPIRED, rib).bounds();
+            double[] after = mesh(RESTING, rib).bounds();
+            assertThat(after[2] - before[2]).as(rib + " down, mm").isBetween(-35.0, -3.0);
+            assertThat(after[1] - before[1]).as(rib + " back, mm").isBetween(0.5, 20.0);
+        }
+        assertThat(mesh(RESTING, "vertebra_T08").positions())
+                .isEqualTo(mesh(INSPIRED, "vertebra_T08").positions());
+        assertThat(RESTING.structures()).noneMatch(s -> s.structure().kind() == StructureKind.DIAPHRAGM);
+        assertThat(RESTING.notes()).anyMatch(note -> note.startsWith("the scan is one at inspiration"));
+    }
+}
