@@ -22,8 +22,11 @@ import org.phrenic.simulation.observe.Surface;
  * border, and if the segment to it from the middle of its organ passes the sheet an odd number of times.
  */
 final class SheetCrossing {
-    /** Half of the thickest sheet. A point farther from the sheet is not between its faces, whatever a fold says. */
-    private static final double THICKEST_MM = 10;
+    /**
+     * Greatest sum of the distances from both faces of a point between them, relative to the thickness at rest. Where
+     * the sheet folds through itself the sign of a distance says nothing of a point farther away.
+     */
+    private static final double THICKENED = 2;
 
     private record Faces(
             TriangleTree whole,
@@ -36,6 +39,9 @@ final class SheetCrossing {
     /** Triangles with corners on both faces. */
     private final boolean[] onBorder;
 
+    /** Greatest sum of the distances from both faces of a point between them, mm. */
+    private final double between;
+
     private final SegmentProbe probe = new SegmentProbe();
 
     SheetCrossing(Diaphragm diaphragm) {
@@ -46,6 +52,24 @@ final class SheetCrossing {
             boolean first = diaphragm.isThoracic(t[3 * i]);
             onBorder[i] = first != diaphragm.isThoracic(t[3 * i + 1]) || first != diaphragm.isThoracic(t[3 * i + 2]);
         }
+        between = THICKENED * thickness();
+    }
+
+    /** The thickness of the sheet that 95 % of the vertices of its thoracic face do not exceed, mm. */
+    private double thickness() {
+        TriangleMesh sheet = diaphragm.sheet();
+        TriangleTree abdominal = new TriangleTree(face(sheet, false));
+        double[] thicknesses = IntStream.range(0, sheet.vertexCount())
+                .filter(diaphragm::isThoracic)
+                .mapToDouble(v -> distance(abdominal, sheet.x(v), sheet.y(v), sheet.z(v)))
+                .sorted()
+                .toArray();
+        return thicknesses.length == 0 ? 0 : thicknesses[(int) (0.95 * (thicknesses.length - 1))];
+    }
+
+    private static double distance(TriangleTree tree, double x, double y, double z) {
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        return tree.closest(x, y, z, hit) ? Math.sqrt(hit.distanceSquared) : Double.POSITIVE_INFINITY;
     }
 
     /**
@@ -132,7 +156,7 @@ final class SheetCrossing {
             int k = 3 * i;
             faces.whole.closest(points[k], points[k + 1], points[k + 2], hit);
             int t = hit.triangle;
-            boolean inside = signed != null && signed[i] < 0 && signed[i] > -THICKEST_MM;
+            boolean inside = signed != null && signed[i] < 0 && isBetween(points, k, faces);
             boolean ownSide = t < 0
                     || isBeyondBorder(hit, faces.border, working)
                     || (!inside && diaphragm.isThoracic(corners[3 * t]) == above);
@@ -143,6 +167,12 @@ final class SheetCrossing {
             }
         }
         return depths;
+    }
+
+    private boolean isBetween(double[] points, int k, Faces faces) {
+        return distance(faces.thoracic, points[k], points[k + 1], points[k + 2])
+                        + distance(faces.abdominal, points[k], points[k + 1], points[k + 2])
+                < between;
     }
 
     /** Whether a point is beyond the border: farther from its nearest point of the sheet than the border is. */
