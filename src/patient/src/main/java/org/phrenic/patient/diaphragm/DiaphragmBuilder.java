@@ -11,6 +11,7 @@ import org.phrenic.anatomy.virtual.shape.Meridians;
 import org.phrenic.anatomy.virtual.shape.RingMesh;
 import org.phrenic.anatomy.virtual.shape.RootFinder;
 import org.phrenic.anatomy.virtual.shape.SmoothBlends;
+import org.phrenic.anatomy.virtual.shape.TwoFacedSheet;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.edit.MeshMerge;

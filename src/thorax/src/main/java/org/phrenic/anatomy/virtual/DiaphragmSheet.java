@@ -5,6 +5,7 @@ import org.phrenic.anatomy.virtual.shape.RingMesh;
 import org.phrenic.anatomy.virtual.shape.RootFinder;
 import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.anatomy.virtual.shape.SurfaceRelaxation;
+import org.phrenic.anatomy.virtual.shape.TwoFacedSheet;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
@@ -16,7 +17,6 @@ import org.phrenic.mesh.Vectors;
 final class DiaphragmSheet {
     private static final double PIVOT_Z = 20;
     private static final int SWEEPS = 20;
-    private static final int NORMAL_PASSES = 6;
     private static final double SHARP_COSINE = 0.87;
     private static final double CRURA_HALF_BREADTH_MM = 60;
     private static final int SOFTENING_PASSES = 8;
@@ -94,61 +94,19 @@ final class DiaphragmSheet {
 
     private TriangleMesh thicken(TriangleMesh middle, int firstRim) {
         int n = middle.vertexCount();
-        double[] positions = new double[6 * n];
-        double[][] normals = smoothNormals(middle);
+        double[] normals = new double[3 * n];
+        double[] thickness = new double[n];
         for (int v = 0; v < n; v++) {
             double[] p = Vectors.of(middle.x(v), middle.y(v), middle.z(v));
-            double half = thickness(p) / 2;
-            System.arraycopy(Vectors.addScaled(p, normals[v], half), 0, positions, 3 * v, 3);
-            System.arraycopy(Vectors.addScaled(p, normals[v], -half), 0, positions, 3 * (n + v), 3);
+            System.arraycopy(shape.normal(p), 0, normals, 3 * v, 3);
+            thickness[v] = thickness(p);
         }
-        int[] face = middle.triangles();
-        int rim = n - firstRim;
-        int[] triangles = new int[2 * face.length + 6 * rim];
-        for (int t = 0; t < face.length; t += 3) {
-            triangles[t] = face[t];
-            triangles[t + 1] = face[t + 1];
-            triangles[t + 2] = face[t + 2];
-            triangles[face.length + t] = n + face[t];
-            triangles[face.length + t + 1] = n + face[t + 2];
-            triangles[face.length + t + 2] = n + face[t + 1];
+        int[] rim = new int[2 * (n - firstRim)];
+        for (int v = firstRim; v < n; v++) {
+            rim[2 * (v - firstRim)] = v;
+            rim[2 * (v - firstRim) + 1] = v + 1 < n ? v + 1 : firstRim;
         }
-        int at = 2 * face.length;
-        for (int i = 0; i < rim; i++) {
-            int a = firstRim + i;
-            int b = firstRim + (i + 1) % rim;
-            for (int corner : new int[] {a, b, n + b, a, n + b, n + a}) {
-                triangles[at++] = corner;
-            }
-        }
-        return new TriangleMesh(positions, triangles);
-    }
-
-    /**
-     * Vertex normals averaged over neighbours, so that the inner face does not fold where the sheet bends round the
-     * spine.
-     */
-    private double[][] smoothNormals(TriangleMesh middle) {
-        int n = middle.vertexCount();
-        double[][] normals = new double[n][];
-        for (int v = 0; v < n; v++) {
-            normals[v] = shape.normal(Vectors.of(middle.x(v), middle.y(v), middle.z(v)));
-        }
-        int[] face = middle.triangles();
-        for (int pass = 0; pass < NORMAL_PASSES; pass++) {
-            double[][] sums = new double[n][3];
-            for (int t = 0; t < face.length; t += 3) {
-                for (int k = 0; k < 3; k++) {
-                    int v = face[t + k];
-                    sums[v] = Vectors.addScaled(sums[v], normals[face[t + (k + 1) % 3]], 1);
-                    sums[v] = Vectors.addScaled(sums[v], normals[face[t + (k + 2) % 3]], 1);
-                }
-            }
-            for (int v = 0; v < n; v++) {
-                normals[v] = Vectors.normalize(Vectors.addScaled(normals[v], Vectors.normalize(sums[v]), 1));
-            }
-        }
-        return normals;
+        return TwoFacedSheet.of(middle, normals, thickness, rim);
     }
 
     /**
