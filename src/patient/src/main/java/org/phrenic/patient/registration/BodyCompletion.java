@@ -15,6 +15,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.patient.ExpectedStructures;
+import org.phrenic.patient.LungOutline;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 

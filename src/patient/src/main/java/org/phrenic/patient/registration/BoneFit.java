@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.Vectors;
 import org.phrenic.patient.PatientBody;
 
 /**
@@ -36,10 +37,10 @@ final class BoneFit {
     private static final double LIVER_SIGMA_MM = 15;
 
     /** The ribs of a scan end short of the spine if half of them have more than this to their joints, mm. */
-    private static final double USUAL_GAP_MM = 5;
+    private static final double USUAL_GAP_MM = 2;
 
-    private static final double SHORT_AMONG_SHORT_MM = 3;
-    private static final double SHORT_AMONG_WHOLE_MM = 12;
+    private static final double SHORT_AMONG_SHORT_MM = 1;
+    private static final double SHORT_AMONG_WHOLE_MM = 6;
 
     private final TemplateMap start;
     private final double plane;
@@ -125,11 +126,35 @@ final class BoneFit {
 
     private void findHead(RibFit rib, TemplateMap map) {
         int level = rib.shared().level();
-        Optional<TriangleMesh> own = vertebra(level, map);
+        Optional<CostovertebralJoint.Vertebra> own = measured(level, map);
         if (own.isPresent()) {
-            PointTransform spine = onVertebrae.containsKey(level) ? onVertebrae.get(level) : map;
-            rib.findHead(spine, new CostovertebralJoint(level, own.get(), vertebra(level - 1, map)));
+            rib.findHead(new CostovertebralJoint(level, rib.side(), own.get(), measured(level - 1, map)));
         }
+    }
+
+    /** A vertebra with the measures of its body; its left is that of the template. */
+    private Optional<CostovertebralJoint.Vertebra> measured(int level, TemplateMap map) {
+        Optional<double[]> middle = ofTemplate(level).map(RoughAlignment::centroid);
+        if (middle.isEmpty()) {
+            return Optional.empty();
+        }
+        double[] c = middle.get();
+        double[] across = {c[0] - 1, c[1], c[2], c[0] + 1, c[1], c[2]};
+        (onVertebrae.containsKey(level) ? onVertebrae.get(level) : map).apply(across);
+        double[] left = {across[3] - across[0], across[4] - across[1], across[5] - across[2]};
+        return vertebra(level, map).map(mesh -> {
+            double[] centre = RoughAlignment.centroid(mesh);
+            double[] above =
+                    vertebra(level - 1, map).map(RoughAlignment::centroid).orElse(centre);
+            double[] below =
+                    vertebra(level + 1, map).map(RoughAlignment::centroid).orElse(centre);
+            return new CostovertebralJoint.Vertebra(mesh, VertebralBody.of(mesh, left, Vectors.subtract(above, below)));
+        });
+    }
+
+    private Optional<TriangleMesh> ofTemplate(int level) {
+        return PatientBody.merged(
+                template.stream().filter(s -> s.kind() == StructureKind.VERTEBRA && s.level() == level));
     }
 
     /** A vertebra of the scan, or where it has none that of the placed template. */
@@ -138,9 +163,7 @@ final class BoneFit {
                 .filter(s -> s.level() == level)
                 .map(SharedStructure::scan)
                 .findFirst()
-                .or(() -> PatientBody.merged(
-                                template.stream().filter(s -> s.kind() == StructureKind.VERTEBRA && s.level() == level))
-                        .map(map::apply));
+                .or(() -> ofTemplate(level).map(map::apply));
     }
 
     private static int points(SurfacePair pair) {

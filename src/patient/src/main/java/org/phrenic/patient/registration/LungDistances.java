@@ -13,6 +13,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
+import org.phrenic.patient.LungOutline;
 
 /**
  * Area-weighted symmetric distances between the lungs of two bodies, mm. They are given for the whole surfaces and for

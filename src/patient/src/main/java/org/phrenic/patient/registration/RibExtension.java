@@ -1,43 +1,60 @@
 package org.phrenic.patient.registration;
 
-import java.util.Arrays;
-import org.phrenic.anatomy.cage.RibCourse;
+import java.util.ArrayList;
+import java.util.List;
 import org.phrenic.mesh.MeshQuality;
+import org.phrenic.mesh.Polyline;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.edit.Remesher;
 
 /**
  * Gives a rib that ends short of the spine its neck and head. The posterior part of its surface is stretched along a
- * course that runs on to the head: the neck of the placed template, shifted smoothly so that it begins where the rib
- * ends. Cross-sections keep their shape.
+ * course that runs on to the head. Cross-sections keep their shape.
  */
 final class RibExtension {
     /** Length of the rib of the scan that is stretched, mm. */
     private static final double STRETCHED_MM = 20;
+    /** Length of the rib whose middle line is that of the stump, mm; from there it bends to that of the rib. */
+    private static final double STRAIGHT_MM = 12;
+
+    private static final double TAIL_MM = 60;
+    /** Path of the first section that an oblique or hollow end leaves whole; it becomes that of the head, mm. */
+    private static final double SECTION_MM = 4;
+    /** Tip of a head beyond its middle, mm. */
+    private static final double TIP_MM = 2.5;
 
     private final TriangleMesh rib;
-    private final RibCourse scan;
-    private final double[] course;
-    private final double[] path;
-    /** Path of the scan's posterior end on the extended course, mm. */
+    private final RibFit fit;
+    private final double window;
+    /** Middle line of the scan's rib from its posterior end. */
+    private final Polyline course;
+    /** The same line, with the neck before it. */
+    private final Polyline extended;
+
     private final double added;
 
     private RibExtension(RibFit fit, TriangleMesh rib) {
         this.rib = rib;
-        scan = fit.scanCourse();
-        double[] neck = fit.neckCourse();
-        int joint = neck.length / 3 - 1;
-        int tail = (int) Math.ceil(scan.lengthMm() / 3);
-        course = Arrays.copyOf(neck, neck.length + 3 * tail);
-        for (int i = 1; i <= tail; i++) {
-            System.arraycopy(scan.at(scan.lengthMm() * i / tail), 0, course, 3 * (joint + i), 3);
+        this.fit = fit;
+        double length = fit.scanCourse().lengthMm();
+        window = Math.min(STRETCHED_MM, length / 3);
+        List<double[]> points = new ArrayList<>();
+        RibStump stump = fit.stump();
+        for (double s = 0; s <= Math.min(TAIL_MM, length); s += 1) {
+            double share = Math.max(0, Math.min(1, (s - STRAIGHT_MM) / STRAIGHT_MM));
+            double[] straight = Vectors.addScaled(stump.end(), stump.direction(), s);
+            points.add(Vectors.lerp(straight, fit.scanCourse().at(s), share));
         }
-        path = new double[course.length / 3];
-        for (int i = 1; i < path.length; i++) {
-            path[i] = path[i - 1] + Math.sqrt(Vectors.squaredDistance(course, i - 1, i));
+        course = new Polyline(points);
+        Polyline neck = Polyline.of(fit.neckCourse());
+        added = neck.length();
+        List<double[]> all = new ArrayList<>();
+        for (int i = 0; i < added; i++) {
+            all.add(neck.pointAt(i));
         }
-        added = path[joint];
+        all.addAll(points);
+        extended = new Polyline(all);
     }
 
     /** The surface of the rib with neck and head. */
@@ -48,35 +65,39 @@ final class RibExtension {
     }
 
     private TriangleMesh stretched() {
-        double window = Math.min(STRETCHED_MM, scan.lengthMm() / 3);
         double[] out = rib.positions().clone();
-        double[] stations = scan.stations();
+        double[] stations = fit.scanCourse().stations();
         for (int v = 0; v < stations.length; v++) {
-            if (stations[v] * scan.lengthMm() > window + STRETCHED_MM) {
+            if (stations[v] * fit.scanCourse().lengthMm() > window + STRETCHED_MM) {
                 continue;
             }
             double[] p = {rib.x(v), rib.y(v), rib.z(v)};
-            double at = project(p, window + STRETCHED_MM);
+            double at = project(p);
             if (at >= window) {
                 continue;
             }
-            double to = at <= 0 ? at : at * (window + added) / window;
-            double[] from = tangent(scan.at(at - 2), scan.at(at + 2));
-            double[] turned = RibNeck.turned(from, tangent(at(to - 2), at(to + 2)), Vectors.subtract(p, scan.at(at)));
-            double[] place = at(to);
-            for (int k = 0; k < 3; k++) {
-                out[3 * v + k] = place[k] + turned[k];
-            }
+            double to = at > SECTION_MM
+                    ? (at - SECTION_MM) * (window + added) / (window - SECTION_MM)
+                    : -TIP_MM * (1 - StrictMath.exp((at - SECTION_MM) / TIP_MM));
+            double[] turned =
+                    RibNeck.turned(tangent(course, at), tangent(extended, to), Vectors.subtract(p, course.pointAt(at)));
+            System.arraycopy(Vectors.addScaled(extended.pointAt(to), turned, roundness(to)), 0, out, 3 * v, 3);
         }
         return rib.withPositions(out);
     }
 
-    /** Path of the scan's course nearest to a point; negative before its posterior end. */
-    private double project(double[] p, double limit) {
+    /** Factor on the radius of a cross-section near the tip of the head, which is round. */
+    private static double roundness(double path) {
+        double toMiddle = Math.max(0, TIP_MM - path) / (2 * TIP_MM);
+        return Math.max(0.2, Math.sqrt(Math.max(0, 1 - toMiddle * toMiddle)));
+    }
+
+    /** Path of the course nearest to a point; negative before its posterior end. */
+    private double project(double[] p) {
         double best = 0;
         double least = Double.POSITIVE_INFINITY;
-        for (double s = -10; s <= limit; s += 0.5) {
-            double d = Vectors.distance(scan.at(s), p);
+        for (double s = -10; s <= window + STRETCHED_MM; s += 0.5) {
+            double d = Vectors.distance(course.pointAt(s), p);
             if (d < least) {
                 least = d;
                 best = s;
@@ -85,20 +106,7 @@ final class RibExtension {
         return best;
     }
 
-    private static double[] tangent(double[] a, double[] b) {
-        return Vectors.normalize(Vectors.subtract(b, a));
-    }
-
-    private double[] at(double pathMm) {
-        int i = 0;
-        while (i < path.length - 2 && path[i + 1] < pathMm) {
-            i++;
-        }
-        double t = (pathMm - path[i]) / Math.max(1e-9, path[i + 1] - path[i]);
-        double[] p = new double[3];
-        for (int k = 0; k < 3; k++) {
-            p[k] = course[3 * i + k] + t * (course[3 * i + 3 + k] - course[3 * i + k]);
-        }
-        return p;
+    private static double[] tangent(Polyline line, double at) {
+        return Vectors.normalize(Vectors.subtract(line.pointAt(at + 2), line.pointAt(at - 2)));
     }
 }

@@ -22,6 +22,7 @@ final class RibFit {
     private final SharedStructure shared;
     private final RibCourse rest;
     private final RibCourse scan;
+    private final RibStump stump;
     private final boolean posteriorCut;
     private final boolean anteriorCut;
     private final TrackedLine line;
@@ -45,6 +46,7 @@ final class RibFit {
         this.shared = shared;
         rest = RibCourse.of(shared.template(), shared.side());
         scan = RibCourse.of(shared.scan(), shared.side());
+        stump = RibStump.of(shared.scan(), scan);
         double[] ends = scan.line();
         posteriorCut = isCut(ends, 0);
         anteriorCut = isCut(ends, ends.length - 3);
@@ -103,25 +105,28 @@ final class RibFit {
         return neck.orElseThrow().course();
     }
 
+    /** Posterior end of the scan's rib. */
+    RibStump stump() {
+        return stump;
+    }
+
     /**
      * Finds the head, and with it how far the scan's rib ends short of it, if the scan does not cut the posterior end.
-     *
-     * @param spine places the template at the vertebra of the rib
      */
-    void findHead(PointTransform spine, CostovertebralJoint joint) {
+    void findHead(CostovertebralJoint joint) {
         if (!posteriorCut) {
-            neck = Optional.of(RibNeck.of(rest, spine, scan, joint));
+            neck = Optional.of(RibNeck.of(stump, joint));
         }
     }
 
-    /** Length of the course from the joint to the posterior end of the scan's rib, mm; empty if it is not known. */
+    /** Distance by which the scan's rib ends short of the joint along its own line, mm; empty if it is not known. */
     OptionalDouble gapMm() {
-        return neck.map(n -> OptionalDouble.of(n.lengthMm())).orElse(OptionalDouble.empty());
+        return neck.map(n -> OptionalDouble.of(n.gapMm())).orElse(OptionalDouble.empty());
     }
 
     /** Decides whether the rib ends short of the spine: by more than a limit. */
     void judge(double limitMm) {
-        neck.ifPresent(n -> missingMm = n.lengthMm() > limitMm ? n.lengthMm() : 0);
+        neck.ifPresent(n -> missingMm = n.gapMm() > limitMm ? n.lengthMm() : 0);
     }
 
     private static int nearest(double[] line, double[] p) {

@@ -2,8 +2,8 @@ package org.phrenic.anatomy.cage;
 
 import java.util.Arrays;
 import org.phrenic.anatomy.Side;
+import org.phrenic.mesh.Polyline;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.mesh.Vectors;
 
 /**
  * The course of a rib: its middle line from the posterior to the anterior end, found from its surface. Each vertex has
@@ -16,17 +16,14 @@ public final class RibCourse {
 
     private static final int SMOOTHINGS = 2;
 
-    private final double[] line;
-    private final double[] path;
+    private final double[] points;
+    private final Polyline line;
     private final double[] stations;
 
-    private RibCourse(double[] line, double[] stations) {
-        this.line = line;
+    private RibCourse(double[] points, double[] stations) {
+        this.points = points;
         this.stations = stations;
-        path = new double[line.length / 3];
-        for (int i = 1; i < path.length; i++) {
-            path[i] = path[i - 1] + Math.sqrt(Vectors.squaredDistance(line, i - 1, i));
-        }
+        line = Polyline.of(points);
     }
 
     /**
@@ -84,12 +81,12 @@ public final class RibCourse {
 
     /** Points of the middle line from the posterior to the anterior end; x, y, z in turn, mm. */
     public double[] line() {
-        return line.clone();
+        return points.clone();
     }
 
     /** Length of the middle line, mm. */
     public double lengthMm() {
-        return path[path.length - 1];
+        return line.length();
     }
 
     /** Station of each vertex as a fraction of the length, 0 at the posterior and 1 at the anterior end. */
@@ -99,15 +96,6 @@ public final class RibCourse {
 
     /** Point of the middle line at a path from the posterior end, mm; beyond an end the line goes on straight. */
     public double[] at(double pathMm) {
-        int i = 0;
-        while (i < path.length - 2 && path[i + 1] < pathMm) {
-            i++;
-        }
-        double t = (pathMm - path[i]) / Math.max(1e-9, path[i + 1] - path[i]);
-        double[] p = new double[3];
-        for (int k = 0; k < 3; k++) {
-            p[k] = line[3 * i + k] + t * (line[3 * i + 3 + k] - line[3 * i + k]);
-        }
-        return p;
+        return line.pointAt(pathMm);
     }
 }

@@ -3,8 +3,8 @@ package org.phrenic.anatomy.virtual;
 import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.anatomy.Side;
-import org.phrenic.anatomy.virtual.shape.Polyline;
 import org.phrenic.anatomy.virtual.shape.SmoothBlends;
+import org.phrenic.mesh.Polyline;
 import org.phrenic.mesh.Vectors;
 
 /** Centre lines of ribs and costal cartilages along the chest wall, and the middle line of the sternum. */

@@ -2,9 +2,9 @@ package org.phrenic.anatomy.virtual;
 
 import java.util.List;
 import java.util.function.DoubleFunction;
-import org.phrenic.anatomy.virtual.shape.Polyline;
 import org.phrenic.anatomy.virtual.shape.ProfileCurve;
 import org.phrenic.anatomy.virtual.shape.Tube;
+import org.phrenic.mesh.Polyline;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 

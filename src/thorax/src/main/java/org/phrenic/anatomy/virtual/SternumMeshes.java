@@ -5,10 +5,10 @@ import java.util.List;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
-import org.phrenic.anatomy.virtual.shape.Polyline;
 import org.phrenic.anatomy.virtual.shape.RingMesh;
 import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.anatomy.virtual.shape.Tube;
+import org.phrenic.mesh.Polyline;
 import org.phrenic.mesh.TriangleMesh;
 
 /** Meshes of the sternum and the costal cartilages with a given total number of vertices. */

@@ -1,6 +1,7 @@
 package org.phrenic.anatomy.virtual.shape;
 
 import java.util.Arrays;
+import org.phrenic.mesh.Polyline;
 import org.phrenic.mesh.Vectors;
 
 /**

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleToIntFunction;
+import org.phrenic.mesh.Polyline;
 import org.phrenic.mesh.TriangleMesh;
 
 /**

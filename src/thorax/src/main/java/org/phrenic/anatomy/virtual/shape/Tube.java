@@ -2,6 +2,7 @@ package org.phrenic.anatomy.virtual.shape;
 
 import java.util.function.DoubleFunction;
 import java.util.function.UnaryOperator;
+import org.phrenic.mesh.Polyline;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 

@@ -1,4 +1,4 @@
-package org.phrenic.patient.registration;
+package org.phrenic.patient;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -16,6 +16,7 @@ import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
+import org.phrenic.patient.registration.DiaphragmaticSurface;
 
 /** A lung that an oblique fissure divides into two lobes, which are open there and lie 3 mm apart. */
 class LungOutlineTest {

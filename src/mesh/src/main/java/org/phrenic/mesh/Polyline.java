@@ -1,8 +1,8 @@
-package org.phrenic.anatomy.virtual.shape;
+package org.phrenic.mesh;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
-import org.phrenic.mesh.Vectors;
 
 /** A densely sampled polyline, parametrised by arc length. */
 public final class Polyline {
@@ -15,6 +15,15 @@ public final class Polyline {
         for (int i = 1; i < arcLength.length; i++) {
             arcLength[i] = arcLength[i - 1] + Vectors.distance(points.get(i), points.get(i - 1));
         }
+    }
+
+    /** The polyline through points given as x, y, z in turn. */
+    public static Polyline of(double[] xyz) {
+        List<double[]> points = new ArrayList<>();
+        for (int i = 0; i < xyz.length; i += 3) {
+            points.add(Arrays.copyOfRange(xyz, i, i + 3));
+        }
+        return new Polyline(points);
     }
 
     /** Catmull-Rom spline with chord-length knots, sampled at {@code dense} points per span. */
@@ -48,11 +57,12 @@ public final class Polyline {
         return Vectors.lerp(Vectors.of(0, 0, 0), slope, 1 / (at[b] - at[a]));
     }
 
+    /** Length, mm. */
     public double length() {
         return arcLength[arcLength.length - 1];
     }
 
-    /** Point at an arc length from the start, mm. */
+    /** Point at an arc length from the start, mm; beyond an end the line goes on straight. */
     public double[] pointAt(double distance) {
         int low = 0;
         int high = arcLength.length - 1;
@@ -84,7 +94,7 @@ public final class Polyline {
         return Vectors.normalize(Vectors.subtract(pointAt(to), pointAt(from)));
     }
 
-    double[] first() {
+    public double[] first() {
         return points.get(0);
     }
 

@@ -1,4 +1,4 @@
-package org.phrenic.patient.registration;
+package org.phrenic.patient;
 
 import java.util.List;
 import java.util.Optional;
@@ -7,13 +7,12 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
-import org.phrenic.patient.SurfaceEnvelope;
 
 /**
  * The outer surface of a lung. Lobes touch at fissures, whose surfaces belong neither to the wall nor to the base of
  * the lung; of several lobes, closed or open at the fissures, the outline is the surface around all of them.
  */
-final class LungOutline {
+public final class LungOutline {
     /** Half of the widest gap between lobes, mm. */
     private static final double RADIUS_MM = 7.5;
 
@@ -23,7 +22,7 @@ final class LungOutline {
     private LungOutline() {}
 
     /** Outline of the lobes of one lung; a lung of one part is its own outline. Empty without a part. */
-    static Optional<TriangleMesh> of(Stream<Structure> lobes) {
+    public static Optional<TriangleMesh> of(Stream<Structure> lobes) {
         List<TriangleMesh> parts = lobes.map(Structure::mesh).toList();
         if (parts.size() < 2) {
             return parts.stream().findFirst();
