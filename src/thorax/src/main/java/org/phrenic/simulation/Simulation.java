@@ -108,6 +108,7 @@ public final class Simulation implements AutoCloseable {
             if (Double.isFinite(scenario.material().maxDisplacementMm())) {
                 stepper.boundDisplacement(scenario.material().maxDisplacementMm());
             }
+            ChestBox.confineLungs(scene, stepper);
             stepper.nameNodes(node -> NodeNames.of(scene, node));
             return new Simulation(scenario, scene, stepper, workers, limit, moved);
         } catch (RuntimeException e) {

@@ -1,5 +1,6 @@
 package org.phrenic.engine.integrator;
 
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.function.IntFunction;
 import org.phrenic.engine.ParticleSystem;
@@ -9,7 +10,8 @@ import org.phrenic.engine.parallel.Workers;
 /**
  * Detects divergence and keeps a checkpoint to restore. A state has diverged if a value is not finite or a node is
  * faster than {@code MAX_SPEED}; this is checked in every step. An optional bound on node displacement is checked every
- * {@value #STEPS_BETWEEN_MEASURES} steps, because a membrane that inflates without limit is never fast.
+ * {@value #STEPS_BETWEEN_MEASURES} steps, because a membrane that inflates without limit is never fast; so is an
+ * optional box that some nodes may not leave.
  */
 final class DivergenceGuard {
     /** Bound of the speed of a node, mm/s: ten times the roughly 1,000 mm/s of tissue in a cough. */
@@ -26,6 +28,8 @@ final class DivergenceGuard {
      * it.
      */
     private static final double CALM_REACH = 0.8;
+    /** Least distance from the sides of the box in an automatic checkpoint, mm. */
+    private static final double CALM_MARGIN_MM = 10;
     /**
      * Number of steps after a restored checkpoint in which displacement is not checked, so that outward motion can
      * reverse.
@@ -46,6 +50,11 @@ final class DivergenceGuard {
     private IntFunction<String> names = node -> "node " + node;
     private long measuredFrom;
     private double within;
+    /** Internal numbers of the nodes that may not leave the box; empty without a box. */
+    private int[] confined = {};
+
+    private double[] box = {};
+    private String boxName = "";
     private final Workers.Task measure = this::measure;
 
     DivergenceGuard(ParticleSystem system) {
@@ -60,6 +69,19 @@ final class DivergenceGuard {
         measuredFrom = 0;
         reference = system.positions().clone();
         maxDisplacement = mm;
+    }
+
+    /**
+     * Confines nodes to a box.
+     *
+     * @param nodes caller's numbers
+     * @param lowHigh least x, y, z, then greatest x, y, z, mm; may be infinite
+     * @param name of the box, in messages
+     */
+    void confine(int[] nodes, double[] lowHigh, String name) {
+        confined = Arrays.stream(nodes).map(system.layout()::internal).toArray();
+        box = lowHigh.clone();
+        boxName = name;
     }
 
     /** Names nodes in messages by their number in the caller's order. */
@@ -99,9 +121,14 @@ final class DivergenceGuard {
             measuredFrom = checkpointStep + STEPS_TO_TURN_ROUND;
             return describeFarthest();
         }
+        if (step >= measuredFrom && step % STEPS_BETWEEN_MEASURES == 0 && firstOutside(0) >= 0) {
+            measuredFrom = checkpointStep + STEPS_TO_TURN_ROUND;
+            return name(confined[firstOutside(0)]) + " is outside " + boxName;
+        }
         if (step - checkpointStep >= STEPS_BETWEEN_SNAPSHOTS
                 && isWithin(CALM_SPEED)
-                && isNear(CALM_REACH * maxDisplacement)) {
+                && isNear(CALM_REACH * maxDisplacement)
+                && firstOutside(CALM_MARGIN_MM) < 0) {
             checkpoint(step);
         }
         return null;
@@ -161,6 +188,20 @@ final class DivergenceGuard {
             all = squaredWay(n) <= within * within;
         }
         good[block] = all;
+    }
+
+    /** Index of the first confined node that is not within the box less a margin, mm; -1 if all are. */
+    private int firstOutside(double marginMm) {
+        double[] x = system.positions();
+        for (int i = 0; i < confined.length; i++) {
+            for (int axis = 0; axis < 3; axis++) {
+                double at = x[3 * confined[i] + axis];
+                if (!(at >= box[axis] + marginMm && at <= box[3 + axis] - marginMm)) {
+                    return i;
+                }
+            }
+        }
+        return -1;
     }
 
     private double squaredWay(int node) {

@@ -107,6 +107,17 @@ public final class Stepper {
     }
 
     /**
+     * Confines nodes to a box. A step after which one of them is outside counts as diverged.
+     *
+     * @param nodes caller's numbers
+     * @param lowHigh least x, y, z, then greatest x, y, z, mm; may be infinite
+     * @param name of the box, in messages, such as {@code the chest}
+     */
+    public void confine(int[] nodes, double[] lowHigh, String name) {
+        guard.confine(nodes, lowHigh, name);
+    }
+
+    /**
      * Names nodes in the messages of a divergence.
      *
      * @param names name of a node by its number in the caller's order; without them, {@code node 12}
