@@ -3,6 +3,7 @@ package org.phrenic.study.stability;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * Closed dome-shaped sheet of the synthetic stability cases: two triangulated faces, 60 mm high and 200 mm wide, joined
@@ -133,6 +134,52 @@ record DomeMesh(double[] positions, int[] triangles, int[] below, int[] rim) {
             made++;
         }
         return new DomeMesh(p, t, mesh.below, mesh.rim);
+    }
+
+    /** The regular mesh without the triangles of a ring half way out: an inner and an outer sheet, not connected. */
+    static DomeMesh disconnected(int rings) {
+        DomeMesh mesh = regular(rings);
+        double[] p = mesh.positions;
+        int[] kept = IntStream.range(0, mesh.triangles.length / 3)
+                .filter(f -> !crosses(p, mesh.triangles, f, 0.55 * RADIUS))
+                .flatMap(f -> IntStream.range(3 * f, 3 * f + 3))
+                .map(c -> mesh.triangles[c])
+                .toArray();
+        return new DomeMesh(p, kept, mesh.below, mesh.rim);
+    }
+
+    /** Whether a triangle has corners on both sides of a radius in plan. */
+    private static boolean crosses(double[] p, int[] triangles, int face, double radius) {
+        int inside = 0;
+        for (int c = 3 * face; c < 3 * face + 3; c++) {
+            inside += Math.hypot(p[3 * triangles[c]], p[3 * triangles[c] + 1]) < radius ? 1 : 0;
+        }
+        return inside == 1 || inside == 2;
+    }
+
+    /** The regular mesh with a fin on every tenth triangle: two more triangles on one of its edges, four in all. */
+    static DomeMesh nonManifold(int rings) {
+        DomeMesh mesh = regular(rings);
+        int[] t = mesh.triangles;
+        int fins = t.length / 30;
+        int nodes = mesh.positions.length / 3;
+        int[] triangles = Arrays.copyOf(t, t.length + 6 * fins);
+        double[] p = Arrays.copyOf(mesh.positions, 3 * (nodes + 2 * fins));
+        for (int fin = 0; fin < fins; fin++) {
+            int corner = 30 * fin;
+            for (int side = 0; side < 2; side++) {
+                int tip = nodes + 2 * fin + side;
+                for (int axis = 0; axis < 3; axis++) {
+                    p[3 * tip + axis] = mesh.positions[3 * t[corner + 2] + axis];
+                }
+                p[3 * tip + 2] += side == 0 ? RADIUS / rings : -RADIUS / rings;
+                int at = t.length + 6 * fin + 3 * side;
+                triangles[at] = t[corner];
+                triangles[at + 1] = t[corner + 1];
+                triangles[at + 2] = tip;
+            }
+        }
+        return new DomeMesh(p, triangles, mesh.below, mesh.rim);
     }
 
     private static DomeMesh closed(List<double[]> plan, List<int[]> faces, List<Integer> rim) {

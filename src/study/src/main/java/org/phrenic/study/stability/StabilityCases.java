@@ -9,10 +9,13 @@ import static org.phrenic.study.stability.StabilityMeasure.SHAPE;
 import static org.phrenic.study.stability.StabilityMeasure.SPEED_MM_S;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.material.RibRotation;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.scenario.Scenario;
@@ -44,7 +47,7 @@ final class StabilityCases {
     private final DomeMesh mesh;
     private final int rings;
     private final List<StabilityCase> cases = new ArrayList<>();
-    private Thorax thorax;
+    private final Map<String, Thorax> bodies = new HashMap<>();
 
     private StabilityCases(int rings) {
         this.rings = rings;
@@ -76,6 +79,10 @@ final class StabilityCases {
         dome("slivers", "slivers and triangles without area", 40, 4, near, slivers);
         DomeParameters coincident = new DomeParameters(DomeMesh.slivers(rings, true));
         dome("coincident", "triangles that have an edge without length", 40, 4, near, coincident);
+        DomeParameters apart = new DomeParameters(DomeMesh.disconnected(rings));
+        dome("disconnected", "a sheet of two pieces", 40, 4, near, apart);
+        DomeParameters fins = new DomeParameters(DomeMesh.nonManifold(rings));
+        dome("non-manifold", "edges of four triangles", 40, 4, near, fins);
         String contradiction = "three rigid links a pair that contradict each other";
         dome("links-conflict", contradiction, 20, 2, near, d -> d.conflictingLinks = true);
         String jump = "the rim thrown through its whole range in one step, and back";
@@ -123,6 +130,18 @@ final class StabilityCases {
         breathing("thorax-limp", "neither muscle nor pressure", 20, 2, near, "muscle=false", "pressure=false");
         String[] stiff = {"muscle_stiffness_n_per_m=3000", "tendon_stiffness_ratio=50", "damping_rate_per_s=0"};
         breathing("thorax-stiff", "muscle as stiff as the slider goes, no damping", 20, 2, near, stiff);
+        breathing("thorax-soft", "muscle ten times softer", 20, 1, near, "muscle_stiffness_n_per_m=30");
+        breathing("thorax-damping-0", "no damping", 20, 1, lively(), "damping_rate_per_s=0");
+        Scenario minute = scenario("preset=quiet");
+        String held60 = "a breath held for a minute at inspiration";
+        thorax("thorax-held-minute", held60, 70, 2, 0, near, minute, duration -> new HeldMinute());
+        // What users run: lungs, sternum and liver; the female body; a deep breath.
+        String[] whole = {"lungs=springs", "sternum=springs", "liver=true"};
+        String[] female = {"lungs=springs", "sternum=springs", "liver=true", "anatomy=virtual/adult-female"};
+        String[] wholeDeep = {"lungs=springs", "sternum=springs", "liver=true", "preset=deep"};
+        breathing("thorax-whole", "lungs, sternum and liver", 40, 0.5, FAST, whole);
+        breathing("thorax-whole-female", "the same, the female body", 40, 0.5, FAST, female);
+        breathing("thorax-whole-deep", "lungs, sternum and liver, deep breaths", 40, 0.5, FAST, wholeDeep);
         // Verlet at 1/8 and at 1/12 of the step differ by 0.4 mm, 3 % of the excursion, up to 1.2 s. Then the sheet
         // snaps through. The time of the snap depends on the step, and single nodes reach 1,400 mm/s at any step.
         String[] deep = {"preset=deep", "depth=2", "muscle_activation=0.8", "rib_rotation=1.5"};
@@ -138,6 +157,26 @@ final class StabilityCases {
         // (docs/stability.md). The rest shape is therefore measured after the breath is stopped.
         StabilityBounds steady = near.with(DRIFT_MM, 0.1);
         breathing("hour-paper", "the same with the paper's material", 3600, 2, steady, "material=paper");
+    }
+
+    private static StabilityBounds lively() {
+        return StabilityBounds.BODY.with(KINETIC_FACTOR, 4);
+    }
+
+    /** Holds the breath for a minute, from 1.6 s on. */
+    private static final class HeldMinute implements Consumer<Simulation> {
+        private static final double FROM_S = 1.6;
+        private static final double HELD_S = 60;
+        private int done;
+
+        @Override
+        public void accept(Simulation simulation) {
+            boolean due = simulation.time() >= (done == 0 ? FROM_S : FROM_S + HELD_S) - 1e-9;
+            if (due && done < 2) {
+                done++;
+                simulation.change(List.of(ThoraxScene.assignment(Breathing.HOLD, done == 1)));
+            }
+        }
     }
 
     /** Switches the ribs' rotation between the ends of its range every other second, as a slider permits. */
@@ -183,7 +222,7 @@ final class StabilityCases {
                     ? scenario.timeStepS()
                     : Math.min(usual, scenario.timeStepS()) * THORAX_REFINEMENT_DIVISOR / refinement;
             Scenario refined = scenario.with("integrator=" + integrator.label(), "time_step_s=" + dt);
-            return new ThoraxScene(refined, body(), interventions.apply(duration));
+            return new ThoraxScene(refined, body(refined), interventions.apply(duration));
         };
         cases.add(new StabilityCase(key, title, bounds, factory, durationS, quickS, periodS, THORAX_REFERENCE_S));
     }
@@ -192,10 +231,7 @@ final class StabilityCases {
         return Scenario.defaults().with(DIAPHRAGM_ALONE).with(settings);
     }
 
-    private synchronized Thorax body() {
-        if (thorax == null) {
-            thorax = SimulationRun.loadThorax(scenario());
-        }
-        return thorax;
+    private synchronized Thorax body(Scenario scenario) {
+        return bodies.computeIfAbsent(scenario.anatomy(), name -> SimulationRun.loadThorax(scenario));
     }
 }
