@@ -54,6 +54,8 @@ public final class EndExpiration {
     private static final double WITH_DOMES_MM = 100;
 
     private static final double FADE_MM = 200;
+    /** Greatest descent of a dome in a deep breath, mm: 5 to 10 cm. */
+    private static final double GREATEST_MM = 100;
     /** Greatest descent as a share of the height of the lungs above their bases. */
     private static final double GREATEST_SHARE = 0.6;
 
@@ -108,7 +110,7 @@ public final class EndExpiration {
         apex = lungs.stream().mapToDouble(s -> s.mesh().bounds()[5]).max().orElseThrow();
         List<double[]> base = lungs.stream().flatMap(s -> base(s.mesh())).toList();
         // The domes of an inspired lung stand in front, where less than the whole descent is taken back.
-        double greatest = GREATEST_SHARE * (apex - domes);
+        double greatest = Math.min(GREATEST_MM, GREATEST_SHARE * (apex - domes));
         rise = Math.min(level.descentMm(), greatest);
         double top = top(base);
         for (int i = 0; i < RISE_ROUNDS; i++) {
@@ -272,7 +274,9 @@ public final class EndExpiration {
     }
 
     /** Least and greatest x, least and greatest y of the cage at a height, mm. */
-    private static double[] extent(CageEnvelope cage, double z) {
+    private double[] extent(CageEnvelope cage, double height) {
+        // Higher up, where ribs 1 to 3 close the cage, the breadth at the domes counts.
+        double z = Math.min(height, domes + rise);
         double[] box = {cage.x(z), cage.x(z), cage.y(z), cage.y(z)};
         for (int i = 0; i < CageEnvelope.SECTORS; i += SECTOR_STEP) {
             double azimuth = CageEnvelope.azimuth(i);
