@@ -25,7 +25,8 @@ import picocli.CommandLine.ParameterException;
             BenchSpeedCommand.class,
             BenchErrorCommand.class,
             BenchStabilityCommand.class,
-            BenchBodiesCommand.class
+            BenchBodiesCommand.class,
+            BenchFitsCommand.class
         },
         synopsisSubcommandLabel = "[COMMAND]",
         footer = {

@@ -16,6 +16,7 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.file.BadInputException;
 import org.phrenic.fit.Fit;
+import org.phrenic.fit.FitHalf;
 import org.phrenic.fit.FitReport;
 import org.phrenic.fit.FitResult;
 import org.phrenic.fit.FitSetup;
@@ -56,6 +57,7 @@ import picocli.CommandLine.Parameters;
         })
 final class FitCommand extends ReportingCommand {
     private static final String HALF = "half";
+    private static final String OTHER_HALF = "other-half";
     private static final double MINUTE_S = 60;
 
     @Parameters(
@@ -83,7 +85,8 @@ final class FitCommand extends ReportingCommand {
             names = "--hold-out",
             paramLabel = "WHAT",
             description =
-                    "Fit without it and report on it: the part of a target, or half, every other square of 40 mm.")
+                    "Fit without it and report on it: the part of a target; half, every other square of 40 mm of all "
+                            + "surfaces; or other-half, the other squares.")
     private List<String> heldOut = new ArrayList<>();
 
     @Option(
@@ -159,8 +162,8 @@ final class FitCommand extends ReportingCommand {
                 .map(t -> Path.of(t.substring(t.indexOf('=') + 1)))
                 .toList());
         Optional<Landmarks> inside = Optional.ofNullable(landmarks).map(file -> Landmarks.read(file, alignment));
-        FitSetup.Options options = new FitSetup.Options(
-                heldOut.contains(HALF), alignment.sentence(), search, threads(), !noSensitivity, inside);
+        FitSetup.Options options =
+                new FitSetup.Options(half(), alignment.sentence(), search, threads(), !noSensitivity, inside);
         FitSetup setup = new FitSetup(base, body, read, parameters, options);
         body.notes().forEach(printer::note);
         FitResult result = Fit.run(setup, out.resolve("journal.csv"), printer);
@@ -201,6 +204,13 @@ final class FitCommand extends ReportingCommand {
         return ExitCode.SUCCESS;
     }
 
+    private FitHalf half() {
+        if (heldOut.contains(HALF) && heldOut.contains(OTHER_HALF)) {
+            throw new BadInputException("--hold-out: found " + HALF + " and " + OTHER_HALF + ", expected one of them");
+        }
+        return heldOut.contains(HALF) ? FitHalf.EVEN : heldOut.contains(OTHER_HALF) ? FitHalf.ODD : FitHalf.ALL;
+    }
+
     private int threads() {
         return OptionValues.threads(threads, 1);
     }
@@ -229,7 +239,7 @@ final class FitCommand extends ReportingCommand {
         list.replaceAll(t -> isHeldOut(t.part().label()) ? t.withWeight(0) : t);
         List<String> parts = list.stream().map(t -> t.part().label()).toList();
         for (String what : heldOut) {
-            if (!what.equals(HALF) && !parts.contains(what)) {
+            if (!what.equals(HALF) && !what.equals(OTHER_HALF) && !parts.contains(what)) {
                 throw new BadInputException("--hold-out " + what + ": found no such target, expected " + HALF
                         + " or the part of a --target");
             }

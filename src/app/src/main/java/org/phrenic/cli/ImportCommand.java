@@ -72,8 +72,9 @@ final class ImportCommand extends ReportingCommand {
     @Option(
             names = "--labels",
             paramLabel = "MAP",
-            description = "Which label is which structure: a CSV file, or totalsegmentator. Without it, the volume's "
-                    + "own names, or TotalSegmentator's numbers where they fit.")
+            description =
+                    "Which label is which structure: a CSV file, totalsegmentator, or lungs (label 1 is both lungs). "
+                            + "Without it, the volume's own names, or TotalSegmentator's numbers where they fit.")
     private String labels;
 
     @Option(names = "--out", paramLabel = "DIR", required = true, description = "The thorax folder to write.")

@@ -76,7 +76,7 @@ public final class Fit {
                             threads,
                             this::evaluate,
                             (count, best) -> progress.evaluated(count, settings.maxEvaluations(), best, initial))
-                    .run(first.hasGradient() ? this::candidates : null);
+                    .run(initial, first.hasGradient() ? this::candidates : null);
             return result(first, initial, found, begun);
         } finally {
             objectives.forEach(FitObjective::close);
@@ -191,15 +191,16 @@ public final class Fit {
         double bestMm = objective.currentMm();
         String hash = breath.stateHash();
         Scenario scenario = InspiratoryHold.scenario(setup.base(), setup.parameters(), values);
-        boolean held = setup.options().holdOutHalf();
+        FitHalf half = setup.options().half();
+        boolean held = half != FitHalf.ALL;
         List<FitResult.TargetResult> targets = objective.distances().stream()
                 .map(d -> new FitResult.TargetResult(
                         d.target(),
                         d.atRest(FitHalf.ALL),
                         d.of(breath, FitHalf.ALL),
-                        held ? d.atRest(FitHalf.HELD_OUT) : null,
-                        held ? d.of(breath, FitHalf.HELD_OUT) : null,
-                        held ? d.of(breath, FitHalf.FITTED) : null))
+                        held ? d.atRest(half.other()) : null,
+                        held ? d.of(breath, half.other()) : null,
+                        held ? d.of(breath, half) : null))
                 .toList();
         Map<String, Double> observed = new LinkedHashMap<>();
         Observation.COLUMNS.forEach(column -> observed.put(column, breath.observed(column)));

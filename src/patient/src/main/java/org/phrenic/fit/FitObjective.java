@@ -24,7 +24,7 @@ final class FitObjective implements AutoCloseable {
     private List<DistanceGradient> gradients = List.of();
 
     FitObjective(FitSetup setup) {
-        half = setup.fittedHalf();
+        half = setup.options().half();
         breath = new InspiratoryHold(setup.base().with("threads=1"), setup.thorax(), setup.parameters());
         distances = setup.targets().stream()
                 .map(t -> new TargetDistance(t, breath.surfaces()))

@@ -23,28 +23,27 @@ public record FitSetup(
     /**
      * Options of a fit.
      *
-     * @param holdOutHalf whether only one half of every surface is fitted; the other half is only reported
+     * @param half part of every surface that is fitted; the rest is only reported
      * @param alignment how the targets were aligned with the axes of the body, as a sentence
      * @param threads number of bodies simulated in parallel; the result does not depend on it
      * @param landmarks pairs of points inside the lungs to report on
      * @param sensitivity whether the effect of each parameter near the fitted values is reported
      */
     public record Options(
-            boolean holdOutHalf,
+            FitHalf half,
             String alignment,
             FitSearch.Settings search,
             int threads,
             boolean sensitivity,
             Optional<Landmarks> landmarks) {
         /** Options without landmarks. */
-        public Options(
-                boolean holdOutHalf, String alignment, FitSearch.Settings search, int threads, boolean sensitivity) {
-            this(holdOutHalf, alignment, search, threads, sensitivity, Optional.empty());
+        public Options(FitHalf half, String alignment, FitSearch.Settings search, int threads, boolean sensitivity) {
+            this(half, alignment, search, threads, sensitivity, Optional.empty());
         }
 
         /** Options for targets that are already aligned with the body, without a held-out half. */
         public Options(FitSearch.Settings search, int threads, boolean sensitivity) {
-            this(false, TargetAlignment.NONE.sentence(), search, threads, sensitivity);
+            this(FitHalf.ALL, TargetAlignment.NONE.sentence(), search, threads, sensitivity);
         }
     }
 
@@ -64,11 +63,6 @@ public record FitSetup(
         return options.search.population(parameters.size());
     }
 
-    /** The half of the surfaces that is fitted. */
-    FitHalf fittedHalf() {
-        return options.holdOutHalf ? FitHalf.FITTED : FitHalf.ALL;
-    }
-
     /** Hash of all inputs that affect the values of the search. It identifies the journal of a fit. */
     String fingerprint() {
         StringBuilder text = new StringBuilder();
@@ -80,8 +74,8 @@ public record FitSetup(
             }
         });
         parameters.forEach(p -> text.append(text(p) + "\n"));
-        text.append(options.holdOutHalf + " " + options.search.seed() + " " + populationSize() + " "
-                + options.search.sigma() + " retries; compared at " + InspiratoryHold.SEARCHED_AT_S);
+        text.append(options.half + " " + options.search.seed() + " " + populationSize() + " " + options.search.sigma()
+                + " retries; compared at " + InspiratoryHold.SEARCHED_AT_S);
         List<double[]> arrays = new ArrayList<>();
         for (FitTarget target : targets) {
             text.append("\n" + target.name() + " " + target.part() + " " + target.weight());

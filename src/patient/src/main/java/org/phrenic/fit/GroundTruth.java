@@ -2,8 +2,10 @@ package org.phrenic.fit;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Random;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.Decimator;
@@ -46,6 +48,26 @@ public record GroundTruth(List<FitTarget> targets, double domeRightMm, double do
     /** Like {@link #of(SyntheticPatient, Resolution, double, long)}, with a choice of visible parts. */
     static GroundTruth of(
             SyntheticPatient patient, Resolution resolution, List<FitPart> parts, double noiseMm, long seed) {
+        return of(
+                patient.body(resolution),
+                List.of(
+                        "anatomy=" + patient.anatomy(),
+                        "resolution=" + resolution.name().toLowerCase(Locale.ROOT)),
+                patient.hidden(),
+                parts,
+                noiseMm,
+                seed);
+    }
+
+    /**
+     * Simulates a breath of any body.
+     *
+     * @param of settings of a scenario that name body and resolution
+     * @param hidden settings of the breath
+     * @throws org.phrenic.engine.integrator.DivergenceException if the body does not bear that breath
+     */
+    public static GroundTruth of(
+            Thorax body, List<String> of, List<String> hidden, List<FitPart> parts, double noiseMm, long seed) {
         List<String> settings = new ArrayList<>(List.of(
                 "preset=deep",
                 "time_step_s=" + STEP_S,
@@ -54,14 +76,13 @@ public record GroundTruth(List<FitTarget> targets, double domeRightMm, double do
                 "tendon=plane",
                 "links_per_node=2",
                 "sternum=kinematic",
-                "threads=1",
-                "anatomy=" + patient.anatomy(),
-                "resolution=" + resolution.name().toLowerCase(java.util.Locale.ROOT)));
-        settings.addAll(patient.hidden());
+                "threads=1"));
+        settings.addAll(of);
+        settings.addAll(hidden);
         Scenario scenario = Scenario.defaults()
                 .with(settings.toArray(String[]::new))
                 .withChanges(List.of(ScheduledChange.parse(STOP_STEP + ":hold=true")));
-        try (Simulation simulation = Simulation.of(scenario, patient.body(resolution))) {
+        try (Simulation simulation = Simulation.of(scenario, body)) {
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
             while (simulation.steps() < STEPS) {
                 simulation.step();

@@ -23,7 +23,8 @@ public record LandmarkTable(Landmarks.Errors errors) {
                 row("as scanned", errors.scanned()),
                 row("scans aligned: no model", errors.rigid()),
                 row("aligned, less the mean displacement", errors.rigidLessMean()),
-                row("moved as the nearest surface", errors.nearest()),
+                row("moved as the nearest surface", errors.bySurface().nearest()),
+                row("attached to the fitted surface", errors.bySurface().attached()),
                 row("carried by the fitted lung", errors.fitted()),
                 row("carried, less the mean error", errors.fittedLessMean()));
     }
@@ -57,7 +58,8 @@ public record LandmarkTable(Landmarks.Errors errors) {
                 .with("as_scanned", FitReport.values(errors.scanned()))
                 .with("aligned", FitReport.values(errors.rigid()))
                 .with("aligned_less_mean", FitReport.values(errors.rigidLessMean()))
-                .with("nearest_surface", FitReport.values(errors.nearest()))
+                .with("nearest_surface", FitReport.values(errors.bySurface().nearest()))
+                .with("attached", FitReport.values(errors.bySurface().attached()))
                 .with("fitted", FitReport.values(errors.fitted()))
                 .with("fitted_less_mean", FitReport.values(errors.fittedLessMean()))
                 .with("shift_by_alignment_mm", errors.shifts().byAlignment())

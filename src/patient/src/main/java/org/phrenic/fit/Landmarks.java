@@ -31,8 +31,8 @@ public record Landmarks(double[] from, double[] scanned, RigidMotion motion) {
      * @param scanned distance between the two points of a pair as scanned
      * @param rigid the same after the rigid alignment of the scans: the error without a model
      * @param rigidLessMean the same after their mean displacement was subtracted as well
-     * @param nearest error if each point is displaced as the nearest point of the lung's surface
-     * @param fitted error if each point is carried by its lung ({@link MovingLeastSquares})
+     * @param bySurface errors if each point follows the surface of its lung
+     * @param fitted error if each point is carried by its lung, which slides ({@link SlidingElasticSolid})
      * @param fittedLessMean the same after the mean error vector was subtracted
      * @param shifts mean displacements
      */
@@ -40,7 +40,7 @@ public record Landmarks(double[] from, double[] scanned, RigidMotion motion) {
             DistanceSummary scanned,
             DistanceSummary rigid,
             DistanceSummary rigidLessMean,
-            DistanceSummary nearest,
+            BySurface bySurface,
             DistanceSummary fitted,
             DistanceSummary fittedLessMean,
             Shifts shifts) {
@@ -49,6 +49,14 @@ public record Landmarks(double[] from, double[] scanned, RigidMotion motion) {
             return fitted.mean() / rigid.mean();
         }
     }
+
+    /**
+     * Errors of points that follow the surface of a lung, mm.
+     *
+     * @param nearest error if each point is displaced as the nearest point of the lung's surface
+     * @param attached error if each point follows the vertices of its lung's surface ({@link MovingLeastSquares})
+     */
+    public record BySurface(DistanceSummary nearest, DistanceSummary attached) {}
 
     /**
      * Mean displacements of the points, mm.
@@ -106,9 +114,11 @@ public record Landmarks(double[] from, double[] scanned, RigidMotion motion) {
             }
         }
         double[] carried = new double[from.length];
+        double[] attached = new double[from.length];
         double[] beside = new double[from.length];
         for (int s = 0; s < rest.size(); s++) {
             TriangleTree tree = new TriangleTree(rest.get(s));
+            SlidingElasticSolid solid = new SlidingElasticSolid(rest.get(s), now.get(s));
             for (int i = 0; i < lungs.length; i++) {
                 if (lungs[i] == s) {
                     double[] place = Arrays.copyOfRange(from, 3 * i, 3 * i + 3);
@@ -116,7 +126,8 @@ public record Landmarks(double[] from, double[] scanned, RigidMotion motion) {
                             MovingLeastSquares.coefficients(rest.get(s).positions(), place);
                     double[] at =
                             MovingLeastSquares.position(weights, now.get(s).positions());
-                    System.arraycopy(at, 0, carried, 3 * i, 3);
+                    System.arraycopy(at, 0, attached, 3 * i, 3);
+                    System.arraycopy(solid.moved(place), 0, carried, 3 * i, 3);
                     System.arraycopy(withNearest(tree, rest.get(s), now.get(s), place), 0, beside, 3 * i, 3);
                 }
             }
@@ -128,7 +139,7 @@ public record Landmarks(double[] from, double[] scanned, RigidMotion motion) {
                 summary(scanned, from, false),
                 summary(aligned, from, false),
                 summary(aligned, from, true),
-                summary(aligned, beside, false),
+                new BySurface(summary(aligned, beside, false), summary(aligned, attached, false)),
                 summary(aligned, carried, false),
                 summary(aligned, carried, true),
                 new Shifts(mean(aligned, scanned), mean(aligned, from), outside));

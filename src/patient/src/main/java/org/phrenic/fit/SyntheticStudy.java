@@ -103,7 +103,7 @@ public record SyntheticStudy(List<Case> cases) {
                     FitTarget.withBases(truth.targets()),
                     FitParameter.defaults(base),
                     new FitSetup.Options(
-                            false, "none: both levels are of one body in one place", search, threads, false));
+                            FitHalf.ALL, "none: both levels are of one body in one place", search, threads, false));
             FitResult result = Fit.run(setup, folder.resolve("journal-" + number + ".csv"), progress);
             cases.add(new Case(patient, truth, result));
         }

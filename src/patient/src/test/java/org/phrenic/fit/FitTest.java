@@ -112,11 +112,11 @@ class FitTest {
             DistanceSummary compared =
                     SurfaceComparison.of(rest, target.surface()).byArea();
             assertThat(distance.atRest(FitHalf.ALL).mean()).isCloseTo(compared.mean(), offset(1e-9));
-            assertThat(distance.mean(rest.positions(), FitHalf.FITTED))
-                    .isCloseTo(distance.atRest(FitHalf.FITTED).mean(), offset(1e-9));
+            assertThat(distance.mean(rest.positions(), FitHalf.EVEN))
+                    .isCloseTo(distance.atRest(FitHalf.EVEN).mean(), offset(1e-9));
             assertThat(distance.atRest(FitHalf.ALL).summary().percentile95())
                     .isCloseTo(compared.percentile95(), offset(1e-9));
-            assertThat(weight(distance, FitHalf.FITTED) + weight(distance, FitHalf.HELD_OUT))
+            assertThat(weight(distance, FitHalf.EVEN) + weight(distance, FitHalf.ODD))
                     .isCloseTo(weight(distance, FitHalf.ALL), offset(1e-6));
 
             breath.breatheIn(new double[] {0.3, 1, 0.5});

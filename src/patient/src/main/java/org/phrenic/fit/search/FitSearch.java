@@ -79,6 +79,9 @@ public final class FitSearch {
     /** Drives of the attempts at the first breath, from which the search starts. */
     private static final double[] FIRST_DRIVES = {1, 0.7, 0.4, 0.2, 0.1, 0.05};
 
+    /** Drives of the breaths from which the search starts where the first one is too deep. */
+    private static final double[] WEAKER = {0.7, 0.4, 0.2};
+
     /** Receives evaluations one at a time. */
     public interface Listener {
         void evaluated(int count, double best);
@@ -138,20 +141,30 @@ public final class FitSearch {
     }
 
     /**
-     * Runs the search from the start values of the parameters.
+     * Runs the search from the start values of the parameters. A first breath that is farther from the target than the
+     * body at rest is too deep: less drive is tried, and the search starts from the best.
      *
+     * @param restMm objective value of the body at rest, mm
      * @param solver solver of the Gauss-Newton subproblem; null to use CMA-ES only
      */
-    public Result run(GaussNewtonSearch.SubproblemSolver solver) {
+    public Result run(double restMm, GaussNewtonSearch.SubproblemSolver solver) {
         GaussNewtonSearch descent = new GaussNewtonSearch(
                 space.parameters().size(),
                 (first, points) -> isAllowed(first, points.size()) ? evaluate(first, points, true) : List.of(),
                 solver);
-        List<Evaluation> trials = solver == null ? new ArrayList<>() : descent.run(space.startPoint());
+        List<Evaluation> trials = solver == null
+                ? new ArrayList<>()
+                : descent.run(space.startPoint(), weaker(space.startPoint()), restMm);
         if (ending == Ending.CONVERGED) {
             refine(trials);
         }
         return new Result(trials, ending.label, descent.model());
+    }
+
+    private List<double[]> weaker(double[] start) {
+        return Arrays.stream(WEAKER)
+                .mapToObj(drive -> space.withDrive(start, drive))
+                .toList();
     }
 
     /** Continues with CMA-ES. Its first point is the best of the descent, whose value is already known. */

@@ -54,13 +54,28 @@ public final class GaussNewtonSearch {
         model = new LinearShapeModel(dimension);
     }
 
-    /** Runs the search. Returns all evaluations in order, without shapes, or only the start if it has no shape. */
+    /** Runs the search from one point. */
     List<Evaluation> run(double[] start) {
+        return run(start, List.of(), Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * Runs the search. Returns all evaluations in order, without shapes, or only the start if it has no shape.
+     *
+     * @param others further points to start from, which are evaluated if the value at the start exceeds a limit; the
+     *     search then starts from the best
+     */
+    List<Evaluation> run(double[] start, List<double[]> others, double limit) {
         List<Evaluation> first = evaluate(List.of(start));
         if (first.isEmpty() || !first.get(0).hasShape()) {
             return trials;
         }
         best = first.get(0);
+        if (best.value() > limit) {
+            evaluate(others).stream()
+                    .filter(e -> e.hasShape() && e.value() < best.value())
+                    .forEach(e -> best = e);
+        }
         double radius = INITIAL_RADIUS;
         for (int round = 0; round < MAX_LINEARISATIONS; round++) {
             double before = best.value();

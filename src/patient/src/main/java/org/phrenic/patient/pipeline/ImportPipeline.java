@@ -2,6 +2,7 @@ package org.phrenic.patient.pipeline;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.BadInputException;
@@ -59,6 +60,9 @@ public final class ImportPipeline {
             return guess.require(request.file().toString());
         }
         String labels = request.labels().get();
+        if (labels.equals(LabelTable.LUNGS)) {
+            return new LabelTable(Map.of(1, LabelTable.LUNGS));
+        }
         return labels.equals(LabelTable.TOTALSEGMENTATOR)
                 ? LabelTable.totalSegmentator(volume)
                 : LabelTable.read(Path.of(labels), volume);

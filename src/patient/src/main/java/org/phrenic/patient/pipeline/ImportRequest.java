@@ -11,7 +11,8 @@ import org.phrenic.mesh.io.volume.LabelVolume;
  *
  * @param file the label volume
  * @param name name of the body
- * @param labels label table: a CSV file or {@code totalsegmentator}; empty uses the names in the volume
+ * @param labels label table: a CSV file, {@code totalsegmentator}, or {@code lungs} for a mask of both lungs; empty
+ *     guesses
  * @param edgeMm edge length of the triangles, mm; empty uses a length by structure (see
  *     {@link org.phrenic.patient.ScanImport})
  * @param geometry correction of the volume's axes and spacing; the identity where the file states them correctly

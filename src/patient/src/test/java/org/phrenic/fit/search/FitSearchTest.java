@@ -47,7 +47,7 @@ class FitSearchTest {
                         threads,
                         work,
                         (count, best) -> {})
-                .run(null);
+                .run(Double.POSITIVE_INFINITY, null);
     }
 
     private static void assertSame(FitSearch.Result found, FitSearch.Result expected) {

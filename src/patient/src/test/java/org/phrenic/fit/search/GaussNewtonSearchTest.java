@@ -65,6 +65,26 @@ class GaussNewtonSearchTest {
     }
 
     @Test
+    void startsFromTheBestOfSeveralPointsWhereTheFirstIsBeyondTheLimit() {
+        List<double[]> others = List.of(new double[] {0.5, 0.5, 0.5}, WHERE.clone(), new double[] {0, 0, 0});
+        for (boolean beyond : new boolean[] {true, false}) {
+            double[] start = {0.9, 0.2, 0.9};
+            double value = distance(shape(start), shape(WHERE));
+            List<Evaluation> trials = new GaussNewtonSearch(
+                            3,
+                            (first, points) -> first > 3
+                                    ? List.of()
+                                    : points.stream()
+                                            .map(p -> new Evaluation(p, distance(shape(p), shape(WHERE)), shape(p)))
+                                            .toList(),
+                            GaussNewtonSearchTest::ways)
+                    .run(start, others, beyond ? value / 2 : 2 * value);
+            assertThat(trials).hasSize(4);
+            assertThat(trials.stream().anyMatch(e -> e.value() == 0)).isEqualTo(beyond);
+        }
+    }
+
+    @Test
     void comesDownInFewBreaths() {
         List<Evaluation> trials = new GaussNewtonSearch(
                         3,

@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.Resolution;
@@ -16,7 +15,7 @@ import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
 import org.phrenic.fit.Fit;
-import org.phrenic.fit.FitPart;
+import org.phrenic.fit.FitHalf;
 import org.phrenic.fit.FitProgress;
 import org.phrenic.fit.FitResult;
 import org.phrenic.fit.FitSetup;
@@ -25,19 +24,10 @@ import org.phrenic.fit.GroundTruth;
 import org.phrenic.fit.SyntheticPatient;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.fit.search.FitSearch;
-import org.phrenic.mesh.io.volume.LabelVolume;
-import org.phrenic.mesh.io.volume.LabelVolumeFiles;
-import org.phrenic.patient.MeshingSettings;
-import org.phrenic.patient.PatientBody;
-import org.phrenic.patient.ScanImport;
-import org.phrenic.patient.diaphragm.DiaphragmCompletion;
-import org.phrenic.patient.registration.BodyCompletion;
-import org.phrenic.patient.registration.ScanAlignment;
 import org.phrenic.patient.segmentation.GeometryOverride;
-import org.phrenic.patient.segmentation.LabelGuess;
-import org.phrenic.patient.segmentation.LabelTable;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.simulation.SimulationRun;
+import org.phrenic.study.fit.PatientImport;
+import org.phrenic.study.fit.PatientScans;
 
 /**
  * The paper's patient study on public scans: import of both breath levels, rigid alignment, and a short fit at low
@@ -71,18 +61,18 @@ public final class PatientStudy {
      */
     public List<PatientCase> of(List<PatientScans> scans, Optional<String> axes) {
         int count = Math.min(quick ? 1 : MAX_PATIENTS, scans.size());
-        List<BatchRunner.Job<Imported>> imports = new ArrayList<>();
+        List<BatchRunner.Job<PatientImport>> imports = new ArrayList<>();
         for (PatientScans pair : scans.subList(0, count)) {
             imports.add(new BatchRunner.Job<>(pair.name(), () -> imported(pair, axes)));
         }
         List<PatientCase> cases = new ArrayList<>();
-        for (Imported patient : BatchRunner.run(imports, THREADS, (done, of, what) -> {})) {
+        for (PatientImport patient : BatchRunner.run(imports, THREADS, (done, of, what) -> {})) {
             progress.note(patient.name() + ": a fit of " + evaluations() + " breaths");
             FitResult fit = fit(
                     Scenario.defaults().with("preset=deep", "resolution=low"),
                     patient.body(),
                     FitTarget.withBases(patient.targets()),
-                    patient.alignment());
+                    patient.alignment().sentence());
             cases.add(new PatientCase(
                     patient.name(), "CT, two breath holds", false, patient.body(), patient.notes(), fit));
             progress.done(cases.size(), count, patient.name());
@@ -90,52 +80,9 @@ public final class PatientStudy {
         return cases;
     }
 
-    /** A patient imported from two scans, before tuning. */
-    private record Imported(String name, Thorax body, List<FitTarget> targets, String alignment, List<String> notes) {}
-
-    private Imported imported(PatientScans pair, Optional<String> axes) {
+    private PatientImport imported(PatientScans pair, Optional<String> axes) {
         progress.note(pair.name() + ": import of both breath levels");
-        Thorax template = SimulationRun.loadThorax(Scenario.defaults());
-        PatientBody expired = DiaphragmCompletion.complete(
-                BodyCompletion.complete(imported(pair.expiration(), axes, pair.name()), template));
-        if (!expired.canBreathe()) {
-            throw new BadInputException(
-                    pair.expiration() + ": found no whole lung, expected lungs to make a body from");
-        }
-        Thorax body = expired.thorax();
-        ScanAlignment.Aligned aligned;
-        try {
-            aligned = ScanAlignment.aligned(body, imported(pair.inspiration(), axes, pair.name()));
-        } catch (IllegalArgumentException apart) {
-            throw new BadInputException(
-                    pair.expiration() + " and " + pair.inspiration() + ": " + apart.getMessage(), apart);
-        }
-        List<FitTarget> targets = new ArrayList<>();
-        for (FitPart part : List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT)) {
-            targets.add(FitTarget.of(
-                    part,
-                    aligned.body()
-                            .structure(part.label())
-                            .orElseThrow(() -> new BadInputException(
-                                    pair.inspiration() + ": found no " + part.label() + ", expected both lungs"))
-                            .structure()
-                            .mesh()));
-        }
-        String alignment = aligned.alignment().sentence(body.name());
-        List<String> notes = new ArrayList<>(expired.notes());
-        notes.add("end of inhale: " + alignment);
-        return new Imported(pair.name(), body, targets, alignment, notes);
-    }
-
-    private static PatientBody imported(Path file, Optional<String> axes, String name) {
-        LabelVolume read = LabelVolumeFiles.read(file);
-        LabelVolume volume =
-                axes.map(stated -> GeometryOverride.axes(read, stated)).orElse(read);
-        LabelTable map = volume.names().isEmpty()
-                ? new LabelTable(Map.of(1, LabelTable.LUNGS))
-                : LabelGuess.of(volume).require(file.toString());
-        return new ScanImport(volume, file.toString(), MeshingSettings.PAPER, Optional.empty(), (n, of, what) -> {})
-                .run(map, name);
+        return PatientImport.of(pair, axes);
     }
 
     /** A synthetic patient with a known breath, used if there are no scans. */
@@ -169,7 +116,7 @@ public final class PatientStudy {
                 targets,
                 FitParameter.defaults(base),
                 new FitSetup.Options(
-                        false, alignment, new FitSearch.Settings(1, evaluations()), quick ? 1 : THREADS, false));
+                        FitHalf.ALL, alignment, new FitSearch.Settings(1, evaluations()), quick ? 1 : THREADS, false));
         try {
             // The journal serves to resume long searches and is not needed for a short one.
             Path journal = Files.createTempDirectory("phrenic").resolve("journal.csv");

@@ -1,4 +1,4 @@
-package org.phrenic.study.paper;
+package org.phrenic.study.fit;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;

@@ -1,0 +1,126 @@
+package org.phrenic.cli;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.phrenic.cli.option.OptionValues;
+import org.phrenic.cli.option.ReportFolder;
+import org.phrenic.cli.report.ConsoleProgress;
+import org.phrenic.document.JsonWriter;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.fit.search.FitSearch;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.study.body.BodyCase;
+import org.phrenic.study.body.RandomBodies;
+import org.phrenic.study.fit.FitStudyReport;
+import org.phrenic.study.fit.KnownBreath;
+import org.phrenic.study.fit.PatientFit;
+import org.phrenic.study.fit.PatientImport;
+import org.phrenic.study.fit.PatientScans;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+
+/** {@code phrenic bench fits}: fits to real patients and to known breaths of random bodies. */
+@Command(
+        name = "fits",
+        description = "Fits patients at two breath levels (whole, and by halves), and known breaths of random bodies.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic bench fits --patients scans --out result          4 minutes of processor time a patient",
+            "  phrenic bench fits --random 60 --evaluations 20 --out result",
+            "",
+            "DIR gets fits.md, .html, .json and the journals: the same command in the same folder goes on.",
+            "Exit code 3 if a fit ends without a result.",
+            Disclaimer.TEXT
+        })
+final class BenchFitsCommand extends ReportingCommand {
+    private static final int MAX_BODIES = 10_000;
+
+    @Option(
+            names = "--patients",
+            paramLabel = "FOLDER",
+            description = "NAME_expiration.*, NAME_inspiration.* (label volumes) and NAME_landmarks.csv, if there are.")
+    private Path patients;
+
+    @Option(names = "--random", paramLabel = "N", description = "So many random bodies (default ${DEFAULT-VALUE}).")
+    private String random = "0";
+
+    @Option(names = "--seed", paramLabel = "N", description = "Seed of bodies and searches (default ${DEFAULT-VALUE}).")
+    private String seed = "1";
+
+    @Option(names = "--resolution", paramLabel = "NAME", description = "low (default), medium or high.")
+    private String resolution = "low";
+
+    @Option(
+            names = "--evaluations",
+            paramLabel = "N",
+            description = "At most so many breaths a fit (default ${DEFAULT-VALUE}).")
+    private String evaluations = "62";
+
+    @Option(names = "--threads", paramLabel = "N", description = "Breaths side by side (default ${DEFAULT-VALUE}).")
+    private String threads = "2";
+
+    @Option(names = "--made-by", paramLabel = "TEXT", description = "What made the report, such as a commit.")
+    private String madeBy = "";
+
+    @Option(names = "--out", paramLabel = "DIR", required = true, description = "Folder for the report.")
+    private Path out;
+
+    @Override
+    public Integer call() {
+        ReportFolder.requireWritable(out);
+        int count = OptionValues.integer("--random", random, 0, MAX_BODIES);
+        if (patients == null && count == 0) {
+            throw new ParameterException(commandLine(), "found neither --patients nor --random, expected one of them");
+        }
+        int start = OptionValues.integer("--seed", seed, 0, Integer.MAX_VALUE);
+        FitSearch.Settings search =
+                new FitSearch.Settings(start, OptionValues.integer("--evaluations", evaluations, 1, 1_000_000));
+        Scenario base = Scenario.defaults().with("preset=deep", "resolution=" + resolution);
+        int atATime = OptionValues.threads(threads, 1);
+        Path journals = out.resolve("journals");
+        ConsoleProgress progress = progress();
+        List<PatientFit> fitted = new ArrayList<>();
+        for (PatientScans scans : patients == null ? List.<PatientScans>of() : PatientScans.findIn(patients)) {
+            Path landmarks = patients.resolve(scans.name() + "_landmarks.csv");
+            fitted.add(PatientFit.of(
+                    PatientImport.of(scans, Optional.empty()),
+                    base,
+                    Optional.of(landmarks).filter(Files::isRegularFile),
+                    search,
+                    atATime,
+                    journals,
+                    progress));
+        }
+        List<KnownBreath> known = new ArrayList<>();
+        for (BodyCase body : RandomBodies.series(base, count, start)) {
+            progress.note(body.name());
+            known.add(KnownBreath.of(body, base, start + known.size(), search, atATime, journals, progress));
+        }
+        progress.end();
+        FitStudyReport report = new FitStudyReport(fitted, known);
+        writePages(out, "fits", report.document(provenance()));
+        JsonWriter.write(out.resolve("fits.json"), report.values());
+        print(report.values(), () -> withDisclaimer(report.summary() + ".\n"));
+        return report.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
+    }
+
+    private List<String> provenance() {
+        List<String> lines = new ArrayList<>();
+        if (!madeBy.isEmpty()) {
+            lines.add(madeBy);
+        }
+        String bodies = random.equals("0") ? "" : " --random " + random + " --seed " + seed;
+        lines.add("With: phrenic bench fits" + (patients == null ? "" : " --patients FOLDER") + bodies
+                + " --resolution " + resolution + " --evaluations " + evaluations);
+        lines.add("Machine: " + System.getProperty("os.name") + " " + System.getProperty("os.arch") + ", Java "
+                + System.getProperty("java.version") + ". Date: " + LocalDate.now(ZoneOffset.UTC) + ".");
+        return lines;
+    }
+}

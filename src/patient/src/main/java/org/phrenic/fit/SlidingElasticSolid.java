@@ -1,0 +1,181 @@
+package org.phrenic.fit;
+
+import java.util.Arrays;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.TriangleTree;
+
+/**
+ * Motion of points inside a body whose surface slides, as a lung does in the pleura: only the shape of the moved
+ * surface is taken from its vertices, not where along it they lie. The inside is a homogeneous, linearly elastic solid
+ * (Poisson's ratio {@value #POISSON}) that finds its equilibrium:
+ *
+ * <pre>  minimise  1/2 u' K u + 1/2 sum a_i E ( k (n_i . (x_i + u(x_i) - q_i))^2 + c |u(x_i) - v_i|^2 )</pre>
+ *
+ * over the vertices i of the surface with area a_i and displacement v_i, q_i the nearest point of the moved surface and
+ * n_i its normal, taken anew {@value #ROUNDS} times; k = {@value #NORMAL_PER_MM} / mm, c = {@value #TANGENTIAL_PER_MM}
+ * / mm. Young's modulus E cancels. K is that of trilinear hexahedra of {@value #CELL_MM} mm, each weighted by the share
+ * of it that lies inside the body (finite cell method; Parvizian, Duester and Rank 2007, doi
+ * 10.1007/s00466-007-0173-y).
+ */
+final class SlidingElasticSolid {
+    private static final double CELL_MM = 14;
+    private static final double POISSON = 0.3;
+    private static final double NORMAL_PER_MM = 1.4;
+    /** Holds the body against turning within a round surface; it leaves the tissue free to slide. */
+    private static final double TANGENTIAL_PER_MM = 0.004;
+
+    private static final int ROUNDS = 4;
+    private static final int SAMPLES = 3;
+    private static final double LEAST_SHARE = 0.05;
+    private static final int MOST_POINTS = 2500;
+    private static final int MOST_ITERATIONS = 600;
+    private static final double TOLERANCE = 1e-4;
+
+    private final HexahedralGrid grid;
+    private final TriangleMesh rest;
+    private final int[] points;
+    private final double[] area;
+    private final double[] displacement;
+
+    /**
+     * @param rest closed surface
+     * @param now the same surface, moved
+     */
+    SlidingElasticSolid(TriangleMesh rest, TriangleMesh now) {
+        this.rest = rest;
+        grid = new HexahedralGrid(rest, CELL_MM, SAMPLES, LEAST_SHARE, POISSON);
+        int stride = 1 + rest.vertexCount() / MOST_POINTS;
+        points = new int[(rest.vertexCount() + stride - 1) / stride];
+        Arrays.setAll(points, i -> i * stride);
+        double[] all = MeshMeasure.vertexAreas(rest);
+        area = Arrays.stream(points).mapToDouble(v -> all[v] * stride).toArray();
+        displacement = new double[grid.length()];
+        solve(now);
+    }
+
+    /** Where a point of the body at rest goes. */
+    double[] moved(double[] place) {
+        double[] u = grid.interpolate(grid.locate(place), displacement);
+        return new double[] {place[0] + u[0], place[1] + u[1], place[2] + u[2]};
+    }
+
+    private void solve(TriangleMesh now) {
+        HexahedralGrid.Place[] places = new HexahedralGrid.Place[points.length];
+        double[] normal = new double[3 * points.length];
+        double[] toSurface = new double[points.length];
+        double[] moved = new double[3 * points.length];
+        double[] normals = MeshMeasure.vertexNormals(now);
+        double[] faces = MeshMeasure.triangleNormals(now);
+        for (int i = 0; i < points.length; i++) {
+            int v = points[i];
+            places[i] = grid.locate(new double[] {rest.x(v), rest.y(v), rest.z(v)});
+            for (int axis = 0; axis < 3; axis++) {
+                moved[3 * i + axis] = now.positions()[3 * v + axis] - rest.positions()[3 * v + axis];
+                normal[3 * i + axis] = normals[3 * v + axis];
+                toSurface[i] += moved[3 * i + axis] * normal[3 * i + axis];
+            }
+        }
+        TriangleTree tree = new TriangleTree(now);
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        for (int round = 0; round < ROUNDS; round++) {
+            if (round > 0) {
+                for (int i = 0; i < points.length; i++) {
+                    nearest(faces, tree, hit, i, grid.interpolate(places[i], displacement), normal, toSurface);
+                }
+            }
+            new Equilibrium(places, normal, toSurface, moved).solve();
+        }
+    }
+
+    /** Nearest point of the moved surface to a displaced vertex: its normal, and how far the vertex has to go. */
+    private void nearest(
+            double[] faces,
+            TriangleTree tree,
+            TriangleTree.Hit hit,
+            int i,
+            double[] u,
+            double[] normal,
+            double[] toSurface) {
+        int v = points[i];
+        tree.closest(rest.x(v) + u[0], rest.y(v) + u[1], rest.z(v) + u[2], hit);
+        double[] n = Arrays.copyOfRange(faces, 3 * hit.triangle, 3 * hit.triangle + 3);
+        System.arraycopy(n, 0, normal, 3 * i, 3);
+        toSurface[i] = n[0] * (hit.x - rest.x(v)) + n[1] * (hit.y - rest.y(v)) + n[2] * (hit.z - rest.z(v));
+    }
+
+    /** The linear system of one round, solved by conjugate gradients from the displacement so far. */
+    private final class Equilibrium {
+        private final HexahedralGrid.Place[] places;
+        private final double[] normal;
+        private final double[] right;
+        private final double[] diagonal;
+
+        Equilibrium(HexahedralGrid.Place[] places, double[] normal, double[] toSurface, double[] moved) {
+            this.places = places;
+            this.normal = normal;
+            right = new double[grid.length()];
+            diagonal = grid.diagonal();
+            for (int i = 0; i < places.length; i++) {
+                for (int axis = 0; axis < 3; axis++) {
+                    double n = normal[3 * i + axis];
+                    double pull = NORMAL_PER_MM * n * toSurface[i] + TANGENTIAL_PER_MM * moved[3 * i + axis];
+                    double stiff = NORMAL_PER_MM * n * n + TANGENTIAL_PER_MM;
+                    for (int c = 0; c < places[i].nodes().length; c++) {
+                        double w = places[i].weights()[c];
+                        int at = 3 * places[i].nodes()[c] + axis;
+                        right[at] += area[i] * w * pull;
+                        diagonal[at] += area[i] * w * w * stiff;
+                    }
+                }
+            }
+        }
+
+        private void multiply(double[] x, double[] out) {
+            grid.multiply(x, out);
+            for (int i = 0; i < places.length; i++) {
+                double[] u = grid.interpolate(places[i], x);
+                double along = u[0] * normal[3 * i] + u[1] * normal[3 * i + 1] + u[2] * normal[3 * i + 2];
+                for (int axis = 0; axis < 3; axis++) {
+                    u[axis] = area[i] * (NORMAL_PER_MM * along * normal[3 * i + axis] + TANGENTIAL_PER_MM * u[axis]);
+                }
+                grid.scatter(places[i], u, out);
+            }
+        }
+
+        void solve() {
+            double[] x = displacement;
+            double[] r = new double[x.length];
+            double[] direction = new double[x.length];
+            double[] product = new double[x.length];
+            multiply(x, product);
+            double goal = 0;
+            double energy = 0;
+            for (int k = 0; k < x.length; k++) {
+                r[k] = right[k] - product[k];
+                direction[k] = r[k] / diagonal[k];
+                energy += r[k] * direction[k];
+                goal += right[k] * right[k] / diagonal[k];
+            }
+            goal *= TOLERANCE * TOLERANCE;
+            for (int iteration = 0; iteration < MOST_ITERATIONS && energy > goal; iteration++) {
+                multiply(direction, product);
+                double curvature = 0;
+                for (int k = 0; k < x.length; k++) {
+                    curvature += direction[k] * product[k];
+                }
+                double step = energy / curvature;
+                double next = 0;
+                for (int k = 0; k < x.length; k++) {
+                    x[k] += step * direction[k];
+                    r[k] -= step * product[k];
+                    next += r[k] * r[k] / diagonal[k];
+                }
+                for (int k = 0; k < x.length; k++) {
+                    direction[k] = r[k] / diagonal[k] + next / energy * direction[k];
+                }
+                energy = next;
+            }
+        }
+    }
+}

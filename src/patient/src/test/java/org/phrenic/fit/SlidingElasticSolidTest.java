@@ -1,0 +1,74 @@
+package org.phrenic.fit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.offset;
+
+import java.util.function.UnaryOperator;
+import org.junit.jupiter.api.Test;
+import org.phrenic.mesh.Shapes;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.MovingLeastSquares;
+
+class SlidingElasticSolidTest {
+    private static final TriangleMesh SPHERE = Shapes.sphere(1, 4);
+    private static final double[] INSIDE = {12, -20, 30};
+
+    /** An ellipsoid with half axes of 40, 60 and 100 mm; each point of the unit sphere is moved along it first. */
+    private static TriangleMesh ellipsoid(UnaryOperator<double[]> alongSphere, double longer) {
+        double[] p = SPHERE.positions().clone();
+        for (int i = 0; i < p.length; i += 3) {
+            double[] s = alongSphere.apply(new double[] {p[i], p[i + 1], p[i + 2]});
+            p[i] = 40 * s[0];
+            p[i + 1] = 60 * s[1];
+            p[i + 2] = 100 * longer * s[2];
+        }
+        return SPHERE.withPositions(p);
+    }
+
+    @Test
+    void followsAShiftOfTheWholeBody() {
+        TriangleMesh rest = ellipsoid(s -> s, 1);
+        double[] p = rest.positions().clone();
+        for (int i = 0; i < p.length; i += 3) {
+            p[i] += 3;
+            p[i + 1] -= 12;
+            p[i + 2] += 7;
+        }
+        double[] to = new SlidingElasticSolid(rest, rest.withPositions(p)).moved(INSIDE);
+        assertThat(to[0] - INSIDE[0]).isCloseTo(3, offset(0.1));
+        assertThat(to[1] - INSIDE[1]).isCloseTo(-12, offset(0.1));
+        assertThat(to[2] - INSIDE[2]).isCloseTo(7, offset(0.1));
+    }
+
+    /**
+     * Vertices that slide along a surface which keeps its shape carry what is attached to them; a solid lags behind.
+     */
+    @Test
+    void isCarriedLessByVerticesThatSlideAlongAStillSurface() {
+        TriangleMesh rest = ellipsoid(s -> s, 1);
+        double turn = Math.toRadians(15);
+        TriangleMesh slid = ellipsoid(
+                s -> new double[] {
+                    s[0], Math.cos(turn) * s[1] - Math.sin(turn) * s[2], Math.sin(turn) * s[1] + Math.cos(turn) * s[2]
+                },
+                1);
+        double[] to = new SlidingElasticSolid(rest, slid).moved(INSIDE);
+        double[] attached = MovingLeastSquares.position(
+                MovingLeastSquares.coefficients(rest.positions(), INSIDE), slid.positions());
+        assertThat(distance(attached)).isGreaterThan(8);
+        assertThat(distance(to)).isLessThan(0.75 * distance(attached));
+    }
+
+    /** A body that becomes a tenth longer carries a point at three tenths of its height up by 3 mm. */
+    @Test
+    void stretchesWithItsSurface() {
+        double[] to = new SlidingElasticSolid(ellipsoid(s -> s, 1), ellipsoid(s -> s, 1.1)).moved(INSIDE);
+        assertThat(to[2] - INSIDE[2]).isCloseTo(3, offset(0.6));
+        assertThat(to[1]).isCloseTo(INSIDE[1], offset(0.6));
+    }
+
+    private static double distance(double[] to) {
+        return Math.sqrt(
+                Math.pow(to[0] - INSIDE[0], 2) + Math.pow(to[1] - INSIDE[1], 2) + Math.pow(to[2] - INSIDE[2], 2));
+    }
+}
