@@ -27,6 +27,9 @@ final class LungBase {
     /** Share of the base's level area below its stated top. */
     private static final double TOP_SHARE = 0.9;
 
+    /** Level faces higher than this above the middle one, mm, lie over the heart. */
+    private static final double HEART_MM = 30;
+
     /** Faces higher than this above the top, mm, lie over the heart or at the hilum. */
     private static final double ABOVE_TOP_MM = 6;
 
@@ -63,16 +66,33 @@ final class LungBase {
             centre[1] = 0.5 * (box[1] + box[4]);
             top = box[2];
         }
-        double sum = 0;
         int[] order = IntStream.range(0, area.length)
                 .boxed()
                 .sorted(Comparator.comparingDouble(t -> height[t]))
                 .mapToInt(Integer::intValue)
                 .toArray();
-        for (int i = 0; i < order.length && sum < TOP_SHARE * total; i++) {
-            sum += area[order[i]];
-            top = area[order[i]] > 0 ? height[order[i]] : top;
+        if (total > 0) {
+            double middle = quantile(order, area, height, 0.5, Double.POSITIVE_INFINITY);
+            top = quantile(order, area, height, TOP_SHARE, Double.POSITIVE_INFINITY);
+            if (top > middle + HEART_MM) {
+                top = quantile(order, area, height, TOP_SHARE, middle + HEART_MM);
+            }
         }
+    }
+
+    /** Height below which a share of the area lies, of the faces up to a ceiling. */
+    private static double quantile(int[] order, double[] area, double[] height, double share, double ceiling) {
+        double total = 0;
+        for (int t : order) {
+            total += height[t] <= ceiling ? area[t] : 0;
+        }
+        double sum = 0;
+        double found = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < order.length && sum < share * total; i++) {
+            sum += area[order[i]];
+            found = area[order[i]] > 0 ? height[order[i]] : found;
+        }
+        return found;
     }
 
     /** The bases of the right and the left lung, as far as the body has them. */
