@@ -28,6 +28,7 @@ import org.phrenic.simulation.SimulationRun;
 import org.phrenic.study.body.BodyCase;
 import org.phrenic.study.body.BodyCut;
 import org.phrenic.study.body.BodyReport;
+import org.phrenic.study.body.BodyResult;
 import org.phrenic.study.body.BodyStudy;
 import org.phrenic.study.body.BreathDepth;
 import org.phrenic.study.body.ImportedBodies;
@@ -152,10 +153,12 @@ final class BenchBodiesCommand extends ReportingCommand {
         try (BodyThumbnails thumbnails = new BodyThumbnails(THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT)) {
             BodyStudy study = run(scenario, (body, when, surfaces, meshes) -> {
                 if (!when.equals(BreathDepth.QUIET.preset())) {
-                    thumbnails.add(body, when, surfaces, meshes);
+                    thumbnails.add(body, when.equals("rest") ? "at rest" : "inspired", surfaces, meshes);
                 }
             });
-            thumbnails.write(out.resolve("bodies.png"));
+            thumbnails.write(
+                    out.resolve("bodies.png"),
+                    study.bodies().stream().map(BodyResult::name).toList());
             return study;
         }
     }

@@ -8,6 +8,7 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -24,7 +25,8 @@ import org.phrenic.simulation.observe.Surface;
 
 /**
  * A contact sheet of bodies, up to {@value #BESIDE} side by side, with the states of each from the front, the right and
- * the back. The diaphragm and the organs lie behind translucent bones and lungs; the skin is left out.
+ * the back. A body's name stands above its row, the state and the side above each picture. The diaphragm and the organs
+ * lie behind translucent bones and lungs; the skin is left out.
  */
 public final class BodyThumbnails implements AutoCloseable {
     private static final List<AnatomicalView> VIEWS =
@@ -34,8 +36,12 @@ public final class BodyThumbnails implements AutoCloseable {
     /** Number of bodies from which on another is set beside. */
     private static final int BELOW = 8;
 
-    private static final int CAPTION_PX = 18;
-    private static final int FONT_PX = 13;
+    /** Height of the two lines above a row. */
+    private static final int CAPTIONS_PX = 36;
+
+    private static final int LINE_PX = 16;
+    private static final int NAME_PX = 14;
+    private static final int CAPTION_PX = 12;
     private static final Appearance ORGAN = Appearance.of(0x7fa37a, 1);
     private static final Map<StructureKind, Appearance> APPEARANCES = new EnumMap<>(StructureKind.class);
 
@@ -54,8 +60,9 @@ public final class BodyThumbnails implements AutoCloseable {
     private final SurfacePictures pictures;
     private final int width;
     private final int height;
-    private final Map<String, List<BufferedImage>> rows = new LinkedHashMap<>();
-    private final Map<String, List<String>> captions = new LinkedHashMap<>();
+    private final Map<String, List<Thumbnail>> rows = new HashMap<>();
+
+    private record Thumbnail(BufferedImage image, String caption) {}
 
     /**
      * @param width of a thumbnail, pixels
@@ -88,44 +95,52 @@ public final class BodyThumbnails implements AutoCloseable {
                 .toList();
         for (AnatomicalView view : VIEWS) {
             PictureSettings settings = new PictureSettings(view, width, height, true, 1, false, "");
-            rows.computeIfAbsent(body, name -> new ArrayList<>()).add(pictures.layers(layers, settings));
-            captions.computeIfAbsent(body, name -> new ArrayList<>()).add(state + ", " + view.label());
+            rows.computeIfAbsent(body, name -> new ArrayList<>())
+                    .add(new Thumbnail(pictures.layers(layers, settings), state + ", " + view.label()));
         }
     }
 
     /**
      * Writes the sheet as PNG.
      *
-     * @throws IllegalStateException if no body has been added
+     * @param bodies names of the bodies in the order of their rows; a body without pictures leaves its row empty
+     * @throws IllegalStateException if none of the bodies has been added
      */
-    public void write(Path file) {
-        int columns = rows.values().stream().mapToInt(List::size).max().orElse(0);
+    public void write(Path file, List<String> bodies) {
+        int columns = bodies.stream().mapToInt(body -> row(body).size()).max().orElse(0);
         if (columns == 0) {
             throw new IllegalStateException("found no body on the sheet of thumbnails, expected one");
         }
-        int beside = Math.min(BESIDE, 1 + rows.size() / BELOW);
-        int below = (rows.size() + beside - 1) / beside;
+        int beside = Math.min(BESIDE, 1 + bodies.size() / BELOW);
+        int below = (bodies.size() + beside - 1) / beside;
         BufferedImage sheet =
-                new BufferedImage(beside * columns * width, below * (height + CAPTION_PX), BufferedImage.TYPE_INT_RGB);
+                new BufferedImage(beside * columns * width, below * (height + CAPTIONS_PX), BufferedImage.TYPE_INT_RGB);
         Graphics2D g = sheet.createGraphics();
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, FONT_PX));
         g.setColor(Color.WHITE);
         g.fillRect(0, 0, sheet.getWidth(), sheet.getHeight());
         g.setColor(Color.BLACK);
-        int number = 0;
-        for (String body : rows.keySet()) {
-            int left = number % beside * columns * width;
-            int top = number / beside * (height + CAPTION_PX);
-            for (int i = 0; i < rows.get(body).size(); i++) {
-                String caption = captions.get(body).get(i);
-                g.drawString(i == 0 ? body + ": " + caption : caption, left + i * width + 2, top + FONT_PX);
-                g.drawImage(rows.get(body).get(i), left + i * width, top + CAPTION_PX, null);
-            }
-            number++;
+        for (int i = 0; i < bodies.size(); i++) {
+            draw(g, bodies.get(i), i % beside * columns * width, i / beside * (height + CAPTIONS_PX));
         }
         g.dispose();
         PngFile.write(file, sheet);
+    }
+
+    private List<Thumbnail> row(String body) {
+        return rows.getOrDefault(body, List.of());
+    }
+
+    private void draw(Graphics2D g, String body, int left, int top) {
+        g.setFont(new Font(Font.SANS_SERIF, Font.BOLD, NAME_PX));
+        g.drawString(body, left + 2, top + LINE_PX);
+        g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, CAPTION_PX));
+        int x = left;
+        for (Thumbnail thumbnail : row(body)) {
+            g.drawString(thumbnail.caption(), x + 2, top + 2 * LINE_PX);
+            g.drawImage(thumbnail.image(), x, top + CAPTIONS_PX, null);
+            x += width;
+        }
     }
 
     @Override
