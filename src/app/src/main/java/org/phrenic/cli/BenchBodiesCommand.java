@@ -3,8 +3,6 @@ package org.phrenic.cli;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.LocalDate;
-import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -14,6 +12,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.cli.option.OptionValues;
+import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
@@ -34,6 +33,7 @@ import org.phrenic.study.body.BreathDepth;
 import org.phrenic.study.body.ImportedBodies;
 import org.phrenic.study.body.RandomBodies;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
@@ -118,11 +118,8 @@ final class BenchBodiesCommand extends ReportingCommand {
                             + "and at the full inspiration of the deep breath.")
     private boolean pictures;
 
-    @Option(
-            names = "--made-by",
-            paramLabel = "TEXT",
-            description = "What made the report, such as a commit; its first line.")
-    private String madeBy = "";
+    @Mixin
+    private ProvenanceOption provenance;
 
     @Override
     public Integer call() throws NoGraphicsException {
@@ -136,7 +133,8 @@ final class BenchBodiesCommand extends ReportingCommand {
         BodyStudy study = pictures ? pictured(scenario) : run(scenario, BodyStudy.Witness.NONE);
         BodyReport report = new BodyReport(study);
         if (out != null) {
-            writePages(out, "bodies", report.document(provenance()));
+            writePages(
+                    out, "bodies", report.document(provenance.lines("bench bodies " + String.join(" ", arguments()))));
             AtomicFile.write(out.resolve("bodies.csv"), report.csv());
             JsonWriter.write(out.resolve("bodies.json"), report.values());
         }
@@ -161,17 +159,6 @@ final class BenchBodiesCommand extends ReportingCommand {
                     study.bodies().stream().map(BodyResult::name).toList());
             return study;
         }
-    }
-
-    private List<String> provenance() {
-        List<String> lines = new ArrayList<>();
-        if (!madeBy.isEmpty()) {
-            lines.add(madeBy);
-        }
-        lines.add("With: phrenic bench bodies " + String.join(" ", arguments()));
-        lines.add("Machine: " + System.getProperty("os.name") + " " + System.getProperty("os.arch") + ", Java "
-                + System.getProperty("java.version") + ". Date: " + LocalDate.now(ZoneOffset.UTC) + ".");
-        return lines;
     }
 
     private List<String> arguments() {

@@ -2,12 +2,11 @@ package org.phrenic.cli;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.LocalDate;
-import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.phrenic.cli.option.OptionValues;
+import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.document.JsonWriter;
@@ -22,6 +21,7 @@ import org.phrenic.study.fit.PatientFit;
 import org.phrenic.study.fit.PatientImport;
 import org.phrenic.study.fit.PatientScans;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 
@@ -66,8 +66,8 @@ final class BenchFitsCommand extends ReportingCommand {
     @Option(names = "--threads", paramLabel = "N", description = "Breaths side by side (default ${DEFAULT-VALUE}).")
     private String threads = "2";
 
-    @Option(names = "--made-by", paramLabel = "TEXT", description = "What made the report, such as a commit.")
-    private String madeBy = "";
+    @Mixin
+    private ProvenanceOption provenance;
 
     @Option(names = "--out", paramLabel = "DIR", required = true, description = "Folder for the report.")
     private Path out;
@@ -105,22 +105,15 @@ final class BenchFitsCommand extends ReportingCommand {
         }
         progress.end();
         FitStudyReport report = new FitStudyReport(fitted, known);
-        writePages(out, "fits", report.document(provenance()));
+        writePages(out, "fits", report.document(provenance.lines(arguments())));
         JsonWriter.write(out.resolve("fits.json"), report.values());
         print(report.values(), () -> withDisclaimer(report.summary() + ".\n"));
         return report.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
-    private List<String> provenance() {
-        List<String> lines = new ArrayList<>();
-        if (!madeBy.isEmpty()) {
-            lines.add(madeBy);
-        }
+    private String arguments() {
         String bodies = random.equals("0") ? "" : " --random " + random + " --seed " + seed;
-        lines.add("With: phrenic bench fits" + (patients == null ? "" : " --patients FOLDER") + bodies
-                + " --resolution " + resolution + " --evaluations " + evaluations);
-        lines.add("Machine: " + System.getProperty("os.name") + " " + System.getProperty("os.arch") + ", Java "
-                + System.getProperty("java.version") + ". Date: " + LocalDate.now(ZoneOffset.UTC) + ".");
-        return lines;
+        return "bench fits" + (patients == null ? "" : " --patients FOLDER") + bodies + " --resolution " + resolution
+                + " --evaluations " + evaluations;
     }
 }

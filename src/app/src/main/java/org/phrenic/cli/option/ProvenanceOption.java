@@ -1,0 +1,25 @@
+package org.phrenic.cli.option;
+
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.util.List;
+import java.util.stream.Stream;
+import picocli.CommandLine.Option;
+
+/** The first lines of a results page: what made it, by which command, on which machine and when. */
+public final class ProvenanceOption {
+    @Option(
+            names = "--made-by",
+            paramLabel = "TEXT",
+            description = "What made the report, such as a commit; its first line.")
+    private String madeBy = "";
+
+    /** @param command the command and its arguments, without the name of the program */
+    public List<String> lines(String command) {
+        String machine = "Machine: " + System.getProperty("os.name") + " " + System.getProperty("os.arch") + ", Java "
+                + System.getProperty("java.version") + ". Date: " + LocalDate.now(ZoneOffset.UTC) + ".";
+        return Stream.of(madeBy, "With: phrenic " + command, machine)
+                .filter(line -> !line.isEmpty())
+                .toList();
+    }
+}
