@@ -121,9 +121,10 @@ final class DivergenceGuard {
             measuredFrom = checkpointStep + STEPS_TO_TURN_ROUND;
             return describeFarthest();
         }
-        if (step >= measuredFrom && step % STEPS_BETWEEN_MEASURES == 0 && firstOutside(0) >= 0) {
+        int outside = step >= measuredFrom && step % STEPS_BETWEEN_MEASURES == 0 ? firstOutside(0) : -1;
+        if (outside >= 0) {
             measuredFrom = checkpointStep + STEPS_TO_TURN_ROUND;
-            return name(confined[firstOutside(0)]) + " is outside " + boxName;
+            return name(confined[outside]) + " is outside " + boxName;
         }
         if (step - checkpointStep >= STEPS_BETWEEN_SNAPSHOTS
                 && isWithin(CALM_SPEED)
