@@ -69,4 +69,9 @@ public record PatientBody(String name, List<PatientStructure> structures, List<S
         List<TriangleMesh> meshes = structures.map(Structure::mesh).toList();
         return meshes.isEmpty() ? Optional.empty() : Optional.of(MeshMerge.merge(meshes));
     }
+
+    /** Bounding box of structures: least x, y, z, then greatest x, y, z, mm; empty without structures. */
+    static Optional<double[]> bounds(Stream<Structure> structures) {
+        return merged(structures).map(TriangleMesh::bounds);
+    }
 }

@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -45,8 +44,8 @@ public final class SkinEnvelope {
                 (skin ? skins : inside).add(s.structure());
             }
         }
-        Optional<double[]> ribs = box(inside.stream().filter(s -> s.kind() == StructureKind.RIB));
-        Optional<double[]> skin = box(skins.stream());
+        Optional<double[]> ribs = PatientBody.bounds(inside.stream().filter(s -> s.kind() == StructureKind.RIB));
+        Optional<double[]> skin = PatientBody.bounds(skins.stream());
         boolean covered = skin.isPresent() && ribs.isPresent() && contains(skin.get(), ribs.get());
         if (ribs.isEmpty() || covered) {
             return body;
@@ -64,10 +63,6 @@ public final class SkinEnvelope {
                         Locale.ROOT,
                         "the skin is a smooth envelope of bones and organs, %.0f mm outside them",
                         WALL_MM)));
-    }
-
-    private static Optional<double[]> box(Stream<Structure> structures) {
-        return PatientBody.merged(structures).map(TriangleMesh::bounds);
     }
 
     private static boolean contains(double[] skin, double[] ribs) {

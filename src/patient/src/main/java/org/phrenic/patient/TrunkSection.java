@@ -3,11 +3,9 @@ package org.phrenic.patient;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
-import org.phrenic.mesh.TriangleMesh;
 
 /**
  * Elliptic sections of the parts of the trunk that have no structures of their own: the neck above the first thoracic
@@ -38,7 +36,7 @@ record TrunkSection(double z, double x, double y, double a, double b) {
     static List<TrunkSection> of(List<Structure> body) {
         List<TrunkSection> all = new ArrayList<>();
         abdomen(body, all);
-        box(body.stream().filter(s -> s.kind() == StructureKind.VERTEBRA && s.level() == 1))
+        PatientBody.bounds(body.stream().filter(s -> s.kind() == StructureKind.VERTEBRA && s.level() == 1))
                 .ifPresent(t1 -> {
                     double x = (t1[0] + t1[3]) / 2;
                     double y = t1[1] + NECK_B_MM / 2;
@@ -54,10 +52,11 @@ record TrunkSection(double z, double x, double y, double a, double b) {
                 .anyMatch(s -> s.kind() == StructureKind.SKIN
                         || s.name().equals("colon")
                         || s.name().equals("small_bowel"));
-        Optional<double[]> cage = box(body.stream()
+        Optional<double[]> cage = PatientBody.bounds(body.stream()
                 .filter(s -> s.kind() == StructureKind.RIB || s.kind() == StructureKind.COSTAL_CARTILAGE)
                 .filter(s -> s.level() >= 7 && s.level() <= 10));
-        Optional<double[]> t12 = box(body.stream().filter(s -> s.kind() == StructureKind.VERTEBRA && s.level() == T12));
+        Optional<double[]> t12 =
+                PatientBody.bounds(body.stream().filter(s -> s.kind() == StructureKind.VERTEBRA && s.level() == T12));
         if (filled || cage.isEmpty() || t12.isEmpty()) {
             return;
         }
@@ -75,9 +74,5 @@ record TrunkSection(double z, double x, double y, double a, double b) {
             all.add(new TrunkSection(
                     z, (c[0] + c[3]) / 2, (c[1] + c[4]) / 2, share * (c[3] - c[0]) / 2, share * (c[4] - c[1]) / 2));
         }
-    }
-
-    private static Optional<double[]> box(Stream<Structure> structures) {
-        return PatientBody.merged(structures).map(TriangleMesh::bounds);
     }
 }
