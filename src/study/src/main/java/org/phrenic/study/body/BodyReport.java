@@ -31,6 +31,16 @@ public final class BodyReport {
             Column.number("insertion mm"),
             Column.number("95 %"));
 
+    private static final List<Column> RIB_COLUMNS = List.of(
+            Column.text("body"),
+            Column.number("ribs"),
+            Column.number("heads off: mean mm"),
+            Column.number("greatest mm"),
+            Column.number("axes off: mean mm"),
+            Column.number("greatest mm"),
+            Column.number("necks: mean deg"),
+            Column.number("greatest deg"));
+
     private final BodyStudy study;
 
     public BodyReport(BodyStudy study) {
@@ -124,7 +134,29 @@ public final class BodyReport {
                 "",
                 columns,
                 study.bodies().stream().map(b -> origin(b, imported)).toList());
+        compareRibs(report);
         return report;
+    }
+
+    private void compareRibs(ReportDocument report) {
+        List<List<String>> rows = new ArrayList<>();
+        for (BodyResult body : study.bodies()) {
+            body.ribs().ifPresent(ribs -> {
+                List<String> row = new ArrayList<>(List.of(body.name()));
+                row.addAll(ribs.cells());
+                rows.add(row);
+            });
+        }
+        if (rows.isEmpty()) {
+            return;
+        }
+        report.section("Ribs against the body that was scanned");
+        report.paragraph("A helical axis passes through the head of its rib in a direction from the table of axes,"
+                + " the same for all bodies: its angle is exact, and its place is as far off as the head. Necks: angle"
+                + " between the directions from the head to what lies "
+                + ReportNumbers.trimmed(RibComparison.NECK_MM, 2)
+                + " mm away.");
+        report.table("", RIB_COLUMNS, rows);
     }
 
     private static List<String> origin(BodyResult body, boolean imported) {
@@ -192,6 +224,7 @@ public final class BodyReport {
             one.put("status", body.status());
             body.sheet()
                     .ifPresent(sheet -> sheet.measures().forEach(measure -> one.put(measure.key(), measure.value())));
+            body.ribs().ifPresent(ribs -> one.put("ribs", ReportValues.of(ribs)));
             for (BreathResult breath : body.breaths()) {
                 Map<String, Object> figures = figures(breath);
                 figures.values().removeIf(v -> v instanceof Double d && !Double.isFinite(d));

@@ -13,10 +13,16 @@ import org.phrenic.patient.diaphragm.SheetQuality;
  * @param notInScan what an imported body has that its scan does not show, by kind; empty if there is nothing
  * @param refusal why the body cannot be simulated, one sentence; empty if it can
  * @param sheet quality of the diaphragm at rest; empty after a refusal or if the body lacks what it is measured on
+ * @param ribs comparison with the ribs of the body of which the scan was simulated; empty if there is none
  * @param breaths results in the order of {@link BreathDepth}; empty after a refusal
  */
 public record BodyResult(
-        BodyCase body, String notInScan, String refusal, Optional<SheetQuality> sheet, List<BreathResult> breaths) {
+        BodyCase body,
+        String notInScan,
+        String refusal,
+        Optional<SheetQuality> sheet,
+        Optional<RibComparison> ribs,
+        List<BreathResult> breaths) {
     public BodyResult {
         breaths = List.copyOf(breaths);
     }

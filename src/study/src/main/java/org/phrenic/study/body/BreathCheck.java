@@ -38,11 +38,13 @@ final class BreathCheck {
     static BodyResult of(BodyCase body, Scenario scenario, BodyStudy.Witness witness) {
         List<BreathResult> breaths = new ArrayList<>();
         Optional<SheetQuality> sheet = Optional.empty();
+        Optional<RibComparison> ribs = Optional.empty();
         String notInScan = "";
         try {
             Thorax thorax = body.thorax().get();
             notInScan = thorax.notInScanSummary();
             sheet = SheetQuality.of(thorax);
+            ribs = body.original().flatMap(original -> RibComparison.of(original.get(), thorax));
             Scenario quiet = scenario.with("preset=" + BreathDepth.QUIET.preset());
             try (Simulation simulation = Simulation.of(quiet, thorax)) {
                 BreathCheck check = new BreathCheck(body.name(), simulation, witness);
@@ -54,11 +56,11 @@ final class BreathCheck {
                     breaths.add(check.breathe(depth));
                 }
             }
-            return new BodyResult(body, notInScan, "", sheet, breaths);
+            return new BodyResult(body, notInScan, "", sheet, ribs, breaths);
         } catch (RuntimeException e) {
             // Whatever a body brings about is a result of the check, and the other bodies are checked all the same.
             String why = e.getMessage() == null ? e.toString() : e.getMessage();
-            return new BodyResult(body, notInScan, why, sheet, breaths);
+            return new BodyResult(body, notInScan, why, sheet, ribs, breaths);
         }
     }
 

@@ -35,7 +35,8 @@ public final class ImportedBodies {
                             name,
                             stem + ", scanned: " + cut.description(),
                             source.height(),
-                            () -> imported(scanned(name, source.thorax().get(), cut, template.get(), folder), folder));
+                            () -> imported(scanned(name, source.thorax().get(), cut, template.get(), folder), folder),
+                            Optional.of(source.thorax()));
                 })
                 .toList();
     }

@@ -25,6 +25,7 @@ class BodyReportTest {
             "",
             "",
             Optional.empty(),
+            Optional.empty(),
             List.of(
                     breath(BreathDepth.QUIET, 15, 0.2, OrganCrossing.NONE),
                     breath(BreathDepth.DEEP, 55, 0.3, OrganCrossing.NONE)));
@@ -36,6 +37,7 @@ class BodyReportTest {
                 body("bad"),
                 "",
                 "",
+                Optional.empty(),
                 Optional.empty(),
                 List.of(
                         breath(BreathDepth.QUIET, 7.9, 0.51, OrganCrossing.NONE),
@@ -50,11 +52,13 @@ class BodyReportTest {
 
     @Test
     void refusalsAndDivergencesAreToldInTheTableAndTheSummary() {
-        BodyResult refused = new BodyResult(body("refused"), "", "no ribs, expected some", Optional.empty(), List.of());
+        BodyResult refused = new BodyResult(
+                body("refused"), "", "no ribs, expected some", Optional.empty(), Optional.empty(), List.of());
         BodyResult diverged = new BodyResult(
                 body("diverged"),
                 "",
                 "",
+                Optional.empty(),
                 Optional.empty(),
                 List.of(BreathResult.failed(BreathDepth.QUIET, "it diverged at 0.8 s", OrganCrossing.NONE)));
         BodyReport report = new BodyReport(new BodyStudy(Scenario.defaults(), List.of(GOOD, refused, diverged)));
