@@ -16,7 +16,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 
 /**
- * {@code phrenic bench}: measures engine steps per second on a mesh; subcommands measure speed, error and stability.
+ * {@code phrenic bench}: measures engine steps per second on a mesh; subcommands measure speed, error, stability and
+ * the window.
  */
 @Command(
         name = "bench",
@@ -26,7 +27,8 @@ import picocli.CommandLine.ParameterException;
             BenchErrorCommand.class,
             BenchStabilityCommand.class,
             BenchBodiesCommand.class,
-            BenchFitsCommand.class
+            BenchFitsCommand.class,
+            BenchWindowCommand.class
         },
         synopsisSubcommandLabel = "[COMMAND]",
         footer = {

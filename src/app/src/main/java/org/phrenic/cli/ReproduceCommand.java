@@ -10,6 +10,7 @@ import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.cli.option.ReportFolder;
+import org.phrenic.cli.option.VersionProvider;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.PatientPictures;
 import org.phrenic.document.report.Disclaimer;

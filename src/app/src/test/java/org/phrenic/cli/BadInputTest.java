@@ -229,6 +229,8 @@ class BadInputTest {
     static Stream<Arguments> benches() {
         return Stream.of(
                 bad("no mesh", "--mesh", f -> List.of("bench")),
+                bad("no such door", "--door", f -> List.of("bench", "window", "--door", "front")),
+                bad("no whole interval", "--seconds", f -> List.of("bench", "window", "--seconds", "1")),
                 bad(
                         "missing index file",
                         "none.txt",

@@ -1,13 +1,13 @@
-package org.phrenic.cli;
+package org.phrenic.cli.option;
 
 import org.phrenic.document.report.Disclaimer;
 import picocli.CommandLine.IVersionProvider;
 
 /** Provides the version from the jar manifest. */
-final class VersionProvider implements IVersionProvider {
+public final class VersionProvider implements IVersionProvider {
     @Override
     public String[] getVersion() {
-        String version = Phrenic.class.getPackage().getImplementationVersion();
+        String version = VersionProvider.class.getPackage().getImplementationVersion();
         return new String[] {
             "phrenic " + (version == null ? "(not packaged)" : version) + ", Java " + Runtime.version(), Disclaimer.TEXT
         };
