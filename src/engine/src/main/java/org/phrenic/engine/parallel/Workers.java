@@ -27,6 +27,9 @@ public final class Workers implements AutoCloseable {
     private static final int YIELDS = 5_000;
 
     private static final long PARK_NANOS = 50_000;
+    /** Sleep of workers that are not used; {@link #useCallerOnly} wakes them. */
+    private static final long UNUSED_PARK_NANOS = 100_000_000;
+
     private static final int PIECE_BITS = 24;
     private static final long PIECE_MASK = (1L << PIECE_BITS) - 1;
     /** Distance between the counters of two threads, in longs: two cache lines, to avoid false sharing. */
@@ -43,6 +46,7 @@ public final class Workers implements AutoCloseable {
     private volatile long round;
 
     private volatile boolean closed;
+    private volatile boolean callerOnly;
     private volatile Throwable failure;
 
     private Workers(int count) {
@@ -75,11 +79,24 @@ public final class Workers implements AutoCloseable {
     }
 
     /**
+     * Lets {@link #run} work on the calling thread alone, or on all threads. On a machine whose cores are taken by
+     * other work one thread is faster than two, of which each waits for the other at every loop.
+     */
+    public void useCallerOnly(boolean alone) {
+        callerOnly = alone;
+        if (!alone) {
+            for (Thread thread : threads) {
+                LockSupport.unpark(thread);
+            }
+        }
+    }
+
+    /**
      * Runs pieces 0 to {@code pieces - 1} in any order and returns when all are done. Only one thread may call it at a
      * time. An exception of a piece is rethrown after the other pieces are done (one of them if there are several).
      */
     public void run(int pieces, Task work) {
-        if (threads.length == 0 || pieces < 2) {
+        if (threads.length == 0 || pieces < 2 || callerOnly) {
             for (int i = 0; i < pieces; i++) {
                 work.run(i);
             }
@@ -150,6 +167,8 @@ public final class Workers implements AutoCloseable {
                 seen = now;
                 claimAll(self, now, task, pieces);
                 idle = 0;
+            } else if (callerOnly) {
+                LockSupport.parkNanos(UNUSED_PARK_NANOS);
             } else {
                 relax(idle++, true);
             }

@@ -56,10 +56,11 @@ final class Pacer {
         return (long) Math.ceil(wait);
     }
 
-    /** Reports progress; the rate is updated every quarter of a second. */
-    void measure(long steps, double nowS) {
+    /** Reports progress; the rate is updated every quarter of a second. Returns whether it was. */
+    boolean measure(long steps, double nowS) {
         long now = System.nanoTime();
-        if (now - measuredNs >= MEASURE_NS) {
+        boolean due = now - measuredNs >= MEASURE_NS;
+        if (due) {
             double wall = (now - measuredNs) * 1e-9;
             stepsPerS = (steps - measuredSteps) / wall;
             realtime = (nowS - measuredS) / wall;
@@ -67,6 +68,7 @@ final class Pacer {
             measuredSteps = steps;
             measuredS = nowS;
         }
+        return due;
     }
 
     /** Whether the rate is below the requested one. Always true without a limit. */

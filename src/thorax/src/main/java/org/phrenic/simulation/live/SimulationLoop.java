@@ -21,6 +21,7 @@ final class SimulationLoop implements Runnable {
 
     final CommandQueue commands = new CommandQueue();
     final Pacer pacer = new Pacer();
+    private final ThreadChooser threadChooser = new ThreadChooser();
     volatile RunningScene running;
     volatile boolean playing;
     volatile boolean closed;
@@ -48,7 +49,9 @@ final class SimulationLoop implements Runnable {
                 CommandQueue.await(Math.min(wait, MAX_IDLE_NS));
             } else {
                 advance(now, Long.MAX_VALUE, System.nanoTime() + STEPPING_SLICE_NS);
-                pacer.measure(now.simulation.steps(), now.simulation.time());
+            }
+            if (now != null && playing && pacer.measure(now.simulation.steps(), now.simulation.time())) {
+                chooseThreads(now);
             }
             if (now != null) {
                 now.publishIfDue();
@@ -60,6 +63,11 @@ final class SimulationLoop implements Runnable {
         if (running != null) {
             running.close();
         }
+    }
+
+    private void chooseThreads(RunningScene now) {
+        threadChooser.measured(pacer.realtimeFactor(), pacer.isBehind());
+        now.simulation.system().workers().useCallerOnly(!threadChooser.allThreads());
     }
 
     /**
@@ -160,6 +168,8 @@ final class SimulationLoop implements Runnable {
             old.close();
         }
         pacer.start(0, 0);
+        threadChooser.reset();
+        made.simulation.system().workers().useCallerOnly(true);
         updateStatus();
         listener.ready(made.scene);
         notifyListener();
