@@ -1,0 +1,112 @@
+package org.phrenic.access.imaging;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.Shapes;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.SceneSurfaces;
+import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.SimulationRun;
+import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Surface;
+
+class FluoroscopeTest {
+    private static final CArm ARM = new CArm(new double[3], 0, 0, 1000, 700, new CArm.Detector(300, 65, 65));
+
+    private static Surface surface(String name, StructureKind kind, TriangleMesh mesh) {
+        return new Surface(name, kind, 0, Side.MIDLINE, mesh, Surface.Motion.STILL, new boolean[0]);
+    }
+
+    private static double central(List<Surface> surfaces) {
+        return new Fluoroscope(surfaces, 1)
+                .take(Frame.still(surfaces), ARM, Fluoroscope.ENERGY_KEV)
+                .attenuation(32, 32);
+    }
+
+    /**
+     * NIST at 60 keV: muscle 0.2048 cm2/g. Bone of 1.41 g/cm3 is 41 % cortical: 0.1 mm-1 x (0.59 x 1.05 x 0.2048 +
+     * ...).
+     */
+    @Test
+    void structuresReplaceTheTissueAroundThem() {
+        Surface skin = surface("skin", StructureKind.SKIN, Shapes.sphere(100, 5));
+        Surface rib = surface("rib_05_R", StructureKind.RIB, Shapes.sphere(20, 5));
+        assertThat(central(List.of(skin))).isCloseTo(200 * 0.1 * 1.05 * 0.2048, within(0.01));
+        double ribPerMm = 0.1 * (0.5862 * 1.05 * 0.2048 + 0.4138 * 1.92 * 0.3148);
+        assertThat(central(List.of(skin, rib))).isCloseTo(160 * 0.1 * 1.05 * 0.2048 + 40 * ribPerMm, within(0.01));
+        assertThat(central(List.of(rib))).isCloseTo(40 * ribPerMm, within(0.01));
+    }
+
+    @Test
+    void openSurfacesAreLeftOutByName() {
+        TriangleMesh box = Shapes.box(10, 10, 10);
+        int[] open = java.util.Arrays.copyOf(box.triangles(), box.triangles().length - 3);
+        List<Surface> surfaces = List.of(
+                surface("liver", StructureKind.LIVER, new TriangleMesh(box.positions(), open)),
+                surface("lung_R", StructureKind.LUNG, box));
+        assertThat(new Fluoroscope(surfaces, 1).leftOut()).containsExactly("liver");
+    }
+
+    @Test
+    void energiesOutsideTheTablesAreRefused() {
+        assertThat(Tissue.SOFT.attenuationPerMm(50))
+                .isBetween(Tissue.SOFT.attenuationPerMm(60), Tissue.SOFT.attenuationPerMm(40));
+        assertThatThrownBy(() -> Tissue.SOFT.attenuationPerMm(120)).hasMessageContaining("40 to 80");
+    }
+
+    /** A source as high as the top of the right dome sees it on the middle row, before the breath and within it. */
+    @Test
+    void edgeOfTheDomeFollowsItsHeight() {
+        Scenario scenario = Scenario.defaults().with("resolution=low").with("preset=deep");
+        try (Simulation simulation = Simulation.of(scenario, SimulationRun.loadThorax(scenario))) {
+            SceneSurfaces scene = new SceneSurfaces(simulation);
+            Fluoroscope fluoroscope = new Fluoroscope(scene.surfaces(), 1);
+            Frame frame = scene.newFrame();
+            double before = edgeIsAtTheTopOfTheDome(fluoroscope, scene.surfaces(), frame);
+            while (simulation.time() < 0.9) {
+                simulation.step();
+            }
+            scene.capture(frame);
+            assertThat(edgeIsAtTheTopOfTheDome(fluoroscope, scene.surfaces(), frame))
+                    .isLessThan(before - 4);
+        }
+    }
+
+    /** Returns the height of the dome, mm. */
+    private static double edgeIsAtTheTopOfTheDome(Fluoroscope fluoroscope, List<Surface> surfaces, Frame frame) {
+        int diaphragm = 0;
+        while (surfaces.get(diaphragm).kind() != StructureKind.DIAPHRAGM) {
+            diaphragm++;
+        }
+        TriangleMesh rest = surfaces.get(diaphragm).rest();
+        double[] p = new double[rest.positions().length];
+        frame.writePositions(surfaces.get(diaphragm), diaphragm, p);
+        double[] top = {0, 0, -1000};
+        for (int i = 0; i < p.length; i += 3) {
+            if (p[i] < -30 && p[i + 2] > top[2]) {
+                top = new double[] {p[i], p[i + 1], p[i + 2]};
+            }
+        }
+        CArm arm = new CArm(top, 0, 0, 1000, 700, new CArm.Detector(200, 257, 257));
+        PathLengths lengths = new PathLengths(arm, 1);
+        lengths.add(rest.withPositions(p), 1);
+        double[] values = lengths.values();
+        int row = 0;
+        while (values[row * arm.columns() + 128] == 0) {
+            row++;
+        }
+        assertThat(row).isBetween(127, 129);
+        Radiograph picture = fluoroscope.take(frame, arm, Fluoroscope.ENERGY_KEV);
+        assertThat(picture.attenuation(128, row + 8))
+                .as("brighter below the edge than above")
+                .isGreaterThan(picture.attenuation(128, row - 3) + 0.2);
+        return top[2];
+    }
+}
