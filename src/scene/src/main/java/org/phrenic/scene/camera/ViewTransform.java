@@ -13,29 +13,39 @@ import org.phrenic.scene.style.ClipPlane;
  * @param fullProjection eye to clip coordinates of the whole picture
  * @param orthographic whether the projection is parallel
  * @param tile part of the picture that is drawn
- * @param scale supersampling factor along each side
+ * @param scale drawn pixels over pixels of the picture along each side: above 1 for supersampling, below for a coarser
+ *     picture
  */
 public record ViewTransform(
-        Matrix4d view, Matrix4d projection, Matrix4d fullProjection, boolean orthographic, Tile tile, int scale) {
+        Matrix4d view, Matrix4d projection, Matrix4d fullProjection, boolean orthographic, Tile tile, double scale) {
     /** Picture height to which line and edge widths refer, pixels. */
     private static final float REFERENCE_HEIGHT = 900;
 
-    public static ViewTransform of(Camera camera, Tile tile, int scale) {
+    public static ViewTransform of(Camera camera, Tile tile, double scale) {
         Matrix4d full = camera.projectionMatrix((double) tile.wholeWidth() / tile.wholeHeight());
         return new ViewTransform(camera.viewMatrix(), tile.crop(full), full, camera.orthographic(), tile, scale);
     }
 
     public int width() {
-        return tile.width() * scale;
+        return drawn(tile.width(), scale);
     }
 
     public int height() {
-        return tile.height() * scale;
+        return drawn(tile.height(), scale);
     }
 
-    /** Scales a width from the reference height to this picture, pixels. It does not shrink in smaller pictures. */
+    /** Number of pixels drawn for a side of a picture, 1 at least. */
+    public static int drawn(int pixels, double scale) {
+        return Math.max(1, (int) Math.round(pixels * scale));
+    }
+
+    /**
+     * Scales a width from the reference height to this picture, drawn pixels. It does not shrink in smaller pictures,
+     * and in coarser ones not below one pixel.
+     */
     public float scaledPixels(float reference) {
-        return reference * scale * Math.max(1, tile.wholeHeight() / REFERENCE_HEIGHT);
+        float scaled = (float) (reference * scale * Math.max(1, tile.wholeHeight() / REFERENCE_HEIGHT));
+        return scale < 1 ? Math.max(Math.min(1, reference), scaled) : scaled;
     }
 
     public float orthographicFlag() {

@@ -1,37 +1,43 @@
 package org.phrenic.scene.gl;
 
 import com.jogamp.opengl.GL3;
+import org.phrenic.scene.camera.ViewTransform;
 
 /** Framebuffers of one picture size. Those for transparency are created on first use. */
 final class RenderTargets {
+    private static final int ALL_BUFFERS =
+            GL3.GL_COLOR_BUFFER_BIT | GL3.GL_DEPTH_BUFFER_BIT | GL3.GL_STENCIL_BUFFER_BIT;
+
     private final GlResources resources = new GlResources();
     private final int width;
     private final int height;
-    private final int scale;
+    private final double scale;
     private final int samples;
     private final Framebuffer drawTarget;
     private final Framebuffer resolved;
     private Framebuffer colourOnly;
     private Framebuffer background;
     private Object backgroundKey = "";
+    private Framebuffer still;
     private Framebuffer[] layers;
     private Framebuffer accumulation;
 
     /**
-     * @param scale supersampling factor along each side
+     * @param scale drawn pixels over pixels of the picture along each side
      * @param samples samples per pixel; 0 for no multisampling
      */
-    RenderTargets(GL3 gl, int width, int height, int scale, int samples) {
+    RenderTargets(GL3 gl, int width, int height, double scale, int samples) {
         this.width = width;
         this.height = height;
         this.scale = scale;
         this.samples = samples;
-        drawTarget = new Framebuffer(gl, resources, width * scale, height * scale, samples, true);
+        drawTarget = new Framebuffer(
+                gl, resources, ViewTransform.drawn(width, scale), ViewTransform.drawn(height, scale), samples, true);
         resolved =
-                samples > 0 || scale > 1 ? new Framebuffer(gl, resources, width, height, 0, samples > 0) : drawTarget;
+                samples > 0 || scale != 1 ? new Framebuffer(gl, resources, width, height, 0, samples > 0) : drawTarget;
     }
 
-    boolean matches(int w, int h, int wantedScale, int wantedSamples) {
+    boolean matches(int w, int h, double wantedScale, int wantedSamples) {
         return width == w && height == h && scale == wantedScale && samples == wantedSamples;
     }
 
@@ -80,6 +86,26 @@ final class RenderTargets {
             backgroundKey = key;
         }
         background.blitTo(gl, drawTarget, GL3.GL_COLOR_BUFFER_BIT);
+        drawTarget.bind(gl);
+    }
+
+    /** Whether the draw target can be copied whole: it is not multisampled. */
+    boolean canKeepStill() {
+        return samples == 0;
+    }
+
+    /** Keeps colour and depth of the draw target, which hold what stands still. */
+    void keepStill(GL3 gl) {
+        if (still == null) {
+            still = screen(gl, true);
+        }
+        drawTarget.blitTo(gl, still, ALL_BUFFERS);
+        drawTarget.bind(gl);
+    }
+
+    /** Puts back what {@link #keepStill} has kept. */
+    void restoreStill(GL3 gl) {
+        still.blitTo(gl, drawTarget, ALL_BUFFERS);
         drawTarget.bind(gl);
     }
 

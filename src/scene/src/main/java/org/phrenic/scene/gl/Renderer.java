@@ -53,7 +53,7 @@ public final class Renderer {
     private SurfacePass faces;
     private LinePass lines;
     private ScreenPass screen;
-    private CapPass caps;
+    private OpaquePass opaque;
     private TranslucentPass translucent;
     private RenderTargets targets;
     private IntBuffer pixels = IntBuffer.allocate(0);
@@ -79,7 +79,7 @@ public final class Renderer {
         }
         boolean peeled = style.quality().transparency() == Transparency.PEELED;
         int samples = peeled ? 0 : Math.min(style.quality().samples(), info.maxSamples());
-        int scale = peeled && style.quality().samples() > 1 ? 2 : 1;
+        double scale = scale(style.quality(), peeled, samples);
         resize(gl, tile, scale, samples < 2 ? 0 : samples);
         scene.update(gl, frame, style, fieldValues, fieldVersion);
         scene.setPoses(poses);
@@ -99,17 +99,24 @@ public final class Renderer {
         statistics = resources.statistics((System.nanoTime() - begun) / NANOS_PER_MS);
     }
 
+    private static double scale(SceneStyle.Quality quality, boolean peeled, int samples) {
+        if (peeled) {
+            return quality.samples() > 1 ? 2 : 1;
+        }
+        return samples < 2 ? quality.resolution() : 1;
+    }
+
     private void createPasses(GL3 gl) {
         info = GraphicsInfo.of(gl);
         scene = new GpuScene(gl, resources, surfaces, overlays);
         faces = new SurfacePass(resources);
         lines = new LinePass(resources);
         screen = new ScreenPass(gl, resources);
-        caps = new CapPass(gl, resources);
+        opaque = new OpaquePass(faces, screen, new CapPass(gl, resources));
         translucent = new TranslucentPass(faces, screen);
     }
 
-    private void resize(GL3 gl, Tile tile, int scale, int samples) {
+    private void resize(GL3 gl, Tile tile, double scale, int samples) {
         if (targets == null || !targets.matches(tile.width(), tile.height(), scale, samples)) {
             if (targets != null) {
                 targets.dispose(gl);
@@ -118,7 +125,7 @@ public final class Renderer {
         }
     }
 
-    private static void setClipping(GL3 gl, boolean on) {
+    static void setClipping(GL3 gl, boolean on) {
         if (on) {
             gl.glEnable(GL3.GL_CLIP_DISTANCE0);
         } else {
@@ -138,27 +145,11 @@ public final class Renderer {
     }
 
     private void drawOpaque(GL3 gl, ViewTransform transform, SceneStyle style) {
-        targets.drawTarget().bind(gl);
-        setClipping(gl, false);
-        gl.glClear(GL3.GL_DEPTH_BUFFER_BIT | GL3.GL_STENCIL_BUFFER_BIT);
-        gl.glDepthFunc(GL3.GL_LESS);
-        List<?> key = List.of(style.background(), transform.tile());
-        targets.background(gl, key, () -> screen.drawBackground(gl, style.background(), transform));
-        listener.done(gl, "background");
-        boolean cut = style.clip().isPresent();
-        setClipping(gl, cut);
-        gl.glEnable(GL3.GL_DEPTH_TEST);
         // Front to back, so that hidden fragments fail the depth test early.
         List<SurfaceBuffers> shown = visible(style, a -> !a.wireframe() && !a.isTranslucent()).stream()
                 .sorted(Comparator.comparing(s -> box(s).nearestDepth(transform)))
                 .toList();
-        for (SurfaceBuffers surface : shown) {
-            faces.draw(gl, surface, transform, style, cut ? SurfacePass.Faces.BOTH : SurfacePass.Faces.FRONT);
-        }
-        setClipping(gl, false);
-        if (cut) {
-            caps.draw(gl, shown, faces, transform, style);
-        }
+        opaque.draw(gl, targets, shown, transform, style);
         listener.done(gl, "opaque");
         int depth = targets.depthTexture(gl);
         targets.bindColourOnly(gl);

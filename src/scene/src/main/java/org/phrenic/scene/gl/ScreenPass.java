@@ -30,7 +30,7 @@ final class ScreenPass {
 
     void drawBackground(GL3 gl, SceneBackground background, ViewTransform transform) {
         Tile tile = transform.tile();
-        int scale = transform.scale();
+        float scale = (float) transform.scale();
         backdrop.use(gl);
         backdrop.set(gl, "middle", Appearance.of(background.centreRgb(), 1).rgb());
         backdrop.set(gl, "edge", Appearance.of(background.edgeRgb(), 1).rgb());

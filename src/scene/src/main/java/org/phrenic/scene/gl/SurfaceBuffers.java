@@ -35,6 +35,7 @@ final class SurfaceBuffers {
     private final FloatBuffer positions;
     private final IntBuffer packedNormals;
     private float[] poseRows = IDENTITY;
+    private boolean posed;
     private final int vertexArray;
     private final int positionBuffer;
     private final int normalBuffer;
@@ -126,6 +127,12 @@ final class SurfaceBuffers {
     /** Sets the pose, a row-major 3 x 4 matrix. */
     void setPose(float[] rows) {
         poseRows = rows.clone();
+        posed = true;
+    }
+
+    /** Whether the surface looks the same in every frame: it neither moves nor has been given a pose. */
+    boolean isStill() {
+        return surface.motion() == Surface.Motion.STILL && !posed;
     }
 
     /** Uploads the vertex values of a quantity; {@code given} holds those of DISTANCE and ACCESS, null for zeros. */

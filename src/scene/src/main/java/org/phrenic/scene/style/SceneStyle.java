@@ -47,8 +47,20 @@ public record SceneStyle(
         }
     }
 
-    /** @param samples samples per pixel, 0 for no antialiasing; limited to the maximum of the driver */
-    public record Quality(Transparency transparency, int samples) {}
+    /**
+     * Effort of drawing.
+     *
+     * @param samples samples per pixel, 0 for no antialiasing; limited to the maximum of the driver
+     * @param resolution drawn over shown pixels along each side, at most 1; heeded without antialiasing and peeling
+     */
+    public record Quality(Transparency transparency, int samples, double resolution) {
+        /** @throws IllegalArgumentException if the resolution is not above 0 and at most 1 */
+        public Quality {
+            if (!(resolution > 0 && resolution <= 1)) {
+                throw new IllegalArgumentException("resolution: found " + resolution + ", expected above 0, at most 1");
+            }
+        }
+    }
 
     public SceneStyle {
         appearances = Collections.unmodifiableMap(new LinkedHashMap<>(appearances));
@@ -66,7 +78,7 @@ public record SceneStyle(
                 new Colouring(ColourField.NONE, "", scale),
                 new Lines(Set.of(), false),
                 Optional.empty(),
-                new Quality(Transparency.TWO_PASS, 0),
+                new Quality(Transparency.TWO_PASS, 0, 1),
                 "");
     }
 
@@ -154,11 +166,16 @@ public record SceneStyle(
     }
 
     public SceneStyle withTransparency(Transparency way) {
-        return with(new Quality(way, quality.samples));
+        return with(new Quality(way, quality.samples, quality.resolution));
     }
 
     public SceneStyle withSamples(int count) {
-        return with(new Quality(quality.transparency, count));
+        return with(new Quality(quality.transparency, count, quality.resolution));
+    }
+
+    /** Draws fewer pixels than are shown. */
+    public SceneStyle withResolution(double drawnOverShown) {
+        return with(new Quality(quality.transparency, quality.samples, drawnOverShown));
     }
 
     public SceneStyle withHighlighted(String structure) {
