@@ -22,6 +22,8 @@ public final class ForceEvaluation {
     private final double[] velocity;
     private final double[] force;
     private final Workers.Task after;
+    /** Null without selective mass. */
+    private final SelectiveMass selectiveMass;
     /** One value a block, which keeps the compiler from removing the prefetching reads; empty without prefetching. */
     private final double[] prefetched;
 
@@ -35,7 +37,9 @@ public final class ForceEvaluation {
             double[] position,
             double[] velocity,
             double[] force,
-            Workers.Task after) {
+            Workers.Task after,
+            SelectiveMass selectiveMass) {
+        this.selectiveMass = selectiveMass;
         this.fields = fields;
         this.layout = system.layout();
         this.workers = system.workers();
@@ -54,6 +58,12 @@ public final class ForceEvaluation {
     public void at(double time) {
         fields.prepare(time);
         workers.run(layout.blockCount(), task);
+        if (selectiveMass != null) {
+            selectiveMass.scaleForces(force);
+            if (after != null) {
+                workers.run(layout.blockCount(), after);
+            }
+        }
     }
 
     /**
@@ -65,6 +75,9 @@ public final class ForceEvaluation {
         fields.prepare(time, from, end);
         firstBlock = from;
         workers.run(end - from, taskOfRange);
+        if (selectiveMass != null && from == 0) {
+            selectiveMass.scaleForces(force);
+        }
     }
 
     private void block(int block) {
@@ -75,7 +88,7 @@ public final class ForceEvaluation {
         }
         Arrays.fill(force, from, end, 0);
         fields.addForces(position, velocity, force, block);
-        if (after != null) {
+        if (after != null && selectiveMass == null) {
             after.run(block);
         }
     }

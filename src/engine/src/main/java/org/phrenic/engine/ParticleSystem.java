@@ -2,6 +2,7 @@ package org.phrenic.engine;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
 
@@ -23,6 +24,7 @@ public final class ParticleSystem {
     private final ForceSet fields = new ForceSet();
     private final ConstraintSet constraints;
     private final PrescribedNodes prescribed = new PrescribedNodes();
+    private SelectiveMass selectiveMass;
 
     /**
      * @param layout order and blocks of the nodes
@@ -174,6 +176,24 @@ public final class ParticleSystem {
         if (inverseMass[internalNode] > 0) {
             inverseMass[internalNode] = 1 / kg;
         }
+        selectiveMass().ifPresent(SelectiveMass::invalidate);
+    }
+
+    /**
+     * Makes the translation of a group of free nodes lighter than their masses; see {@link SelectiveMass}. Integrators
+     * that are created later use it.
+     *
+     * @param callerNodes the group, in the caller's numbering
+     * @param lightness factor, at least 1
+     */
+    public void setSelectiveMass(int[] callerNodes, double lightness) {
+        int[] nodes = Arrays.stream(callerNodes).map(layout::internal).toArray();
+        selectiveMass = new SelectiveMass(nodes, lightness, mass);
+    }
+
+    /** The group of nodes whose translation is lighter, if there is one. */
+    public Optional<SelectiveMass> selectiveMass() {
+        return Optional.ofNullable(selectiveMass);
     }
 
     /** The enabled fields, in the order they were added. */
@@ -247,7 +267,16 @@ public final class ParticleSystem {
      *     only if no field is {@link #dependsOnVelocity}
      */
     public ForceEvaluation evaluation(double[] position, double[] velocity, double[] force, Workers.Task after) {
-        return new ForceEvaluation(this, fields, position, velocity, force, after);
+        return new ForceEvaluation(this, fields, position, velocity, force, after, null);
+    }
+
+    /**
+     * As {@link #evaluation}, for explicit integrators: the forces are those that give the acceleration when divided by
+     * the node masses, see {@link SelectiveMass}.
+     */
+    public ForceEvaluation inertialEvaluation(
+            double[] position, double[] velocity, double[] force, Workers.Task after) {
+        return new ForceEvaluation(this, fields, position, velocity, force, after, selectiveMass);
     }
 
     /** Adds K u of the enabled fields for the nodes of one block; see {@link ForceField#addStiffness}. */
@@ -306,7 +335,7 @@ public final class ParticleSystem {
             double vz = v[3 * i + 2];
             sum += 0.5 * mass[i] * (vx * vx + vy * vy + vz * vz);
         }
-        return sum;
+        return sum - selectiveMass().map(group -> group.energyRelief(v)).orElse(0.0);
     }
 
     /** Potential energy of the enabled fields, µJ. */

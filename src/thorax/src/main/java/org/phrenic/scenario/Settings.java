@@ -38,6 +38,7 @@ public final class Settings {
                             Numerics.PROJECTION_SWEEPS,
                             Numerics.REFRESH,
                             Numerics.MASS_SCALING,
+                            Numerics.TENDON_LIGHTNESS,
                             Numerics.THREADS,
                             RunSettings.RECORD_EVERY,
                             RunSettings.MESHES_EVERY,

@@ -154,7 +154,7 @@ public final class SimulationRun {
         map.put("steps_per_s", stepping > 0 ? stepper.steps() / stepping : 0.0);
         map.put("realtime_factor", stepping > 0 ? stepper.time() / stepping : 0.0);
         map.put("prestress_residual", scene.prestressResidual());
-        map.put("mass_added_percent", scene.massAddedPercent());
+        map.put("mass_added_percent", scene.nodeMasses().addedPercent());
         map.put("settled_by_rms_mm", simulation.settlingDisplacementMm());
         map.putAll(new RunSummary(samples).toMap());
         map.put("threads", scenario.threads());

@@ -31,7 +31,9 @@ abstract class AbstractIntegrator implements Integrator {
         inverseMass = system.inverseMasses();
         viscosity = system.viscosities();
         force = new double[x.length];
-        forces = system.evaluation(x, v, force, null);
+        forces = kind == IntegratorKind.BACKWARD_EULER
+                ? system.evaluation(x, v, force, null)
+                : system.inertialEvaluation(x, v, force, null);
     }
 
     @Override

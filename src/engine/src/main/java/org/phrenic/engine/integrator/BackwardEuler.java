@@ -16,7 +16,8 @@ import org.phrenic.engine.parallel.Workers;
  *
  * <p>The linear system is solved matrix-free (fields give K u) by conjugate gradients with a diagonal preconditioner,
  * starting from the current velocity. Order 1, stable for every h; frequencies that the step does not resolve are
- * damped. Fields without K (pressure, dead loads) and dashpots along springs are treated explicitly.
+ * damped. M is that of {@link org.phrenic.engine.SelectiveMass} where the system has one. Fields without K (pressure,
+ * dead loads) and dashpots along springs are treated explicitly.
  */
 final class BackwardEuler extends AbstractIntegrator {
     /** Relative residual of the linear solve, well below the scheme's own error at any usable step. */
@@ -65,6 +66,7 @@ final class BackwardEuler extends AbstractIntegrator {
                 right[i] = inverseMass[n] == 0 ? 0 : mass[n] * v[i] + h * force[i];
             }
         }
+        system.selectiveMass().ifPresent(group -> group.addInertia(1, v, right));
         solve();
         for (int i = 0; i < x.length; i++) {
             if (inverseMass[i / 3] != 0) {
@@ -111,6 +113,7 @@ final class BackwardEuler extends AbstractIntegrator {
             left = u;
             other = out;
             system.workers().run(partial.length, multiplyTask);
+            system.selectiveMass().ifPresent(group -> group.addInertia(1 + h * group.dampingRate(viscosity), u, out));
         }
 
         private void multiplyBlock(int block) {

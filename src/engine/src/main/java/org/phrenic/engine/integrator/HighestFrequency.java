@@ -1,7 +1,9 @@
 package org.phrenic.engine.integrator;
 
 import java.util.Arrays;
+import java.util.Optional;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.SelectiveMass;
 import org.phrenic.engine.math.DenseVectors;
 import org.phrenic.engine.parallel.Workers;
 
@@ -31,12 +33,14 @@ final class HighestFrequency {
     private final double[] u;
     private final double[] image;
     private final Workers.Task stiffness;
+    private final Optional<SelectiveMass> stretch;
     private final double[] diagonal = new double[PRODUCTS];
     private final double[] offDiagonal = new double[PRODUCTS + 1];
 
     /** Of nodes {@code first} to {@code end - 1}, on which no others act. */
     private HighestFrequency(ParticleSystem system, int first, int end) {
         this.system = system;
+        stretch = first == 0 ? system.selectiveMass() : Optional.empty();
         double[] w = system.inverseMasses();
         root = new double[w.length];
         q = new double[3 * w.length];
@@ -86,10 +90,13 @@ final class HighestFrequency {
 
     /** Writes A q minus {@code less} times the previous vector to {@code image}. */
     private void multiply(double less) {
-        byRoot(q, u);
+        System.arraycopy(q, 0, u, 0, q.length);
+        stretch.ifPresent(group -> group.stretch(u));
+        byRoot(u, u);
         Arrays.fill(image, 0);
         system.workers().run(system.layout().blockCount(), stiffness);
         byRoot(image, image);
+        stretch.ifPresent(group -> group.stretch(image));
         DenseVectors.addScaled(image, -less, before);
     }
 

@@ -97,7 +97,12 @@ public record StabilityLimit(
                 dashpot = Math.max(dashpot, w * damping[i]);
             }
         }
-        double root = Math.sqrt(bound);
+        double lighter = first > 0
+                ? 0
+                : system.selectiveMass()
+                        .map(group -> group.addedOmegaSquared(system))
+                        .orElse(0.0);
+        double root = Math.sqrt(bound + lighter);
         double highest = MARGIN * Math.sqrt(HighestFrequency.omegaSquared(system, first, end));
         // The comparison is also false if the highest frequency is NaN.
         double omega = highest <= root ? highest : root;

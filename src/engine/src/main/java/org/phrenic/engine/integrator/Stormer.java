@@ -43,7 +43,7 @@ final class Stormer extends AbstractIntegrator {
     private final Workers.Task kickAndDrift = this::kickAndDrift;
     private final Workers.Task predictVelocity = this::predictVelocity;
     private final Workers.Task kick = this::kick;
-    private final ForceEvaluation forcesAndKick = system.evaluation(x, v, force, kick);
+    private final ForceEvaluation forcesAndKick = system.inertialEvaluation(x, v, force, kick);
     private final Workers.Task correctAndKick = this::correctAndKick;
 
     Stormer(ParticleSystem system) {

@@ -11,7 +11,7 @@ import org.phrenic.engine.parallel.Workers;
 final class SymplecticEuler extends AbstractIntegrator {
     private double h;
     private final Workers.Task kick = this::kick;
-    private final ForceEvaluation forcesAndKick = system.evaluation(x, v, force, kick);
+    private final ForceEvaluation forcesAndKick = system.inertialEvaluation(x, v, force, kick);
     private final Workers.Task drift = this::drift;
 
     SymplecticEuler(ParticleSystem system) {

@@ -23,7 +23,7 @@ final class VelocityVerlet extends AbstractIntegrator {
     private double h;
     private final Workers.Task kickAndDrift = this::kickAndDrift;
     private final Workers.Task kick = this::kick;
-    private final ForceEvaluation forcesAndKick = system.evaluation(x, v, force, kick);
+    private final ForceEvaluation forcesAndKick = system.inertialEvaluation(x, v, force, kick);
 
     VelocityVerlet(ParticleSystem system) {
         super(IntegratorKind.VERLET, system);

@@ -60,7 +60,7 @@ public final class Scene {
     private Optional<SternumPart> sternum = Optional.empty();
     private Optional<LiverPart> liver = Optional.empty();
     private List<Structure> embeddedLungs = List.of();
-    private double massAddedPercent;
+    private NodeMasses nodeMasses;
 
     public Scene(
             SettingValues settings,
@@ -174,8 +174,8 @@ public final class Scene {
 
     /** Sets the particle system. Forces can be added afterwards. */
     public void setSystem(
-            ParticleSystem particles, double[] positionsAtRest, double refreshIntervalS, double massAdded) {
-        massAddedPercent = massAdded;
+            ParticleSystem particles, double[] positionsAtRest, double refreshIntervalS, NodeMasses masses) {
+        nodeMasses = masses;
         system = particles;
         positions = positionsAtRest;
         refreshS = refreshIntervalS;
@@ -337,9 +337,9 @@ public final class Scene {
         return springCount;
     }
 
-    /** Total mass added by mass scaling, per cent. */
-    public double massAddedPercent() {
-        return massAddedPercent;
+    /** Masses of tissue and what mass scaling adds to them. */
+    public NodeMasses nodeMasses() {
+        return nodeMasses;
     }
 
     /** Values that can change during the run. */

@@ -88,8 +88,8 @@ public abstract class TissueMaterial {
     /** The wall on which diaphragm and lungs slide; empty if attachments alone hold them. */
     public abstract Optional<MovingChestWall> chestWall(Scene scene, List<Structure> lungs);
 
-    /** Increases the mass of nodes that would shorten the time step; returns the total mass added, per cent. */
-    public abstract double scaleMasses(Scene scene, double[] positions, double[] masses);
+    /** Least mass of each node for the time step that masses are scaled for, kg; 0 where the tissue's own stands. */
+    public abstract double[] leastMasses(Scene scene, double[] positions);
 
     @Override
     public String toString() {

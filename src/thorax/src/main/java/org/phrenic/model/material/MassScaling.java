@@ -17,18 +17,12 @@ final class MassScaling {
     private static final int SYMMETRIC = 6;
 
     private final double[] positions;
-    private final double[] mass;
     private final double[] nodeStiffness;
-    private double addedPercent;
 
-    /**
-     * @param positions of all nodes, mm
-     * @param mass of all nodes, kg; increased in place
-     */
-    MassScaling(double[] positions, double[] mass) {
+    /** @param positions of all nodes, mm */
+    MassScaling(double[] positions) {
         this.positions = positions;
-        this.mass = mass;
-        nodeStiffness = new double[SYMMETRIC * mass.length];
+        nodeStiffness = new double[SYMMETRIC * (positions.length / 3)];
     }
 
     /** Adds springs between nodes to A_i. */
@@ -71,25 +65,14 @@ final class MassScaling {
         }
     }
 
-    /** Increases masses until velocity Verlet is stable with this step, s. */
-    void raiseMassesFor(double step) {
+    /** Mass of each node from which velocity Verlet is stable with this step (s), kg. */
+    double[] leastMasses(double step) {
         double omega = 2 / step;
-        double before = 0;
-        double added = 0;
-        for (int i = 0; i < mass.length; i++) {
-            double least = 2 * largestEigenvalue(SYMMETRIC * i) / (omega * omega);
-            before += mass[i];
-            if (mass[i] < least) {
-                added += least - mass[i];
-                mass[i] = least;
-            }
+        double[] least = new double[positions.length / 3];
+        for (int i = 0; i < least.length; i++) {
+            least[i] = 2 * largestEigenvalue(SYMMETRIC * i) / (omega * omega);
         }
-        addedPercent = 100 * added / before;
-    }
-
-    /** Total mass added, per cent. */
-    double addedPercent() {
-        return addedPercent;
+        return least;
     }
 
     /** Largest eigenvalue of a symmetric 3 × 3 matrix in closed form (Smith 1961, doi 10.1145/355578.366316). */

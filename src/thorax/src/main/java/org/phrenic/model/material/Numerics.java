@@ -19,6 +19,8 @@ public final class Numerics {
     private static final double MAX_STATED_REFRESH_S = 1;
     private static final double MAX_SCALED_STEP_S = 0.01;
     private static final double SCALED_STEP_S = 0.00125;
+    private static final double MAX_LIGHTNESS = 100;
+    private static final double LIGHTNESS = 1;
     private static final int MAX_SWEEPS = 100;
     private static final double REFRESH_S = 0.02;
     private static final double REFRESH_STEPS = 4;
@@ -55,6 +57,11 @@ public final class Numerics {
             .describedAs("Physical material: the lightest nodes are made heavier until velocity Verlet bears this"
                     + " step; the less, the less mass is added.")
             .number("s", 1e-6, MAX_SCALED_STEP_S, values -> SCALED_STEP_S);
+    public static final NumberSetting TENDON_LIGHTNESS = Setting.named(
+                    "tendon_lightness", "Tendon lightness", Effect.ASSEMBLY)
+            .describedAs("Physical material: the tendon moves as a whole as if its nodes were so many times lighter;"
+                    + " their masses, which its stiffness asks for, oppose its deformation alone.")
+            .number("times", 1, MAX_LIGHTNESS, values -> LIGHTNESS);
     public static final WholeSetting THREADS = Setting.named("threads", "Threads", Effect.ASSEMBLY)
             .describedAs("Threads to compute on; the numbers do not depend on it.")
             .whole(

@@ -96,7 +96,7 @@ class PaperMaterial extends TissueMaterial {
     }
 
     @Override
-    public double scaleMasses(Scene scene, double[] positions, double[] masses) {
-        return 0;
+    public double[] leastMasses(Scene scene, double[] positions) {
+        return new double[positions.length / 3];
     }
 }

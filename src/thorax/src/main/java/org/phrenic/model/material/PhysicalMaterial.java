@@ -114,9 +114,9 @@ final class PhysicalMaterial extends TissueMaterial {
     }
 
     @Override
-    public double scaleMasses(Scene scene, double[] positions, double[] masses) {
+    public double[] leastMasses(Scene scene, double[] positions) {
         MassSpringBuilder nodes = scene.nodes();
-        MassScaling scaling = new MassScaling(positions, masses);
+        MassScaling scaling = new MassScaling(positions);
         scaling.addSprings(nodes.sheetSprings);
         scaling.addSprings(nodes.passiveSprings);
         scaling.addAttachments(
@@ -125,7 +125,6 @@ final class PhysicalMaterial extends TissueMaterial {
                 scene.settings().get(BoneAttachments.STERNUM_COUPLING));
         scaling.addAttachments(scene.diaphragm().cruralNodes, scene.diaphragm().cruralStiffnesses, 1);
         scene.lungs().ifPresent(l -> scaling.addAttachments(l.baseSprings.node(), l.baseSprings.stiffnesses(), 1));
-        scaling.raiseMassesFor(scene.settings().get(Numerics.MASS_SCALING) / Stepper.SAFETY);
-        return scaling.addedPercent();
+        return scaling.leastMasses(scene.settings().get(Numerics.MASS_SCALING) / Stepper.SAFETY);
     }
 }

@@ -26,6 +26,7 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.ConnectedComponents;
 import org.phrenic.mesh.edit.Remesher;
 import org.phrenic.model.assembly.BreathDrive;
+import org.phrenic.model.assembly.NodeMasses;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
 import org.phrenic.model.assembly.TissueMaterial;
@@ -140,12 +141,11 @@ public final class SceneAssembly {
         NodeLayout layout = sternum.filter(part -> part.nodeCount() > 0 && material.stepsSternumApart())
                 .map(part -> NodeLayout.morton(positions, part.firstNodes.get(0), part.nodeCount()))
                 .orElseGet(() -> NodeLayout.morton(positions));
-        double[] masses = scene.nodes().masses();
-        double massAdded = material.scaleMasses(scene, positions, masses);
-        ParticleSystem system = new ParticleSystem(layout, positions, masses, scene.workers());
+        NodeMasses masses = new NodeMasses(scene.nodes().masses(), material.leastMasses(scene, positions));
+        ParticleSystem system = new ParticleSystem(layout, positions, masses.all(), scene.workers());
         system.setProjectionSweeps(settings.get(Numerics.PROJECTION_SWEEPS));
         system.add(scene.drive());
-        scene.setSystem(system, positions, settings.get(Numerics.REFRESH), massAdded);
+        scene.setSystem(system, positions, settings.get(Numerics.REFRESH), masses);
     }
 
     private void addParts() {

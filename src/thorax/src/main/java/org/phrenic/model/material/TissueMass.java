@@ -2,12 +2,14 @@ package org.phrenic.model.material;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
 import org.phrenic.model.assembly.TissueTuner;
 import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.model.organ.MassSpringBuilder;
 import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.Parameter;
 
@@ -65,11 +67,26 @@ public final class TissueMass extends ScenePart {
     @Override
     public void addTo(Scene scene) {
         setDamping(scene, scene.settings().get(damping));
+        if (perArea) {
+            lightenTendon(scene);
+        }
         List<Parameter> tuned = new ArrayList<>(parameters());
         if (perArea) {
             tuned.addAll(List.of(SheetSprings.TENDON_RATIO, SheetSprings.MUSCLE_STIFFNESS, Lungs.LUNG_STIFFNESS));
         }
         scene.tunes(tuned, () -> tuning(scene));
+    }
+
+    /** The tendon's masses go with its stiffness; its translation need not bear them. */
+    private static void lightenTendon(Scene scene) {
+        double lightness = scene.settings().get(Numerics.TENDON_LIGHTNESS);
+        DiaphragmPart sheet = scene.diaphragm();
+        int[] tendon = IntStream.range(0, sheet.diaphragm.sheet().vertexCount())
+                .filter(i -> sheet.diaphragm.isTendon(i) && !sheet.diaphragm.isInserted(i))
+                .toArray();
+        if (lightness > 1 && tendon.length > 0) {
+            scene.system().setSelectiveMass(MassSpringBuilder.offset(tendon, sheet.firstNode), lightness);
+        }
     }
 
     private TissueTuner.Action tuning(Scene scene) {
@@ -78,17 +95,17 @@ public final class TissueMass extends ScenePart {
         DiaphragmPart sheet = scene.diaphragm();
         int firstLungNode = scene.firstLungNode();
         int pastSheet = sheet.firstNode + sheet.diaphragm.sheet().vertexCount();
-        double[] masses = system.masses().clone();
         return (value, assembled, asAssembled) -> {
             double all = value[0] / assembled[0];
-            double tendon = perArea ? all * (value[2] / assembled[2]) : all;
-            double lung = perArea ? all * (value[4] / assembled[4]) / (value[3] / assembled[3]) : all;
-            for (int i = 0; i < masses.length; i++) {
+            // Least masses and those of tissue go with the stiffness.
+            double tendon = perArea ? value[2] / assembled[2] : 1;
+            double lung = perArea ? value[4] / assembled[4] / (value[3] / assembled[3]) : 1;
+            for (int i = 0; i < layout.nodeCount(); i++) {
                 int node = layout.caller(i);
                 boolean inTendon =
                         node >= sheet.firstNode && node < pastSheet && sheet.diaphragm.isTendon(node - sheet.firstNode);
-                double f = asAssembled ? 1 : node >= firstLungNode ? lung : inTendon ? tendon : all;
-                system.setMass(i, f * masses[i]);
+                double stiffer = asAssembled ? 1 : node >= firstLungNode ? lung : inTendon ? tendon : 1;
+                system.setMass(i, stiffer * scene.nodeMasses().of(node, asAssembled ? 1 : all));
             }
             setDamping(scene, value[1]);
         };

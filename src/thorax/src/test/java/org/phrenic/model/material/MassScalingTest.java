@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.offset;
 
 import org.junit.jupiter.api.Test;
+import org.phrenic.model.assembly.NodeMasses;
 import org.phrenic.model.organ.SpringList;
 
 /** Light nodes get just the mass that the step asks for, and no others any. */
@@ -13,8 +14,8 @@ class MassScalingTest {
     private static final double EXACT = 1e-12;
     private static final double[] TWO_NODES = {0, 0, 0, 3, 4, 0};
 
-    private static MassScaling scaling(double[] mass) {
-        MassScaling scaling = new MassScaling(TWO_NODES, mass);
+    private static MassScaling scaling() {
+        MassScaling scaling = new MassScaling(TWO_NODES);
         SpringList springs = new SpringList();
         springs.add(0, 1, STIFFNESS, 5, 0);
         scaling.addSprings(springs);
@@ -23,8 +24,7 @@ class MassScalingTest {
 
     @Test
     void twoEqualNodesOnASpringComeToTheLimitOfVerlet() {
-        double[] mass = {1e-6, 1e-6};
-        scaling(mass).raiseMassesFor(STEP_S);
+        double[] mass = new NodeMasses(new double[] {1e-6, 1e-6}, scaling().leastMasses(STEP_S)).all();
         // ω² = 2 k / m for two equal masses, and Verlet's limit is ω h = 2.
         double omega = Math.sqrt(2 * STIFFNESS / mass[0]);
         assertThat(omega * STEP_S).isCloseTo(2, offset(EXACT));
@@ -33,21 +33,27 @@ class MassScalingTest {
 
     @Test
     void heavyNodesStayAsTheyAre() {
-        double[] mass = {1e-3, 1e-3};
-        MassScaling scaling = scaling(mass);
-        scaling.raiseMassesFor(STEP_S);
-        assertThat(mass).containsExactly(1e-3, 1e-3);
-        assertThat(scaling.addedPercent()).isZero();
+        NodeMasses masses = new NodeMasses(new double[] {1e-3, 1e-3}, scaling().leastMasses(STEP_S));
+        assertThat(masses.all()).containsExactly(1e-3, 1e-3);
+        assertThat(masses.addedPercent()).isZero();
+    }
+
+    @Test
+    void tissueThatGrowsHeavierOutweighsItsLeastMassOnlyBeyondIt() {
+        double least = scaling().leastMasses(STEP_S)[0];
+        NodeMasses masses = new NodeMasses(new double[] {0.5 * least, 0.5 * least}, new double[] {least, least});
+        assertThat(masses.addedPercent()).isCloseTo(100, offset(EXACT));
+        assertThat(masses.of(0, 1.5)).isEqualTo(least);
+        assertThat(masses.of(0, 4)).isCloseTo(2 * least, offset(EXACT * least));
     }
 
     @Test
     void aNodeOnBoneAloneComesToTheLimitOfItsOwnFrequency() {
-        double[] mass = {1e-9, 1};
-        MassScaling scaling = new MassScaling(TWO_NODES, mass);
+        MassScaling scaling = new MassScaling(TWO_NODES);
         scaling.addAttachments(new int[] {0}, new double[] {STIFFNESS}, 1);
-        scaling.raiseMassesFor(STEP_S);
+        double[] least = scaling.leastMasses(STEP_S);
         // ω² = k / m against a fixed anchor.
-        assertThat(Math.sqrt(STIFFNESS / mass[0]) * STEP_S).isCloseTo(2, offset(EXACT));
-        assertThat(mass[1]).isEqualTo(1);
+        assertThat(Math.sqrt(STIFFNESS / least[0]) * STEP_S).isCloseTo(2, offset(EXACT));
+        assertThat(least[1]).isZero();
     }
 }
