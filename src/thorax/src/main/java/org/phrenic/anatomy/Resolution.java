@@ -10,34 +10,34 @@ public enum Resolution {
     MEDIUM(16_023),
     HIGH(20_909);
 
-    /** Fraction of vertices on the diaphragm: the paper's generic diaphragm has 11,359 of 20,909 nodes of its scene. */
-    private static final double DIAPHRAGM_SHARE = 11_359.0 / 20_909.0;
-
-    private static final double LUNG_SHARE = 0.30;
-
-    private final int vertices;
+    private final MeshBudget budget;
 
     Resolution(int vertices) {
-        this.vertices = vertices;
+        budget = new MeshBudget(vertices);
+    }
+
+    /** Numbers of vertices of the deformable parts. */
+    public MeshBudget budget() {
+        return budget;
     }
 
     /** Total number of vertices of deformable parts. */
     public int vertices() {
-        return vertices;
+        return budget.vertices();
     }
 
     /** Number of vertices on the diaphragm (both faces). */
     public int diaphragmVertices() {
-        return (int) Math.round(vertices * DIAPHRAGM_SHARE);
+        return budget.diaphragmVertices();
     }
 
     /** Number of vertices on both lungs. */
     public int lungVertices() {
-        return (int) Math.round(vertices * LUNG_SHARE);
+        return budget.lungVertices();
     }
 
     /** Number of vertices on sternum and costal cartilages. */
     public int sternumVertices() {
-        return vertices - diaphragmVertices() - lungVertices();
+        return budget.sternumVertices();
     }
 }

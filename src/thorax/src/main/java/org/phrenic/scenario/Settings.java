@@ -31,6 +31,7 @@ public final class Settings {
                             Materials.MATERIAL,
                             RunSettings.ANATOMY,
                             OrganSettings.RESOLUTION,
+                            OrganSettings.MESH_VERTICES,
                             RunSettings.DURATION,
                             Numerics.TIME_STEP,
                             Numerics.INTEGRATOR,

@@ -10,6 +10,7 @@ import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.model.assembly.Scene;
+import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Observation;
@@ -32,7 +33,8 @@ public final class SimulationRun {
     /** Loads the body that a scenario names. */
     public static Thorax loadThorax(Scenario scenario) {
         if (scenario.isVirtual()) {
-            return VirtualThorax.ofPreset(scenario.anatomy().substring("virtual/".length()), scenario.resolution());
+            String preset = scenario.anatomy().substring("virtual/".length());
+            return VirtualThorax.ofPreset(preset, OrganSettings.budget(scenario));
         }
         return ThoraxFolder.load(Path.of(scenario.anatomy()));
     }

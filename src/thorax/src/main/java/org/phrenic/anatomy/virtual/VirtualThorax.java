@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ForkJoinTask;
+import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
@@ -32,16 +33,16 @@ public final class VirtualThorax {
     private static final Map<String, SoftReference<Thorax>> PRESETS = new ConcurrentHashMap<>();
 
     private final VirtualThoraxParameters parameters;
-    private final Resolution resolution;
+    private final MeshBudget budget;
     private final Spine spine;
     private final ChestWallShape wall;
     private final VertebraShape[] vertebrae = new VertebraShape[VirtualThoraxParameters.VERTEBRAE];
     private final SternumShape sternum;
     private final DiaphragmShape dome;
 
-    private VirtualThorax(VirtualThoraxParameters parameters, Resolution resolution) {
+    private VirtualThorax(VirtualThoraxParameters parameters, MeshBudget budget) {
         this.parameters = parameters;
-        this.resolution = resolution;
+        this.budget = budget;
         spine = new Spine(parameters.spine());
         wall = new ChestWallShape(parameters.chestWall(), spine);
         for (int level = 1; level <= vertebrae.length; level++) {
@@ -54,11 +55,16 @@ public final class VirtualThorax {
     /**
      * Generates the thorax.
      *
-     * @param resolution mesh resolution of the deformable parts; rigid parts do not depend on it
+     * @param budget number of vertices of the deformable parts; rigid parts do not depend on it
      * @throws IllegalStateException if the measures contradict each other, such as a dome above the apex of the lung
      */
+    public static Thorax generate(VirtualThoraxParameters parameters, MeshBudget budget) {
+        return new VirtualThorax(parameters, budget).build();
+    }
+
+    /** Generates the thorax at a resolution. */
     public static Thorax generate(VirtualThoraxParameters parameters, Resolution resolution) {
-        return new VirtualThorax(parameters, resolution).build();
+        return generate(parameters, resolution.budget());
     }
 
     /**
@@ -67,13 +73,18 @@ public final class VirtualThorax {
      * @throws IllegalArgumentException if there is no preset of this name
      */
     public static Thorax ofPreset(String preset, Resolution resolution) {
+        return ofPreset(preset, resolution.budget());
+    }
+
+    /** The thorax of a preset with a number of vertices. */
+    public static Thorax ofPreset(String preset, MeshBudget budget) {
         Thorax[] found = new Thorax[1];
-        PRESETS.compute(preset + " " + resolution, (key, known) -> {
+        PRESETS.compute(preset + " " + budget.vertices(), (key, known) -> {
             found[0] = known == null ? null : known.get();
             if (found[0] != null) {
                 return known;
             }
-            found[0] = generate(VirtualThoraxParameters.preset(preset), resolution);
+            found[0] = generate(VirtualThoraxParameters.preset(preset), budget);
             return new SoftReference<>(found[0]);
         });
         return found[0];
@@ -81,14 +92,14 @@ public final class VirtualThorax {
 
     /** Generates the parts in parallel and lists them in the order bones, spine, organs. */
     private Thorax build() {
-        int right = (int) Math.round(resolution.lungVertices() * RIGHT_LUNG_SHARE);
-        int left = resolution.lungVertices() - right;
+        int right = (int) Math.round(budget.lungVertices() * RIGHT_LUNG_SHARE);
+        int left = budget.lungVertices() - right;
         // Fork the longest tasks first: other threads steal the oldest task, this thread runs the newest.
         var diaphragm = fork(() -> structureList(
                 "diaphragm",
                 StructureKind.DIAPHRAGM,
                 Side.MIDLINE,
-                new DiaphragmSheet(parameters.diaphragm(), dome, wall).mesh(resolution.diaphragmVertices())));
+                new DiaphragmSheet(parameters.diaphragm(), dome, wall).mesh(budget.diaphragmVertices())));
         var lungR = fork(() -> structureList("lung_R", StructureKind.LUNG, Side.RIGHT, lung(Side.RIGHT, right)));
         var lungL = fork(() -> structureList("lung_L", StructureKind.LUNG, Side.LEFT, lung(Side.LEFT, left)));
         var liver = fork(() -> structureList(
@@ -118,7 +129,7 @@ public final class VirtualThorax {
     private List<Structure> bones() {
         List<Structure> bones = new ArrayList<>();
         RibCageCourses skeleton = new RibCageCourses(parameters, spine, wall, vertebrae, sternum);
-        SternumMeshes meshes = new SternumMeshes(parameters, wall, resolution.sternumVertices());
+        SternumMeshes meshes = new SternumMeshes(parameters, wall, budget.sternumVertices());
         for (Side side : List.of(Side.RIGHT, Side.LEFT)) {
             Polyline above = null;
             for (int level = 1; level <= 12; level++) {

@@ -8,7 +8,7 @@ import java.util.concurrent.CompletionException;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
-import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -52,7 +52,7 @@ import org.phrenic.parameter.SettingValues;
 public final class SceneAssembly {
     private final SettingValues settings;
     private final TissueMaterial material;
-    private final Resolution resolution;
+    private final MeshBudget budget;
     private final Thorax thorax;
     private final Scene scene;
 
@@ -61,7 +61,7 @@ public final class SceneAssembly {
         this.scene = scene;
         thorax = scene.thorax();
         material = settings.get(Materials.MATERIAL);
-        resolution = settings.get(OrganSettings.RESOLUTION);
+        budget = OrganSettings.budget(settings);
     }
 
     /**
@@ -102,7 +102,7 @@ public final class SceneAssembly {
         TissueLaw law = material.tissueLaw(settings);
         CompletableFuture<List<Structure>> lungsMeshed = CompletableFuture.supplyAsync(this::lungStructures);
         CompletableFuture<List<SternumPart.BracedStructure>> sternumMeshed = CompletableFuture.supplyAsync(
-                () -> sternumModel == SternumModel.SPRINGS ? SternumPart.mesh(thorax, resolution) : List.of());
+                () -> sternumModel == SternumModel.SPRINGS ? SternumPart.mesh(thorax, budget) : List.of());
         CompletableFuture<SkinningWeights> weights =
                 CompletableFuture.supplyAsync(() -> SkinningWeights.of(thorax, cage));
         Diaphragm tissue = diaphragm();
@@ -183,7 +183,7 @@ public final class SceneAssembly {
     private List<Structure> lungStructures() {
         return settings.get(OrganSettings.LUNGS) == LungModel.OFF
                 ? List.of()
-                : Remeshing.toBudget(thorax.structuresOf(StructureKind.LUNG), resolution.lungVertices());
+                : Remeshing.toBudget(thorax.structuresOf(StructureKind.LUNG), budget.lungVertices());
     }
 
     /** The closed sheet of the diaphragm's shells at the requested resolution. */
@@ -195,7 +195,7 @@ public final class SceneAssembly {
                 .orElseThrow(() -> new BadInputException(thorax.name()
                         + ": the diaphragm has no closed shell, expected a double-layered sheet whose two faces meet at"
                         + " its border"));
-        int wanted = resolution.diaphragmVertices();
+        int wanted = budget.diaphragmVertices();
         if (!Remeshing.isAdequate(sheet, wanted)) {
             sheet = Remesher.toVertexCount(sheet, wanted);
         }

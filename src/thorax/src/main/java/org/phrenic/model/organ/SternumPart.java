@@ -2,8 +2,8 @@ package org.phrenic.model.organ;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.OpposingVertices;
-import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -38,11 +38,13 @@ public final class SternumPart {
     /** A bone or cartilage and the pairs of its vertices that are braced across it. */
     public record BracedStructure(Structure structure, List<OpposingVertices.Pair> braces) {}
 
-    /** Sternum and cartilages at a resolution, with their braces. They depend on the body and the resolution alone. */
-    public static List<BracedStructure> mesh(Thorax thorax, Resolution resolution) {
+    /**
+     * Sternum and cartilages of a number of vertices, with their braces. They depend on the body and the budget alone.
+     */
+    public static List<BracedStructure> mesh(Thorax thorax, MeshBudget budget) {
         List<Structure> given = new ArrayList<>(thorax.structuresOf(StructureKind.STERNUM));
         given.addAll(thorax.structuresOf(StructureKind.COSTAL_CARTILAGE));
-        return Remeshing.toBudget(given, resolution.sternumVertices()).stream()
+        return Remeshing.toBudget(given, budget.sternumVertices()).stream()
                 .map(s -> new BracedStructure(
                         s, OpposingVertices.of(s.mesh(), REACH_MM).nearestPairs(BRACES)))
                 .toList();
