@@ -30,6 +30,9 @@ public final class DiaphragmBuilder implements ImplicitSurface {
     /** Distance from the bones' inner side to the sheet, mm: pleura, fascia and innermost intercostal muscle. */
     public static final double CLEARANCE_MM = 1;
 
+    /** Smoothing lengths of the roof, mm, taken in turn until the sheet does not pass through itself. */
+    private static final double[] SMOOTHING_MM = {5, 10, 20, 40};
+
     private static final double TURN_MM = 4;
     private static final double DENSE_MM = 3;
     /** Least height of the zone of apposition below a lung, mm. */
@@ -55,9 +58,9 @@ public final class DiaphragmBuilder implements ImplicitSurface {
     private final InsertionLine insertion;
     private final TriangleTree lungs;
 
-    private DiaphragmBuilder(Thorax body) {
-        cage = new CageEnvelope(body);
-        dome = new DomeSurface(body, cage, THICKNESS_MM / 2);
+    private DiaphragmBuilder(Thorax body, CageEnvelope cage, double smoothingMm) {
+        this.cage = cage;
+        dome = new DomeSurface(body, cage, THICKNESS_MM / 2, smoothingMm);
         insertion = dome.insertion();
         lungs = new TriangleTree(MeshMerge.merge(body.structuresOf(StructureKind.LUNG).stream()
                 .map(Structure::mesh)
@@ -68,7 +71,7 @@ public final class DiaphragmBuilder implements ImplicitSurface {
      * Builds a closed sheet of about the vertices of the highest resolution.
      *
      * @param body completed body, LPS, mm; its own diaphragm is ignored
-     * @throws IllegalArgumentException if the body lacks ribs, spine or lungs
+     * @throws IllegalArgumentException if the body lacks ribs, spine or lungs, or its sheet would pass through itself
      */
     public static TriangleMesh build(Thorax body) {
         return build(body, Resolution.HIGH.diaphragmVertices());
@@ -76,9 +79,16 @@ public final class DiaphragmBuilder implements ImplicitSurface {
 
     /** Builds a closed sheet of about so many vertices; see {@link #build(Thorax)}. */
     public static TriangleMesh build(Thorax body, int vertices) {
-        DiaphragmBuilder builder = new DiaphragmBuilder(body);
-        TriangleMesh dense = builder.middleSurface();
-        return TwoFacedSheet.of(Remesher.toVertexCount(dense, vertices / 2), THICKNESS_MM);
+        CageEnvelope cage = new CageEnvelope(body);
+        for (double smoothing : SMOOTHING_MM) {
+            TriangleMesh dense = new DiaphragmBuilder(body, cage, smoothing).middleSurface();
+            TriangleMesh sheet = TwoFacedSheet.of(Remesher.toVertexCount(dense, vertices / 2), THICKNESS_MM);
+            if (SelfIntersections.count(sheet) == 0) {
+                return sheet;
+            }
+        }
+        throw new IllegalArgumentException(
+                "between the lungs and the organs below, its sheet would pass through itself");
     }
 
     private double wall(double x, double y, double z) {

@@ -28,7 +28,6 @@ final class DomeSurface implements ImplicitSurface {
     private static final double STEP_DEG = 2;
     private static final int HALF = (int) (WIDEST_DEG / STEP_DEG);
     private static final int SIDE = 2 * HALF;
-    private static final ThinPlateGrid.Stiffness STIFFNESS = new ThinPlateGrid.Stiffness(5, 0);
     private static final int ROUNDS = 6;
     /** Depth of the pivot below the highest base of a lung, in half-breadths of the cage. */
     private static final double PIVOT_DEPTH = 0.7;
@@ -56,7 +55,8 @@ final class DomeSurface implements ImplicitSurface {
     private final double halfThickness;
     private final InsertionLine insertion;
 
-    DomeSurface(Thorax body, CageEnvelope cage, double halfThickness) {
+    /** @param smoothingMm length L of the thin plate, mm */
+    DomeSurface(Thorax body, CageEnvelope cage, double halfThickness, double smoothingMm) {
         this.halfThickness = halfThickness;
         List<LungBase> bases = LungBase.of(body);
         if (bases.isEmpty()) {
@@ -74,7 +74,7 @@ final class DomeSurface implements ImplicitSurface {
         bounds.organs(organs, cage);
         insertion = new InsertionLine(new InsertionSites(body, cage), top - BELOW_TOP_MM);
         bounds.wall(cage);
-        rho = bounds.solve(breadth * Math.toRadians(STEP_DEG));
+        rho = bounds.solve(breadth * Math.toRadians(STEP_DEG), smoothingMm);
     }
 
     /** The line of insertion, which nowhere reaches the top of the lungs' bases. */
@@ -202,11 +202,12 @@ final class DomeSurface implements ImplicitSurface {
         }
 
         /** Thin plate through the data; cells where it runs through an organ become data, at the organ's bound. */
-        double[] solve(double stepMm) {
+        double[] solve(double stepMm, double smoothingMm) {
             ThinPlateGrid.Grid grid = new ThinPlateGrid.Grid(SIDE, SIDE, stepMm, stepMm, false);
+            ThinPlateGrid.Stiffness stiffness = new ThinPlateGrid.Stiffness(smoothingMm, 0);
             double[] solved = {};
             for (int round = 0; round < ROUNDS; round++) {
-                solved = ThinPlateGrid.solve(grid, new ThinPlateGrid.Data(data, weight), STIFFNESS, solved);
+                solved = ThinPlateGrid.solve(grid, new ThinPlateGrid.Data(data, weight), stiffness, solved);
                 for (int k = 0; k < solved.length; k++) {
                     if (weight[k] > 0) {
                         continue;

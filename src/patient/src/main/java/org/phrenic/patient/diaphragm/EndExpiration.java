@@ -33,10 +33,12 @@ import org.phrenic.patient.PatientStructure;
  * Above the domes the share 1 - g goes with the bones nearby ({@link SkinningWeights}). u and v are the place of a
  * point in the breadth and depth of the cage ({@link CageEnvelope}) at its height, -1 to 1; X and Y state that place,
  * X' and Y' the same place in the cage whose ribs have turned, at the height to which the point rises. p is the share
- * of the domes' descent over the plan of the cage, 1 at the domes, less in front and in the middle (physiology C3). g
- * is 1 about the domes and falls to 0 at the apex of the lungs and in the pelvis. As d is at most
- * {@value #GREATEST_SHARE} of the lungs' height, z' increases with z. The horizontal part is not bounded in this way:
- * it turns some triangles of lungs at full inspiration over (0.3 % of lungs of 8 l).
+ * of the domes' descent over the plan of the cage, 1 at the domes, less in front and in the middle (physiology C3);
+ * what stays behind the domes does so by {@code t tanh(d (1 - p) / t)}, at most the height t of a vertebra with its
+ * disc, for at end-expiration the tendon stands no more than that below the domes. g is 1 about the domes and falls to
+ * 0 at the apex of the lungs and in the pelvis. As d is at most {@value #GREATEST_SHARE} of the lungs' height, z'
+ * increases with z. The horizontal part is not bounded in this way: it turns some triangles of lungs at full
+ * inspiration over (0.3 % of lungs of 8 l).
  */
 public final class EndExpiration {
     /** Share of the descent in the midline, where the pericardium holds the tendon (2 of 5 to 10 cm). */
@@ -90,9 +92,12 @@ public final class EndExpiration {
 
     private final double domes;
     private final double apex;
+    /** Height of a vertebra with its disc, mm. */
+    private final double vertebra;
 
     private EndExpiration(Thorax completed, BreathLevel level) {
         share = Math.min(1, level.share());
+        vertebra = level.descentMm() / level.descent();
         RibCage cage = RibCage.of(completed, RibAxisTable.preset(RibAxisTable.WILSON_CT), true);
         pose = new RibCagePose(cage, (time, amplitude) -> amplitude[0] = -share);
         pose.update(0);
@@ -291,10 +296,16 @@ public final class EndExpiration {
     }
 
     /** Share p of the descent in the plan of the cage: u to the left, v to the back, -1 to 1. */
-    private static double planShare(double u, double v) {
+    private double planShare(double u, double v) {
         double beside = MIDDLE_SHARE + (1 - MIDDLE_SHARE) * smoothStep(Math.abs(u) / WHOLE_BREADTH);
         double behind = FRONT_SHARE + (1 - FRONT_SHARE) * smoothStep((v - FRONT) / (BACK - FRONT));
-        return beside * behind;
+        double behindDomes = (1 - beside * behind) * Math.max(rise, Double.MIN_NORMAL) / vertebra;
+        return 1 - (1 - beside * behind) * saturated(behindDomes);
+    }
+
+    /** tanh(x) / x. */
+    private static double saturated(double x) {
+        return x < 1e-6 ? 1 : StrictMath.tanh(x) / x;
     }
 
     /** Share g of the descent over the height. */

@@ -75,6 +75,32 @@ class DiaphragmBuilderTest {
                 .isGreaterThan(10);
     }
 
+    /** Lungs whose bases reach down in spurs beside the spine, in front of which a ray meets them first. */
+    private static Structure withSpurs(Structure s) {
+        if (s.kind() != StructureKind.LUNG) {
+            return s;
+        }
+        double[] p = s.mesh().positions().clone();
+        for (int i = 0; i < p.length; i += 3) {
+            double beside = (Math.abs(p[i]) - 25) / 12;
+            double below = Math.max(0, Math.min(1, (s.mesh().centre()[2] - p[i + 2]) / 40));
+            p[i + 2] -= 90 * below * Math.exp(-beside * beside);
+        }
+        return s.withMesh(s.mesh().withPositions(p));
+    }
+
+    @Test
+    void theSheetBelowSpursOfTheLungsDoesNotPassThroughItself() {
+        Thorax spurred = new Thorax(
+                "patient",
+                without(StructureKind.DIAPHRAGM).structures().stream()
+                        .map(DiaphragmBuilderTest::withSpurs)
+                        .toList(),
+                List.of());
+        assertThat(SelfIntersections.count(DiaphragmBuilder.build(spurred, 4000)))
+                .isZero();
+    }
+
     @Test
     void aSheetBesideItsPlaceIsToldApart() {
         double[] shifted = TRUE_SHEET.positions().clone();

@@ -3,11 +3,13 @@ package org.phrenic.patient.diaphragm;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -95,6 +97,34 @@ class EndExpirationTest {
             double apex = mesh(INSPIRED, lung).bounds()[5];
             assertThat(mesh(RESTING, lung).bounds()[5]).as("apex").isCloseTo(apex, within(3.0));
             assertThat(SelfIntersections.count(mesh(RESTING, lung))).isZero();
+        }
+    }
+
+    /** A small organ at a place. */
+    private static PatientStructure marker(String name, double x, double y, double z) {
+        double[] p = {x, y, z, x + 1, y, z, x, y + 1, z, x, y, z + 1};
+        TriangleMesh mesh = new TriangleMesh(p, new int[] {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3});
+        Structure organ = new Structure(name, StructureKind.ORGAN, 0, Side.MIDLINE, mesh);
+        return new PatientStructure(organ, PatientStructure.Source.SCAN, Optional.empty(), Optional.empty());
+    }
+
+    @Test
+    void nothingBesideTheDomesStaysMoreThanAVertebraBehindThem() {
+        double[] cage = mesh(INSPIRED, "lung_R").bounds();
+        double middle = 0.5 * (cage[1] + cage[4]);
+        double z = mesh(INSPIRED, "liver").bounds()[5];
+        List<PatientStructure> marked = new ArrayList<>(INSPIRED.structures());
+        marked.add(marker("dome", cage[0] + 0.3 * (cage[3] - cage[0]), cage[4] - 20, z));
+        marked.add(marker("midline", 0, middle, z));
+        marked.add(marker("front", 0, cage[1] + 10, z));
+        double perVertebra = LEVEL.descentMm() / LEVEL.descent();
+        BreathLevel full = new BreathLevel(11.5, 12, 3.25, 1, 3.25 * perVertebra);
+        PatientBody raised = EndExpiration.of(new PatientBody("patient", marked, List.of(), List.of()), INSPIRED, full);
+        double dome = mesh(raised, "dome").bounds()[2] - z;
+        assertThat(dome).isGreaterThan(2 * perVertebra);
+        for (String place : List.of("midline", "front")) {
+            double lag = dome - (mesh(raised, place).bounds()[2] - z);
+            assertThat(lag).as(place + " behind the domes, mm").isBetween(10.0, perVertebra);
         }
     }
 
