@@ -10,21 +10,22 @@ final class PointTriangleDistance {
 
     private PointTriangleDistance() {}
 
-    /** Whether the triangle at {@code c[o..o+8]} is so thin that its sides must be searched as well. */
-    static boolean isDegenerate(double[] c, int o) {
+    /**
+     * Whether the triangle at {@code c[o..o+8]} is so thin that its sides must be searched as well.
+     *
+     * @param n cross product of its sides from the first corner
+     */
+    static boolean isDegenerate(double[] c, int o, double[] n) {
         double abx = c[o + 3] - c[o];
         double aby = c[o + 4] - c[o + 1];
         double abz = c[o + 5] - c[o + 2];
         double acx = c[o + 6] - c[o];
         double acy = c[o + 7] - c[o + 1];
         double acz = c[o + 8] - c[o + 2];
-        double nx = aby * acz - abz * acy;
-        double ny = abz * acx - abx * acz;
-        double nz = abx * acy - aby * acx;
         double ab = abx * abx + aby * aby + abz * abz;
         double ac = acx * acx + acy * acy + acz * acz;
         double longest = Math.max(ab, ac);
-        return !(nx * nx + ny * ny + nz * nz > FLAT * longest * longest);
+        return !(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] > FLAT * longest * longest);
     }
 
     /**

@@ -2,7 +2,6 @@ package org.phrenic.mesh.query;
 
 import java.util.Arrays;
 import org.phrenic.engine.math.Triangles;
-import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
@@ -78,37 +77,50 @@ abstract class TriangleBoxes {
         int[] t = mesh.triangles();
         for (int place = 0; place < order.length; place++) {
             int o = 9 * place;
-            for (int k = 0; k < 3; k++) {
-                int v = 3 * t[3 * order[place] + k];
-                corners[o + 3 * k] = positions[v];
-                corners[o + 3 * k + 1] = positions[v + 1];
-                corners[o + 3 * k + 2] = positions[v + 2];
+            int corner = 3 * order[place];
+            for (int k = 0; k < 9; k += 3) {
+                int v = 3 * t[corner++];
+                corners[o + k] = positions[v];
+                corners[o + k + 1] = positions[v + 1];
+                corners[o + k + 2] = positions[v + 2];
             }
             double length = Triangles.cross(corners, o, o + 3, o + 6, normal);
             double scale = length > 0 ? 1 / length : 0;
-            for (int k = 0; k < 3; k++) {
-                normals[3 * place + k] = normal[k] * scale;
-            }
-            flat[place] = PointTriangleDistance.isDegenerate(corners, o);
+            normals[3 * place] = normal[0] * scale;
+            normals[3 * place + 1] = normal[1] * scale;
+            normals[3 * place + 2] = normal[2] * scale;
+            flat[place] = PointTriangleDistance.isDegenerate(corners, o, normal);
         }
         for (int node = nodes - 1; node >= 0; node--) {
-            if (child[node] < 0) {
-                boxOfLeaf(node);
-            } else {
-                int right = 6 * child[node];
-                System.arraycopy(boxes, 6 * (node + 1), boxes, 6 * node, 6);
-                BoundingBoxes.include(boxes, 6 * node, boxes, right);
-                BoundingBoxes.include(boxes, 6 * node, boxes, right + 3);
+            for (int axis = 0; axis < 3; axis++) {
+                if (child[node] < 0) {
+                    boxOfLeaf(node, axis);
+                } else {
+                    boxOfChildren(node, axis);
+                }
             }
         }
     }
 
-    private void boxOfLeaf(int node) {
-        BoundingBoxes.setEmpty(boxes, 6 * node);
-        int from = 9 * (-1 - child[node]);
+    private void boxOfLeaf(int node, int axis) {
+        double low = Double.POSITIVE_INFINITY;
+        double high = Double.NEGATIVE_INFINITY;
+        int from = 9 * (-1 - child[node]) + axis;
         for (int i = from; i < from + 9 * count[node]; i += 3) {
-            BoundingBoxes.include(boxes, 6 * node, corners, i);
+            double value = corners[i];
+            low = value < low ? value : low;
+            high = value > high ? value : high;
         }
+        boxes[6 * node + axis] = low;
+        boxes[6 * node + axis + 3] = high;
+    }
+
+    private void boxOfChildren(int node, int axis) {
+        int box = 6 * node + axis;
+        int left = box + 6;
+        int right = 6 * child[node] + axis;
+        boxes[box] = boxes[right] < boxes[left] ? boxes[right] : boxes[left];
+        boxes[box + 3] = boxes[right + 3] > boxes[left + 3] ? boxes[right + 3] : boxes[left + 3];
     }
 
     private void build(int from, int to, double[] centroids) {

@@ -23,14 +23,17 @@ public final class SheetContact {
 
     private final int first;
     private final TriangleTree sheet;
-    private final TriangleTree thoracic;
-    private final TriangleTree abdominal;
+    /** The abdominal and the thoracic face; each is moved when it is first asked for. */
+    private final TriangleTree[] faces;
+
+    private final boolean[] isFaceCurrent = new boolean[2];
     private final boolean[] isThoracic;
     private final boolean[] atBorder;
     private final double[] positions;
     private final double[] normals;
     private final double[] normal = new double[3];
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
+    private final TriangleTree.Hit onFace = new TriangleTree.Hit();
 
     public SheetContact(DiaphragmPart part) {
         Diaphragm diaphragm = part.diaphragm;
@@ -44,8 +47,7 @@ public final class SheetContact {
         positions = mesh.positions().clone();
         normals = new double[positions.length];
         sheet = new TriangleTree(mesh);
-        thoracic = face(mesh, true);
-        abdominal = face(mesh, false);
+        faces = new TriangleTree[] {face(mesh, false), face(mesh, true)};
     }
 
     /** The triangles all of whose corners lie on a face; the corners of those that lie on both are marked as border. */
@@ -74,8 +76,7 @@ public final class SheetContact {
     public void update(double[] nodes) {
         System.arraycopy(nodes, 3 * first, positions, 0, positions.length);
         sheet.refit(positions);
-        thoracic.refit(positions);
-        abdominal.refit(positions);
+        Arrays.fill(isFaceCurrent, false);
         Arrays.fill(normals, 0);
         int[] t = sheet.mesh().triangles();
         for (int i = 0; i < t.length; i += 3) {
@@ -94,19 +95,27 @@ public final class SheetContact {
      * @param above whether the organ lies above the thoracic face; else below the abdominal face
      */
     public void pushBack(double[] points, boolean above) {
-        TriangleTree own = above ? thoracic : abdominal;
         for (int k = 0; k < points.length; k += 3) {
             if (!sheet.closest(points[k], points[k + 1], points[k + 2], REACH_MM, hit)
                     || !isBeyond(points, k, above)
-                    || !own.closest(points[k], points[k + 1], points[k + 2], REACH_MM, hit)
-                    || hit.distanceSquared <= ALLOWED_MM * ALLOWED_MM) {
+                    || !currentFace(above).closest(points[k], points[k + 1], points[k + 2], REACH_MM, onFace)
+                    || onFace.distanceSquared <= ALLOWED_MM * ALLOWED_MM) {
                 continue;
             }
-            double share = 1 - ALLOWED_MM / Math.sqrt(hit.distanceSquared);
-            points[k] += share * (hit.x - points[k]);
-            points[k + 1] += share * (hit.y - points[k + 1]);
-            points[k + 2] += share * (hit.z - points[k + 2]);
+            double share = 1 - ALLOWED_MM / Math.sqrt(onFace.distanceSquared);
+            points[k] += share * (onFace.x - points[k]);
+            points[k + 1] += share * (onFace.y - points[k + 1]);
+            points[k + 2] += share * (onFace.z - points[k + 2]);
         }
+    }
+
+    private TriangleTree currentFace(boolean above) {
+        int face = above ? 1 : 0;
+        if (!isFaceCurrent[face]) {
+            isFaceCurrent[face] = true;
+            faces[face].refit(positions);
+        }
+        return faces[face];
     }
 
     /** Whether the last nearest point of the sheet is within the other face, or the point is between the faces. */
