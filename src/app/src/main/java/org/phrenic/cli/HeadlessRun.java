@@ -62,7 +62,7 @@ final class HeadlessRun {
                 for (AnatomicalView view : List.of(AnatomicalView.ANTERIOR, AnatomicalView.LEFT)) {
                     String name = view.label() + (time == 0 ? "-expiration" : "-inspiration") + ".png";
                     PictureSettings shot = PictureSettings.of(view, SIDE, SIDE, TITLE);
-                    studio.writePicture(folder.resolve(name), time, shot, style);
+                    studio.shot(shot, style).writePicture(folder.resolve(name), time);
                 }
             }
         } catch (NoGraphicsException none) {

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.IntFunction;
 import org.phrenic.cli.option.PictureOptions;
+import org.phrenic.cli.option.RadiographOptions;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.option.ScenarioOptions;
 import org.phrenic.cli.option.StyleOptions;
@@ -19,12 +20,15 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.scene.RadiographRenderer;
 import org.phrenic.scene.ScenarioRenderer;
+import org.phrenic.scene.Shot;
 import org.phrenic.scene.annotate.Annotations;
 import org.phrenic.scene.camera.PictureSettings;
 import org.phrenic.scene.export.FfmpegMovieWriter;
 import org.phrenic.scene.export.GifMovieWriter;
 import org.phrenic.scene.export.MovieWriter;
+import org.phrenic.scene.gl.GraphicsInfo;
 import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.style.SceneStyle;
 import picocli.CommandLine.Command;
@@ -40,6 +44,7 @@ import picocli.CommandLine.Option;
             "Examples:",
             "  phrenic render --out pictures --view all",
             "  phrenic render --preset deep --out pictures --at 0,1.5 --only diaphragm --field displacement",
+            "  phrenic render --preset deep --out xray --at 0,1.5 --xray 0/0,90/0",
             "  phrenic render --movie breath.mp4 --fps 25 --size 1280x960 --hide skin",
             "",
             "Without --frames or --movie: one picture a view and time, as anterior.png or anterior_1.50s.png. With",
@@ -62,6 +67,9 @@ final class RenderCommand extends ReportingCommand {
     private PictureOptions shotOptions;
 
     @Mixin
+    private RadiographOptions radiographOptions;
+
+    @Mixin
     private TimeOptions timeOptions;
 
     @Mixin
@@ -73,35 +81,64 @@ final class RenderCommand extends ReportingCommand {
     public Integer call() throws NoGraphicsException {
         check();
         Scenario scenario = scenarioOptions.resolved();
-        Optional<TriangleMesh> reference = styleOptions.reference();
-        List<PictureSettings> shots = shotOptions.settings(title(scenario));
-        if (timeOptions.movie() != null && shots.size() > 1) {
-            throw new BadInputException("--movie: found " + shots.size() + " views, expected one");
+        List<PictureSettings> settings = shotOptions.settings(title(scenario));
+        int shots = radiographOptions.given() ? radiographOptions.views(1, 1).size() : settings.size();
+        if (timeOptions.movie() != null && shots > 1) {
+            throw new BadInputException("--movie: found " + shots + " views, expected one");
         }
         ConsoleProgress progress = progress();
-        try (ScenarioRenderer studio = ScenarioRenderer.open(scenario, progress)) {
+        try {
             if (!Annotations.hasFonts()) {
                 progress.note("This Java has no fonts: the pictures have no letters.");
             }
-            SceneStyle style = styleOptions.style(studio.surfaces());
-            reference.ifPresent(studio::setDistanceReference);
-            double[] times = timeOptions.times(studio.durationS());
-            if (timeOptions.movie() == null) {
-                pictures(studio, shots, style, times);
+            if (radiographOptions.given()) {
+                radiographs(scenario, settings.get(0), progress);
             } else {
-                movie(studio, shots.get(0), style, times, progress);
+                drawings(scenario, settings, progress);
             }
-            progress.end();
-            report(studio);
         } finally {
             progress.end();
         }
         return ExitCode.SUCCESS;
     }
 
+    private void drawings(Scenario scenario, List<PictureSettings> settings, ConsoleProgress progress)
+            throws NoGraphicsException {
+        Optional<TriangleMesh> reference = styleOptions.reference();
+        try (ScenarioRenderer studio = ScenarioRenderer.open(scenario, progress)) {
+            SceneStyle style = styleOptions.style(studio.surfaces());
+            reference.ifPresent(studio::setDistanceReference);
+            List<NamedShot> shots = settings.stream()
+                    .map(s -> new NamedShot(s.view().label(), s.view().label(), s, studio.shot(s, style)))
+                    .toList();
+            write(shots, studio.durationS(), progress);
+            progress.end();
+            report(Optional.of(studio.graphicsInfo()));
+        }
+    }
+
+    private void radiographs(Scenario scenario, PictureSettings settings, ConsoleProgress progress) {
+        try (RadiographRenderer studio =
+                new RadiographRenderer(scenario, progress, radiographOptions.energyKev(), scenario.threads())) {
+            List<NamedShot> shots = new ArrayList<>();
+            for (RadiographRenderer.View view : radiographOptions.views(settings.width(), settings.height())) {
+                Optional<String> title = Optional.of(settings)
+                        .filter(PictureSettings::annotated)
+                        .map(s -> s.title() + ", " + view.label());
+                String file = String.format(
+                        Locale.ROOT, "xray_%d_%d", Math.round(view.leftObliqueDeg()), Math.round(view.cranialDeg()));
+                shots.add(new NamedShot(file, view.label(), settings, studio.shot(view, title)));
+            }
+            write(shots, studio.durationS(), progress);
+            progress.end();
+            report(Optional.empty());
+        }
+    }
+
     private void check() {
         timeOptions.validate();
         styleOptions.validate();
+        radiographOptions.validate();
         shotOptions.settings("");
         if (out == null && timeOptions.movie() == null) {
             throw new BadInputException("--out: found none, expected a folder for the pictures");
@@ -122,26 +159,39 @@ final class RenderCommand extends ReportingCommand {
         return name.substring(0, 1).toUpperCase(Locale.ROOT) + name.substring(1) + ", " + body;
     }
 
-    private void pictures(ScenarioRenderer studio, List<PictureSettings> shots, SceneStyle style, double[] times) {
+    /**
+     * A shot with its names.
+     *
+     * @param file beginning of the names of its files
+     * @param view name in the report
+     * @param settings size of its pictures
+     */
+    private record NamedShot(String file, String view, PictureSettings settings, Shot shot) {}
+
+    private void write(List<NamedShot> shots, double durationS, ConsoleProgress progress) {
+        double[] times = timeOptions.times(durationS);
+        if (timeOptions.movie() != null) {
+            movie(shots.get(0), times, timeOptions.framesPerS(times.length, durationS), progress);
+            return;
+        }
         for (int i = 0; i < times.length; i++) {
-            for (PictureSettings shot : shots) {
+            for (NamedShot shot : shots) {
                 Path file = picture(shot, i, times);
-                studio.writePicture(file, times[i], shot, style);
+                shot.shot().writePicture(file, times[i]);
                 list(file, shot, times[i], 1);
             }
         }
     }
 
-    private Path picture(PictureSettings shot, int index, double[] times) {
+    private Path picture(NamedShot shot, int index, double[] times) {
         String suffix = timeOptions.isSequence()
                 ? String.format(Locale.ROOT, "_%04d", index + 1)
                 : times.length == 1 ? "" : String.format(Locale.ROOT, "_%.3fs", times[index]);
-        return out.resolve(shot.view().label() + suffix + ".png");
+        return out.resolve(shot.file() + suffix + ".png");
     }
 
-    private void movie(
-            ScenarioRenderer studio, PictureSettings shot, SceneStyle style, double[] times, ConsoleProgress progress) {
-        double framesPerS = timeOptions.framesPerS(times.length, studio.durationS());
+    private void movie(NamedShot shot, double[] times, double wantedFramesPerS, ConsoleProgress progress) {
+        double framesPerS = wantedFramesPerS;
         Path file = timeOptions.movie();
         Optional<Path> ffmpeg = timeOptions.isMp4() ? FfmpegMovieWriter.find() : Optional.empty();
         if (timeOptions.isMp4() && ffmpeg.isEmpty()) {
@@ -152,26 +202,24 @@ final class RenderCommand extends ReportingCommand {
         }
         MovieWriter writer = ffmpeg.isPresent() ? new FfmpegMovieWriter(ffmpeg.get()) : new GifMovieWriter();
         Optional<IntFunction<Path>> single = Optional.ofNullable(out).map(folder -> i -> picture(shot, i, times));
-        studio.writeMovie(file, writer, framesPerS, times, shot, style, single);
+        shot.shot().writeMovie(file, writer, framesPerS, times, single);
         list(file, shot, times[0], times.length);
     }
 
-    private void list(Path file, PictureSettings shot, double timeS, int frames) {
+    private void list(Path file, NamedShot shot, double timeS, int frames) {
         written.add(new OrderedValues()
                 .with("file", file.toString())
-                .with("view", shot.view().label())
+                .with("view", shot.view())
                 .with("time_s", timeS)
-                .with("width", shot.width())
-                .with("height", shot.height())
+                .with("width", shot.settings().width())
+                .with("height", shot.settings().height())
                 .with("frames", frames));
     }
 
-    private void report(ScenarioRenderer studio) {
-        OrderedValues report = new OrderedValues()
-                .with("pictures", written)
-                .with("graphics", studio.graphicsInfo().renderer())
-                .with("opengl", studio.graphicsInfo().version())
-                .with("notice", Disclaimer.TEXT);
+    private void report(Optional<GraphicsInfo> graphics) {
+        OrderedValues report = new OrderedValues().with("pictures", written);
+        graphics.ifPresent(info -> report.with("graphics", info.renderer()).with("opengl", info.version()));
+        report.with("notice", Disclaimer.TEXT);
         TextTable table = new TextTable(false, false, true, true, true).row("file", "view", "time_s", "size", "frames");
         for (OrderedValues row : written) {
             table.row(

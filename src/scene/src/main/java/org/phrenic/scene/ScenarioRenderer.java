@@ -1,19 +1,13 @@
 package org.phrenic.scene;
 
 import java.awt.image.BufferedImage;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.IntFunction;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.annotate.Annotations;
 import org.phrenic.scene.camera.Camera;
 import org.phrenic.scene.camera.PictureSettings;
-import org.phrenic.scene.export.MovieWriter;
-import org.phrenic.scene.export.PngFile;
 import org.phrenic.scene.gl.GraphicsInfo;
 import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.gl.OffscreenContext;
@@ -69,30 +63,9 @@ public final class ScenarioRenderer implements AutoCloseable {
         return gl.info();
     }
 
-    /** Simulates up to a time and writes a picture. */
-    public void writePicture(Path file, double timeS, PictureSettings settings, SceneStyle style) {
-        PngFile.write(file, render(player.advanceTo(timeS), settings, style));
-    }
-
-    /**
-     * Simulates through the given times and writes a movie with one frame per time.
-     *
-     * @param single picture file for each frame index; empty for no picture files
-     */
-    public void writeMovie(
-            Path file,
-            MovieWriter kind,
-            double framesPerS,
-            double[] timesS,
-            PictureSettings settings,
-            SceneStyle style,
-            Optional<IntFunction<Path>> single) {
-        Stream<BufferedImage> frames = IntStream.range(0, timesS.length).mapToObj(i -> {
-            BufferedImage picture = render(player.advanceTo(timesS[i]), settings, style);
-            single.ifPresent(name -> PngFile.write(name.apply(i), picture));
-            return picture;
-        });
-        kind.write(file, framesPerS, frames.iterator());
+    /** A way of seeing the scene. */
+    public Shot shot(PictureSettings settings, SceneStyle style) {
+        return new Shot(timeS -> render(player.advanceTo(timeS), settings, style));
     }
 
     private BufferedImage render(Frame frame, PictureSettings settings, SceneStyle style) {

@@ -1,0 +1,40 @@
+package org.phrenic.cli.option;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.junit.jupiter.api.Test;
+import org.phrenic.file.BadInputException;
+import org.phrenic.scene.RadiographRenderer.View;
+import picocli.CommandLine;
+
+class RadiographOptionsTest {
+    private static RadiographOptions of(String... arguments) {
+        RadiographOptions options = new RadiographOptions();
+        new CommandLine(options).parseArgs(arguments);
+        return options;
+    }
+
+    @Test
+    void anglesAreLeftObliqueAndCranial() {
+        RadiographOptions options = of("--xray", "0/0,-30/12.5", "--detector", "400", "--photon-energy", "70");
+        options.validate();
+        assertThat(options.views(64, 48))
+                .containsExactly(new View(0, 0, 400, 64, 48), new View(-30, 12.5, 400, 64, 48));
+        assertThat(options.energyKev()).isEqualTo(70);
+        assertThat(options.views(64, 48).get(1).label()).isEqualTo("RAO 30, cranial 13");
+        assertThat(of().given()).isFalse();
+        assertThat(of().views(1, 1)).isEmpty();
+    }
+
+    @Test
+    void whatACArmCannotDoIsRefused() {
+        assertThatThrownBy(() -> of("--xray", "30").validate())
+                .isInstanceOf(BadInputException.class)
+                .hasMessage("--xray: found '30', expected LAO/CRAN such as 30/0");
+        assertThatThrownBy(() -> of("--xray", "0/91").validate()).hasMessageContaining("-90 to 90");
+        assertThatThrownBy(() -> of("--xray", "0/0", "--photon-energy", "100").validate())
+                .hasMessageContaining("40 to 80");
+        assertThatThrownBy(() -> of("--detector", "300").validate()).hasMessageContaining("without --xray");
+    }
+}
