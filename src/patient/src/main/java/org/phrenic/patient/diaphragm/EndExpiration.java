@@ -57,6 +57,10 @@ public final class EndExpiration {
     private static final double WITH_DOMES_MM = 100;
 
     private static final double FADE_MM = 200;
+    /** Distance up to which a bone carries lung along wholly, and over which that fades, mm. */
+    private static final double NEAR_BONE_MM = 10;
+
+    private static final double FAR_FROM_BONE_MM = 50;
     /** Greatest descent of a dome in a deep breath, mm: 5 to 10 cm. */
     private static final double GREATEST_MM = 100;
     /** Greatest descent as a share of the height of the lungs above their bases. */
@@ -211,6 +215,11 @@ public final class EndExpiration {
                 for (int axis = 0; axis < 3; axis++) {
                     out[3 * i + axis] += weights.weight()[k] * moved[axis];
                 }
+            }
+            // Half way between sternum and spine the nearest bone changes from one to the other.
+            double near = FallOff.at(Math.max(0, weights.distance()[i] - NEAR_BONE_MM), FAR_FROM_BONE_MM);
+            for (int axis = 0; axis < 3; axis++) {
+                out[3 * i + axis] = point[axis] + near * (out[3 * i + axis] - point[axis]);
             }
         }
         return out;

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.engine.math.Triangles;
+import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.model.organ.DiaphragmPart;
@@ -20,6 +21,8 @@ public final class SheetContact {
     private static final double REACH_MM = 25;
     /** Weight of corners within a face below which a nearest point lies on the border. */
     private static final double AT_BORDER = 1e-3;
+    /** Weight of a corner below which a nearest point lies on the opposite side of its triangle. */
+    private static final double ON_SIDE = 1e-9;
 
     private final int first;
     private final TriangleTree sheet;
@@ -30,8 +33,11 @@ public final class SheetContact {
     private final boolean[] isThoracic;
     private final boolean[] atBorder;
     private final double[] positions;
+    /** Sum of the area vectors of the triangles about each vertex. */
     private final double[] normals;
+
     private final double[] normal = new double[3];
+    private final MeshTopology topology;
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
     private final TriangleTree.Hit onFace = new TriangleTree.Hit();
 
@@ -48,6 +54,7 @@ public final class SheetContact {
         normals = new double[positions.length];
         sheet = new TriangleTree(mesh);
         faces = new TriangleTree[] {face(mesh, false), face(mesh, true)};
+        topology = new MeshTopology(mesh);
     }
 
     /** The triangles all of whose corners lie on a face; the corners of those that lie on both are marked as border. */
@@ -120,19 +127,55 @@ public final class SheetContact {
 
     /** Whether the last nearest point of the sheet is within the other face, or the point is between the faces. */
     private boolean isBeyond(double[] points, int k, boolean above) {
+        return !isOnBorder()
+                && (outside(points, k) < 0 || isThoracic[sheet.mesh().triangles()[3 * hit.triangle]] != above);
+    }
+
+    /** Whether the last nearest point lies on a triangle between the faces or on an edge of one. */
+    private boolean isOnBorder() {
         int[] t = sheet.mesh().triangles();
         int corner = 3 * hit.triangle;
-        double inner = 0;
-        double out = 0;
-        for (int c = 0; c < 3; c++) {
-            double weight = c == 0 ? hit.weightA : c == 1 ? hit.weightB : hit.weightC;
-            int v = t[corner + c];
-            inner += atBorder[v] ? 0 : weight;
-            out += weight
-                    * (normals[3 * v] * (points[k] - hit.x)
-                            + normals[3 * v + 1] * (points[k + 1] - hit.y)
-                            + normals[3 * v + 2] * (points[k + 2] - hit.z));
+        boolean between = isThoracic[t[corner]] != isThoracic[t[corner + 1]]
+                || isThoracic[t[corner]] != isThoracic[t[corner + 2]];
+        double least = Math.min(hit.weightA, Math.min(hit.weightB, hit.weightC));
+        double inner = (atBorder[t[corner]] ? 0 : hit.weightA)
+                + (atBorder[t[corner + 1]] ? 0 : hit.weightB)
+                + (atBorder[t[corner + 2]] ? 0 : hit.weightC);
+        return between || Math.max(least, inner) < AT_BORDER;
+    }
+
+    /** Positive outside the sheet, by the normal of the face, edge or vertex on which the last nearest point lies. */
+    private double outside(double[] points, int k) {
+        boolean a = hit.weightA > ON_SIDE;
+        boolean b = hit.weightB > ON_SIDE;
+        boolean c = hit.weightC > ON_SIDE;
+        boolean atCorner = a ? !b && !c : b != c;
+        if (atCorner) {
+            int v = sheet.mesh().triangles()[3 * hit.triangle + (a ? 0 : b ? 1 : 2)];
+            System.arraycopy(normals, 3 * v, normal, 0, 3);
+            return along(points, k);
         }
-        return inner >= AT_BORDER && (out < 0 || isThoracic[t[corner]] != above);
+        double out = alongTriangle(hit.triangle, points, k);
+        if (a && b && c) {
+            return out;
+        }
+        int edge = topology.edgeOfSide()[3 * hit.triangle + (!c ? 0 : !a ? 1 : 2)];
+        int other = edge == MeshTopology.NONE ? edge : topology.otherFace(edge, hit.triangle);
+        return other == MeshTopology.NONE ? out : out + alongTriangle(other, points, k);
+    }
+
+    /** Component along the unit normal of a triangle. */
+    private double alongTriangle(int triangle, double[] points, int k) {
+        int[] t = sheet.mesh().triangles();
+        int corner = 3 * triangle;
+        Triangles.cross(positions, 3 * t[corner], 3 * t[corner + 1], 3 * t[corner + 2], normal);
+        double length = Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+        return along(points, k) / Math.max(length, Double.MIN_NORMAL);
+    }
+
+    private double along(double[] points, int k) {
+        return normal[0] * (points[k] - hit.x)
+                + normal[1] * (points[k + 1] - hit.y)
+                + normal[2] * (points[k + 2] - hit.z);
     }
 }

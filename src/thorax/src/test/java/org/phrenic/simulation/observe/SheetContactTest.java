@@ -8,6 +8,9 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.DiaphragmSide;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.engine.math.Triangles;
+import org.phrenic.mesh.Vectors;
+import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
@@ -52,6 +55,58 @@ class SheetContactTest {
         double[] atRest = {-68, -16, 108};
         contact.pushBack(atRest, false);
         assertThat(atRest).containsExactly(-68, -16, 108);
+    }
+
+    /** The lowest row of the thoracic face, all of whose corners belong to triangles between the faces, has a side. */
+    @Test
+    void organsYieldBesideTheBorderAsWell() {
+        Scenario scenario =
+                Scenario.defaults().with("resolution=low").with("lungs=off").with("anatomy=virtual/adult-female");
+        try (Simulation female = Simulation.of(scenario, SimulationRun.loadThorax(scenario))) {
+            DiaphragmPart part = female.scene().diaphragm();
+            double[] nodes = female.scene().restPositions();
+            int[] t = part.diaphragm.sheet().triangles();
+            boolean[] atBorder = new boolean[part.diaphragm.sheet().vertexCount()];
+            for (int i = 0; i < t.length; i++) {
+                atBorder[t[i]] |= on(part, t, i - i % 3) % 3 != 0;
+            }
+            SheetContact contact = new SheetContact(part);
+            contact.update(nodes);
+            int tried = 0;
+            for (int i = 0; i < t.length; i += 3) {
+                if (on(part, t, i) == 3 && atBorder[t[i]] && atBorder[t[i + 1]] && atBorder[t[i + 2]]) {
+                    double[] p = outside(nodes, part.firstNode, t, i);
+                    double[] before = p.clone();
+                    contact.pushBack(p, false);
+                    assertThat(Vectors.distance(p, before)).as("yield, mm").isGreaterThan(0.3);
+                    tried++;
+                }
+            }
+            assertThat(tried).isPositive();
+        }
+    }
+
+    private static int on(DiaphragmPart part, int[] t, int i) {
+        int on = 0;
+        for (int corner = i; corner < i + 3; corner++) {
+            on += part.diaphragm.isThoracic(t[corner]) ? 1 : 0;
+        }
+        return on;
+    }
+
+    /** The point 0.5 mm outside the middle of a triangle. */
+    private static double[] outside(double[] nodes, int first, int[] t, int i) {
+        double[] normal = new double[3];
+        Triangles.cross(nodes, 3 * (first + t[i]), 3 * (first + t[i + 1]), 3 * (first + t[i + 2]), normal);
+        double length = Vectors.distance(normal, new double[3]);
+        double[] p = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            p[axis] = 0.5 * normal[axis] / length;
+            for (int corner = i; corner < i + 3; corner++) {
+                p[axis] += nodes[3 * (first + t[corner]) + axis] / 3;
+            }
+        }
+        return p;
     }
 
     @Test
