@@ -96,7 +96,7 @@ final class BenchWindowCommand extends ReportingCommand {
                 interval.realtimeFactor(),
                 interval.framesPerS(),
                 interval.processors(),
-                interval.scale());
+                interval.resolution());
     }
 
     private OrderedValues values(WindowBenchmark.Result result) {

@@ -32,9 +32,8 @@ import org.phrenic.simulation.observe.Surface;
 
 /**
  * Draws the scene on a thread of its own, so that neither the window nor the simulation waits for a frame: one is drawn
- * when the simulation has a new one, or camera or style change, at most {@value #MAX_FRAMES_PER_S} times per second.
- * With a software renderer frames become rarer while the simulation is behind its pace, down to one in
- * {@value #MAX_FRAME_MS} ms. All OpenGL calls are made on this thread.
+ * when the simulation has a new one, or camera or style change, as often and as finely as {@link DrawingPace} says. A
+ * coarse frame is drawn again at full resolution when nothing moves. All OpenGL calls are made on this thread.
  */
 public final class RenderLoop implements AutoCloseable {
     /**
@@ -63,6 +62,7 @@ public final class RenderLoop implements AutoCloseable {
      * @param timeText time and phase of the breath
      * @param needleMarks needle and target in it
      * @param cost of drawing it
+     * @param resolution drawn over shown pixels along each side
      */
     public record RenderedFrame(
             BufferedImage image,
@@ -70,7 +70,8 @@ public final class RenderLoop implements AutoCloseable {
             long step,
             String timeText,
             Optional<NeedleMarkers> needleMarks,
-            FrameStatistics cost) {}
+            FrameStatistics cost,
+            double resolution) {}
 
     /** Called on the render thread. */
     interface Listener {
@@ -91,12 +92,10 @@ public final class RenderLoop implements AutoCloseable {
         Optional<NeedleMarkers> current();
     }
 
-    private static final int MAX_FRAMES_PER_S = 60;
-    private static final long MIN_FRAME_NS = 1_000_000_000L / MAX_FRAMES_PER_S;
     private static final long POLL_NS = 5_000_000;
-    private static final long MAX_FRAME_MS = 80;
-    private static final long SLOW_DOWN_NS = 4_000_000;
-    private static final long SPEED_UP_NS = 500_000;
+    /** Time after the last frame from which a coarse one is drawn again, ns. */
+    private static final long AT_REST_NS = 300_000_000;
+
     private static final System.Logger LOG = System.getLogger(RenderLoop.class.getName());
 
     private final LiveRun live;
@@ -119,7 +118,9 @@ public final class RenderLoop implements AutoCloseable {
     private Optional<AccessMapField> shownAccess = Optional.empty();
     private int historyFrame = -1;
     private long drawnVersion;
-    private long minFrameNs = MIN_FRAME_NS;
+    private final DrawingPace pace = new DrawingPace();
+    private double drawnResolution = 1;
+    private long drawnNs;
 
     RenderLoop(LiveRun live, Listener listener) {
         this.live = live;
@@ -222,22 +223,26 @@ public final class RenderLoop implements AutoCloseable {
             if (wanted != null && wanted.width() > 0 && wanted.height() > 0) {
                 Optional<BufferedImage> canvas = imagePool.acquire(wanted.width(), wanted.height());
                 if (canvas.isPresent()) {
-                    busy |= draw(gl, wanted, now != drawnVersion, canvas.get());
+                    boolean drawn = draw(gl, wanted, now != drawnVersion, canvas.get());
+                    busy |= drawn;
                     drawnVersion = now;
+                    if (drawn) {
+                        drawnNs = System.nanoTime();
+                        pace.drawn((drawnNs - begun) * 1e-6, demand(), gl.info().software(), drawnNs * 1e-9);
+                    }
                 }
             }
-            if (busy) {
-                adaptFrameRate(gl.info());
-            }
-            LockSupport.parkNanos(busy ? Math.max(0, minFrameNs - (System.nanoTime() - begun)) : POLL_NS);
+            LockSupport.parkNanos(busy ? Math.max(0, pace.intervalNs() - (System.nanoTime() - begun)) : POLL_NS);
         }
     }
 
-    /** Lengthens the frame interval at once while the simulation is behind, and shortens it slowly again. */
-    private void adaptFrameRate(GraphicsInfo info) {
-        long wanted = minFrameNs + (live.isBehindRealTime() ? SLOW_DOWN_NS : -SPEED_UP_NS);
-        minFrameNs =
-                info.software() ? Math.max(MIN_FRAME_NS, Math.min(MAX_FRAME_MS * 1_000_000, wanted)) : MIN_FRAME_NS;
+    private DrawingPace.Demand demand() {
+        if (!live.isPlaying()) {
+            return DrawingPace.Demand.NONE;
+        }
+        return live.isFlatOut()
+                ? DrawingPace.Demand.FLAT_OUT
+                : live.isBehindRealTime() ? DrawingPace.Demand.BEHIND : DrawingPace.Demand.NONE;
     }
 
     void release(RenderedFrame old) {
@@ -268,7 +273,8 @@ public final class RenderLoop implements AutoCloseable {
         Optional<NeedleMarkers> now = historyFrame < 0 ? markSource.current() : Optional.empty();
         boolean same = now.equals(shownMarks);
         shownMarks = now;
-        if (!fresh && !asAsked && same) {
+        boolean sharpen = drawnResolution < 1 && !live.isPlaying() && System.nanoTime() - drawnNs > AT_REST_NS;
+        if (!fresh && !asAsked && same && !sharpen) {
             imagePool.release(canvas);
             return false;
         }
@@ -280,14 +286,17 @@ public final class RenderLoop implements AutoCloseable {
             shownAccess = wanted.accessColours();
             shownAccess.ifPresent(field -> field.upload(renderer));
         }
-        SceneStyle style = NeedleMarkers.apply(shownMarks, renderer, wanted.style());
+        drawnResolution = sharpen ? 1 : pace.resolution();
+        SceneStyle style =
+                NeedleMarkers.apply(shownMarks, renderer, wanted.style()).withResolution(drawnResolution);
         gl.run(context -> {
             renderer.draw(context, frame, wanted.camera(), style, wanted.width(), wanted.height());
             renderer.readPixels(context, canvas);
         });
         String phase = historyFrame < 0 ? live.status().phaseLabel() : "recorded";
         String time = Annotations.timestamp(frame.timeS(), phase);
-        listener.onFrame(new RenderedFrame(canvas, wanted, frame.step(), time, shownMarks, renderer.statistics()));
+        listener.onFrame(new RenderedFrame(
+                canvas, wanted, frame.step(), time, shownMarks, renderer.statistics(), drawnResolution));
         return true;
     }
 

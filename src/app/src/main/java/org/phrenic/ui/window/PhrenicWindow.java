@@ -26,6 +26,7 @@ import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.WindowPreferences;
 import org.phrenic.ui.session.Workspace;
 import org.phrenic.ui.view.AppearanceModel;
+import org.phrenic.ui.view.RenderLoop;
 import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.widget.AppIcon;
 import org.phrenic.ui.widget.Theme;
@@ -302,6 +303,10 @@ public final class PhrenicWindow {
         public void onTick(RunStatus now) {
             statusBar.show(now);
             statusBar.showFrameRate(view.framesPerS());
+            statusBar.showPace(
+                    session.live().isBehindRealTime() && !session.live().isFlatOut());
+            statusBar.showResolution(
+                    view.frame().map(RenderLoop.RenderedFrame::resolution).orElse(1.0));
             if (!now.stabilityMessage().equals(limitSentence)) {
                 limitSentence = now.stabilityMessage();
                 if (!limitSentence.isEmpty()) {

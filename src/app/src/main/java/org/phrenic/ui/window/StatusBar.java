@@ -16,8 +16,18 @@ import org.phrenic.ui.widget.Theme;
 
 /** The status bar: the structure clicked last, and time, step and speed of the simulation in fields of fixed width. */
 final class StatusBar extends JPanel {
+    private static final String QUALITY_TIP = "Resolution of the meshes, and drawn over shown pixels: drawing gives way"
+            + " before time does, and comes back when there is time";
+
+    private static final String SLOW_TIP =
+            "Slower than it should be: this machine is busy, or too slow for the resolution;"
+                    + " a lower one is faster";
+
+    private static final String REALTIME_TIP = "Simulated time over real time";
+
     private final transient Map<String, JLabel> fields = new LinkedHashMap<>();
     private final JLabel pickedLabel = new JLabel(" ");
+    private String meshes = "";
 
     StatusBar() {
         super(new MigLayout("insets 3 10 3 10, gap 14, novisualpadding, hidemode 3", "[grow, 0::]", "[]"));
@@ -25,12 +35,13 @@ final class StatusBar extends JPanel {
         pickedLabel.setName("pointed");
         pickedLabel.getAccessibleContext().setAccessibleName("Structure and place pointed at");
         add(pickedLabel, "growx, wmin 0");
+        addField("quality", QUALITY_TIP, "Medium, drawn at 0.70");
         addField("phase", "Phase of the breath", "post-expiratory");
         addField("time", "Simulated time", "t 0000.00 s");
         addField("step", "Steps since the start", "step 0 000 000");
         addField("dt", "Time step, and the substeps it is split into", "dt 10.000 ms / 10");
         addField("steps", "Steps computed per second", "00 000 steps/s");
-        addField("realtime", "Simulated time over real time", "00.00x real time");
+        addField("realtime", REALTIME_TIP, "00.00x real time");
         addField("frames", "Frames drawn per second", "000 frames/s");
         addField("nodes", "Nodes that springs move", "000 000 nodes");
     }
@@ -61,7 +72,21 @@ final class StatusBar extends JPanel {
         dt.setForeground(s.stabilityMessage().isEmpty() ? Theme.SECONDARY_TEXT : Theme.WARNING_TEXT);
     }
 
+    /** Shows whether the simulation keeps the pace that it is asked for. */
+    void showPace(boolean behind) {
+        JLabel realtime = fields.get("realtime");
+        realtime.setForeground(behind ? Theme.WARNING_TEXT : Theme.SECONDARY_TEXT);
+        realtime.setToolTipText(behind ? SLOW_TIP : REALTIME_TIP);
+    }
+
+    /** @param drawn drawn over shown pixels along each side of the view */
+    void showResolution(double drawn) {
+        String coarser = drawn < 1 ? ", drawn at " + trimmed(drawn) : "";
+        set("quality", meshes + coarser);
+    }
+
     void show(LiveScene scene) {
+        meshes = Controls.capitalise(scene.scenario().resolution().name().toLowerCase(Locale.ROOT));
         set("nodes", withThousands(scene.nodes()) + " nodes");
     }
 

@@ -59,9 +59,9 @@ public final class WindowBenchmark {
      * @param realtimeFactor simulated over wall time
      * @param framesPerS frames shown per second
      * @param processors processor time of the process over wall time
-     * @param scale drawn over shown width of the view at its end
+     * @param resolution drawn over shown pixels along each side of the view at its end
      */
-    public record Interval(double realtimeFactor, double framesPerS, double processors, double scale) {}
+    public record Interval(double realtimeFactor, double framesPerS, double processors, double resolution) {}
 
     /**
      * Result of a measurement.
@@ -216,13 +216,13 @@ public final class WindowBenchmark {
 
     private Interval between(Sample from, Sample to) {
         double wallS = (to.ns - from.ns) * NANO;
-        double drawn =
-                window.view().frame().map(frame -> frame.image().getWidth()).orElse(0);
+        double resolution =
+                window.view().frame().map(frame -> frame.resolution()).orElse(1.0);
         return new Interval(
                 (to.simulatedS - from.simulatedS) / wallS,
                 (to.frames - from.frames) / wallS,
                 (to.processorNs - from.processorNs) * NANO / wallS,
-                drawn / Math.max(1, window.view().getWidth()));
+                resolution);
     }
 
     /** Processor time of threads by name, ns, with those of drivers and compilers; empty except on Linux. */

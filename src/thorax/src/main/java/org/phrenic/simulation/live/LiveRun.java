@@ -126,6 +126,7 @@ public final class LiveRun implements AutoCloseable {
         if (!(factor > 0)) {
             throw new IllegalArgumentException("speed: found " + factor + ", expected more than 0");
         }
+        loop.flatOut = Double.isInfinite(factor);
         loop.commands.submit(
                 () -> loop.pacer.setSpeed(factor, loop.running == null ? 0 : loop.running.simulation.time()));
     }
@@ -260,6 +261,11 @@ public final class LiveRun implements AutoCloseable {
     /** Whether the run is slower than {@link #setSpeed} asks for. Always true without a speed limit. */
     public boolean isBehindRealTime() {
         return loop.behindRealTime;
+    }
+
+    /** Whether the run has no speed limit. */
+    public boolean isFlatOut() {
+        return loop.flatOut;
     }
 
     public RunStatus status() {

@@ -26,6 +26,7 @@ final class SimulationLoop implements Runnable {
     volatile boolean playing;
     volatile boolean closed;
     volatile boolean behindRealTime;
+    volatile boolean flatOut;
     volatile RunStatus status = RunStatus.NOTHING;
     private StepListener stepListener;
     private StepListener.Trigger trigger;
