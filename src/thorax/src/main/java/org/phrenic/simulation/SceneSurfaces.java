@@ -105,9 +105,10 @@ public final class SceneSurfaces {
     /** Adds a soft organ that yields to the diaphragm. */
     private void yielding(Structure s, boolean above, VertexSource place) {
         double[] p = s.mesh().positions().clone();
+        SheetContact.Organ organ = contact.organ(p.length / 3, above);
         deforming(s, (time, at) -> {
             System.arraycopy(place.positionsAt(time, at), 0, p, 0, p.length);
-            contact.pushBack(p, above);
+            organ.pushBack(p);
             return p;
         });
     }

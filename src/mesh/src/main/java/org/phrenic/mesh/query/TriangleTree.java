@@ -11,6 +11,14 @@ import org.phrenic.mesh.TriangleMesh;
  */
 public final class TriangleTree extends TriangleBoxes {
     private static final int NONE = -1;
+    /**
+     * Factor on the squared distance up to which boxes are searched, so that no triangle is left out because the
+     * distance of its box is rounded up.
+     */
+    private static final double BOX_ROUNDING = 1 + 1e-12;
+
+    /** Place of each triangle in leaf order; null until it is needed. */
+    private volatile int[] places;
 
     /** Result and working memory of a query; reuse one per thread. */
     public static final class Hit {
@@ -93,15 +101,28 @@ public final class TriangleTree extends TriangleBoxes {
             Hit out) {
         out.start(x, y, z, nx, ny, nz);
         out.leastCosine = minimumCosine;
-        // One unit in the last place above the limit, so that a point at exactly the maximum distance is found.
-        double best = Math.nextUp(maximumDistance * maximumDistance);
-        int node = nodes > 0 ? 0 : NONE;
+        return search(nodes > 0 ? 0 : NONE, squaredLimit(maximumDistance), 1, null, out);
+    }
+
+    /** One unit in the last place above the square, so that a point at exactly the maximum distance is found. */
+    private static double squaredLimit(double maximumDistance) {
+        return Math.nextUp(maximumDistance * maximumDistance);
+    }
+
+    /**
+     * Searches a subtree for a triangle nearer than a squared distance and writes the answer.
+     *
+     * @param rounding factor on the squared distance up to which boxes are searched
+     */
+    private boolean search(int from, double limit, double rounding, boolean[] among, Hit out) {
+        double best = limit;
+        int node = from;
         while (node >= 0) {
             if (child[node] < 0) {
-                best = closestInLeaf(node, best, out);
-                node = pop(best, out);
+                best = closestInLeaf(-1 - child[node], count[node], best, among, out);
+                node = pop(best * rounding, out);
             } else {
-                node = descend(node, best, out);
+                node = descend(node, best * rounding, out);
             }
         }
         if (out.triangle < 0) {
@@ -110,6 +131,35 @@ public final class TriangleTree extends TriangleBoxes {
         answer(out, out.leafPlace, out.weightB, out.weightC);
         out.distanceSquared = best;
         return true;
+    }
+
+    /**
+     * Finds the nearest point within a distance among some triangles, beginning at a triangle that may be the nearest.
+     * The answer is the same whatever the guess; a good one, such as the answer for a point that has moved little,
+     * saves most of the search.
+     *
+     * @param guess triangle index; -1 for none
+     * @param among whether each triangle counts; null for all
+     */
+    public boolean closest(double x, double y, double z, double maximumDistance, int guess, boolean[] among, Hit out) {
+        out.start(x, y, z, 0, 0, 0);
+        out.leastCosine = Double.NaN;
+        double best = squaredLimit(maximumDistance);
+        if (guess >= 0 && (among == null || among[guess])) {
+            best = closestInLeaf(placeOf(guess), 1, best, among, out);
+        }
+        return search(nodes > 0 && boxDistance(0, out) <= best ? 0 : NONE, best, BOX_ROUNDING, among, out);
+    }
+
+    private int placeOf(int triangle) {
+        if (places == null) {
+            int[] inverse = new int[order.length];
+            for (int place = 0; place < inverse.length; place++) {
+                inverse[order[place]] = place;
+            }
+            places = inverse;
+        }
+        return places[triangle];
     }
 
     /**
@@ -125,15 +175,14 @@ public final class TriangleTree extends TriangleBoxes {
         return distances;
     }
 
-    /** Searches a leaf for a nearer triangle; returns the updated least squared distance. */
-    private double closestInLeaf(int node, double limit, Hit out) {
+    /** Searches triangles of a leaf for a nearer one; returns the updated least squared distance. */
+    private double closestInLeaf(int first, int triangles, double limit, boolean[] among, Hit out) {
         double best = limit;
         double x = out.origin[0];
         double y = out.origin[1];
         double z = out.origin[2];
-        int first = -1 - child[node];
-        for (int place = first; place < first + count[node]; place++) {
-            if (!Double.isNaN(out.leastCosine) && !faces(place, out)) {
+        for (int place = first; place < first + triangles; place++) {
+            if ((among != null && !among[order[place]]) || (!Double.isNaN(out.leastCosine) && !faces(place, out))) {
                 continue;
             }
             double square = squaredDistance(place, x, y, z, out.weights);

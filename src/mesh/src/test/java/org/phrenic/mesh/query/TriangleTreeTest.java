@@ -42,6 +42,37 @@ class TriangleTreeTest {
         }
     }
 
+    /** To the last bit, because frames of different runs are compared. */
+    @Property(tries = 30)
+    void theAnswerDoesNotDependOnTheGuess(@ForAll @IntRange(min = 0, max = 100000) int seed) {
+        Random random = new Random(seed);
+        TriangleMesh mesh = soupWithDegenerates(random, 2 + random.nextInt(200));
+        boolean[] among = new boolean[mesh.triangleCount()];
+        for (int t = 0; t < among.length; t++) {
+            among[t] = random.nextBoolean();
+        }
+        among[0] = true;
+        TriangleTree tree = new TriangleTree(mesh);
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        TriangleTree.Hit guessed = new TriangleTree.Hit();
+        for (int i = 0; i < 20; i++) {
+            double x = 30 * random.nextDouble() - 10;
+            double y = 30 * random.nextDouble() - 10;
+            double z = 30 * random.nextDouble() - 10;
+            tree.closest(x, y, z, hit);
+            assertThat(tree.closest(x, y, z, 100, random.nextInt(among.length), null, guessed))
+                    .isTrue();
+            assertThat(guessed.triangle).isEqualTo(hit.triangle);
+            assertThat(new double[] {guessed.x, guessed.y, guessed.z}).containsExactly(hit.x, hit.y, hit.z);
+            tree.closest(x, y, z, 100, -1, among, hit);
+            assertThat(among[hit.triangle]).isTrue();
+            tree.closest(x, y, z, 100, random.nextInt(among.length), among, guessed);
+            assertThat(guessed.triangle).isEqualTo(hit.triangle);
+            assertThat(tree.closest(x, y, z, 0.999 * Math.sqrt(hit.distanceSquared), -1, among, guessed))
+                    .isFalse();
+        }
+    }
+
     @Test
     void withANormalTheSearchKeepsToOneSideOfAThinSheet() {
         TriangleMesh slab = Shapes.box(100, 100, 2);

@@ -22,8 +22,14 @@ final class RunningScene implements AutoCloseable {
     /** Shortest wall time between frames, ns: 60 per second. */
     private static final long MIN_FRAME_INTERVAL_NS = 16_000_000;
 
-    /** Shortest wall time between history frames, ns. Capturing them takes time from the simulation. */
-    private static final long MIN_HISTORY_INTERVAL_NS = 25_000_000;
+    /**
+     * Wall time after the last frame from which one is captured for the history alone, ns. Capturing takes as long as
+     * ten to twenty steps, and while a reader takes frames the history gets those.
+     */
+    private static final long MIN_HISTORY_INTERVAL_NS = 60_000_000;
+
+    /** Simulated time between frames of a step listener up to which readers get them instead of captures, s. */
+    private static final double LISTENER_INTERVAL_S = 0.05;
 
     final Simulation simulation;
     final LiveScene scene;
@@ -33,8 +39,10 @@ final class RunningScene implements AutoCloseable {
     private long nextSample;
     private long publishedNs;
     private long publishedStep;
-    private long keptNs;
     private Frame listenerFrame;
+    /** Step of {@link #listenerFrame}; -1 if it is out of date. */
+    private long capturedStep = -1;
+
     private Optional<SubstepReason> substepReason = Optional.empty();
     private StabilityLimit limitSaid;
     private int substepsSaid;
@@ -78,8 +86,7 @@ final class RunningScene implements AutoCloseable {
         simulation.step();
         if (simulation.steps() >= nextSample) {
             sample();
-            if (history.isFrameDue(simulation.time()) && System.nanoTime() - keptNs > MIN_HISTORY_INTERVAL_NS) {
-                keptNs = System.nanoTime();
+            if (history.isFrameDue(simulation.time()) && System.nanoTime() - publishedNs > MIN_HISTORY_INTERVAL_NS) {
                 publish();
             }
         }
@@ -92,7 +99,11 @@ final class RunningScene implements AutoCloseable {
         if (due) {
             listenerFrame = listenerFrame == null ? surfaces.newFrame() : listenerFrame;
             surfaces.capture(listenerFrame);
+            capturedStep = simulation.steps();
             watch.onStep(listenerFrame, simulation.breathLabel());
+            if (isReaderWaiting()) {
+                publish();
+            }
         }
         return due;
     }
@@ -104,18 +115,32 @@ final class RunningScene implements AutoCloseable {
                 + Math.max(1, Math.round(simulation.start().get(RunSettings.RECORD_EVERY) / stepper.dt()));
     }
 
+    private boolean isReaderWaiting() {
+        return System.nanoTime() - publishedNs > MIN_FRAME_INTERVAL_NS && pipe.isConsumed();
+    }
+
+    /** Whether the frames that a step listener gets are frequent enough for readers too. */
+    private boolean isListenerFrequent() {
+        return capturedStep >= 0
+                && (simulation.steps() - capturedStep) * simulation.stepper().dt() < LISTENER_INTERVAL_S;
+    }
+
     /** Publishes a frame if the state has changed and either a reader has taken the last frame or it is too old. */
     void publishIfDue() {
         long since = System.nanoTime() - publishedNs;
         if (simulation.steps() != publishedStep
-                && (since > MAX_FRAME_INTERVAL_NS || (since > MIN_FRAME_INTERVAL_NS && pipe.isConsumed()))) {
+                && (since > MAX_FRAME_INTERVAL_NS || (isReaderWaiting() && !isListenerFrequent()))) {
             publish();
         }
     }
 
     /** Publishes a frame, and adds it to the history if due. A frame with NaN or infinite values is not published. */
     void publish() {
-        surfaces.capture(pipe.back());
+        if (capturedStep == simulation.steps()) {
+            pipe.back().copyFrom(listenerFrame);
+        } else {
+            surfaces.capture(pipe.back());
+        }
         if (pipe.back().isFinite()) {
             if (history.isFrameDue(simulation.time())) {
                 history.add(pipe.back());
@@ -128,6 +153,7 @@ final class RunningScene implements AutoCloseable {
 
     /** Removes the history after the current time, after a restart or a return to an earlier state. */
     void rewound() {
+        capturedStep = -1;
         history.truncateAfter(simulation.steps() == 0 ? Double.NEGATIVE_INFINITY : simulation.time());
         nextSample = 0;
         if (simulation.steps() == 0) {

@@ -1,7 +1,6 @@
 package org.phrenic.simulation.observe;
 
 import java.util.Arrays;
-import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.engine.math.Triangles;
 import org.phrenic.mesh.MeshTopology;
@@ -26,10 +25,8 @@ public final class SheetContact {
 
     private final int first;
     private final TriangleTree sheet;
-    /** The abdominal and the thoracic face; each is moved when it is first asked for. */
-    private final TriangleTree[] faces;
-
-    private final boolean[] isFaceCurrent = new boolean[2];
+    private final boolean[] thoracicFace;
+    private final boolean[] abdominalFace;
     private final boolean[] isThoracic;
     private final boolean[] atBorder;
     private final double[] positions;
@@ -39,7 +36,6 @@ public final class SheetContact {
     private final double[] normal = new double[3];
     private final MeshTopology topology;
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
-    private final TriangleTree.Hit onFace = new TriangleTree.Hit();
 
     public SheetContact(DiaphragmPart part) {
         Diaphragm diaphragm = part.diaphragm;
@@ -53,19 +49,18 @@ public final class SheetContact {
         positions = mesh.positions().clone();
         normals = new double[positions.length];
         sheet = new TriangleTree(mesh);
-        faces = new TriangleTree[] {face(mesh, false), face(mesh, true)};
+        thoracicFace = face(mesh, true);
+        abdominalFace = face(mesh, false);
         topology = new MeshTopology(mesh);
     }
 
     /** The triangles all of whose corners lie on a face; the corners of those that lie on both are marked as border. */
-    private TriangleTree face(TriangleMesh mesh, boolean above) {
-        int[] t = mesh.triangles();
-        int[] corners = IntStream.range(0, mesh.triangleCount())
-                .filter(i -> isFace(t, 3 * i, above))
-                .flatMap(i -> IntStream.range(3 * i, 3 * i + 3))
-                .map(corner -> t[corner])
-                .toArray();
-        return new TriangleTree(new TriangleMesh(mesh.positions(), corners));
+    private boolean[] face(TriangleMesh mesh, boolean above) {
+        boolean[] face = new boolean[mesh.triangleCount()];
+        for (int i = 0; i < face.length; i++) {
+            face[i] = isFace(mesh.triangles(), 3 * i, above);
+        }
+        return face;
     }
 
     private boolean isFace(int[] t, int offset, boolean above) {
@@ -83,7 +78,6 @@ public final class SheetContact {
     public void update(double[] nodes) {
         System.arraycopy(nodes, 3 * first, positions, 0, positions.length);
         sheet.refit(positions);
-        Arrays.fill(isFaceCurrent, false);
         Arrays.fill(normals, 0);
         int[] t = sheet.mesh().triangles();
         for (int i = 0; i < t.length; i += 3) {
@@ -96,33 +90,45 @@ public final class SheetContact {
         }
     }
 
-    /**
-     * Moves the points of an organ that lie beyond its face; three numbers a point, changed in place.
-     *
-     * @param above whether the organ lies above the thoracic face; else below the abdominal face
-     */
-    public void pushBack(double[] points, boolean above) {
-        for (int k = 0; k < points.length; k += 3) {
-            if (!sheet.closest(points[k], points[k + 1], points[k + 2], REACH_MM, hit)
-                    || !isBeyond(points, k, above)
-                    || !currentFace(above).closest(points[k], points[k + 1], points[k + 2], REACH_MM, onFace)
-                    || onFace.distanceSquared <= ALLOWED_MM * ALLOWED_MM) {
-                continue;
+    /** An organ on one side of the sheet, with the nearest triangle of each of its points when last asked for. */
+    public final class Organ {
+        private final boolean above;
+        private final int[] nearest;
+
+        private Organ(int points, boolean above) {
+            this.above = above;
+            nearest = new int[points];
+            Arrays.fill(nearest, -1);
+        }
+
+        /** Moves the points that lie beyond the face of the organ's side; three numbers a point, changed in place. */
+        public void pushBack(double[] points) {
+            boolean[] own = above ? thoracicFace : abdominalFace;
+            for (int k = 0; k < points.length; k += 3) {
+                double x = points[k];
+                double y = points[k + 1];
+                double z = points[k + 2];
+                boolean near = sheet.closest(x, y, z, REACH_MM, nearest[k / 3], null, hit);
+                nearest[k / 3] = hit.triangle;
+                if (near && isBeyond(points, k, above) && sheet.closest(x, y, z, REACH_MM, -1, own, hit)) {
+                    yieldTo(points, k);
+                }
             }
-            double share = 1 - ALLOWED_MM / Math.sqrt(onFace.distanceSquared);
-            points[k] += share * (onFace.x - points[k]);
-            points[k + 1] += share * (onFace.y - points[k + 1]);
-            points[k + 2] += share * (onFace.z - points[k + 2]);
         }
     }
 
-    private TriangleTree currentFace(boolean above) {
-        int face = above ? 1 : 0;
-        if (!isFaceCurrent[face]) {
-            isFaceCurrent[face] = true;
-            faces[face].refit(positions);
+    /** @param above whether the organ lies above the thoracic face; else below the abdominal face */
+    public Organ organ(int points, boolean above) {
+        return new Organ(points, above);
+    }
+
+    private void yieldTo(double[] points, int k) {
+        if (hit.distanceSquared > ALLOWED_MM * ALLOWED_MM) {
+            double share = 1 - ALLOWED_MM / Math.sqrt(hit.distanceSquared);
+            points[k] += share * (hit.x - points[k]);
+            points[k + 1] += share * (hit.y - points[k + 1]);
+            points[k + 2] += share * (hit.z - points[k + 2]);
         }
-        return faces[face];
     }
 
     /** Whether the last nearest point of the sheet is within the other face, or the point is between the faces. */

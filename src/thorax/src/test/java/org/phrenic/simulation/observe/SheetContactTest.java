@@ -42,18 +42,18 @@ class SheetContactTest {
         SheetContact contact = new SheetContact(simulation.scene().diaphragm());
         contact.update(lowered);
         double[] liver = {-68, -16, 108, -68, -16, 60};
-        contact.pushBack(liver, false);
+        contact.organ(liver.length / 3, false).pushBack(liver);
         // The abdominal face lies at about 115 - 20 mm here.
         assertThat(liver[2]).isCloseTo(97, within(1.0));
         assertThat(liver[5]).isEqualTo(60);
         double[] lung = {-68, -16, 100, -68, -16, 85};
-        contact.pushBack(lung, true);
+        contact.organ(lung.length / 3, true).pushBack(lung);
         assertThat(lung[2]).isEqualTo(100);
         // The thoracic face lies at about 116 - 20 mm.
         assertThat(lung[5]).isCloseTo(94, within(1.0));
         contact.update(simulation.scene().restPositions());
         double[] atRest = {-68, -16, 108};
-        contact.pushBack(atRest, false);
+        contact.organ(atRest.length / 3, false).pushBack(atRest);
         assertThat(atRest).containsExactly(-68, -16, 108);
     }
 
@@ -77,7 +77,7 @@ class SheetContactTest {
                 if (on(part, t, i) == 3 && atBorder[t[i]] && atBorder[t[i + 1]] && atBorder[t[i + 2]]) {
                     double[] p = outside(nodes, part.firstNode, t, i);
                     double[] before = p.clone();
-                    contact.pushBack(p, false);
+                    contact.organ(p.length / 3, false).pushBack(p);
                     assertThat(Vectors.distance(p, before)).as("yield, mm").isGreaterThan(0.3);
                     tried++;
                 }
