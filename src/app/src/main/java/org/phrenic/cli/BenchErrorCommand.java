@@ -9,8 +9,11 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import org.phrenic.cli.chart.BudgetChart;
 import org.phrenic.cli.chart.ErrorChart;
+import org.phrenic.cli.option.ErrorBudgetOptions;
 import org.phrenic.cli.option.OptionValues;
+import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
@@ -22,12 +25,14 @@ import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.annotate.Annotations;
+import org.phrenic.study.error.BudgetReport;
 import org.phrenic.study.error.ErrorReport;
 import org.phrenic.study.error.ErrorStudy;
 import org.phrenic.study.error.ErrorTable;
 import org.phrenic.study.error.MeshRefinementError;
 import org.phrenic.study.error.SolverGrid;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code phrenic bench error}: measures cost and error of solver settings against a reference. */
@@ -70,8 +75,8 @@ final class BenchErrorCommand extends ReportingCommand {
     @Option(
             names = "--resolution",
             paramLabel = "NAME,...",
-            description = "low, medium, high (default ${DEFAULT-VALUE}).")
-    private String resolutions = "medium";
+            description = "low, medium, high (default medium, with --whole all three).")
+    private String resolutions;
 
     @Option(names = "--integrator", paramLabel = "NAME,...", description = "Only these schemes.")
     private String integrators;
@@ -105,6 +110,12 @@ final class BenchErrorCommand extends ReportingCommand {
             description = "Also say which setting is the cheapest that keeps this rms error of the diaphragm.")
     private String maxError;
 
+    @Mixin
+    private ErrorBudgetOptions budget;
+
+    @Mixin
+    private ProvenanceOption provenance;
+
     @Option(names = "--out", paramLabel = "DIR", description = "Folder for the reports.")
     private Path out;
 
@@ -119,6 +130,9 @@ final class BenchErrorCommand extends ReportingCommand {
     public Integer call() {
         if (out != null) {
             ReportFolder.requireWritable(out);
+        }
+        if (budget.isGiven()) {
+            return measureBudget();
         }
         double most = maxError == null ? Double.NaN : OptionValues.number("--max-error", maxError, 1e-9, 1e3);
         ErrorTable earlier = table != null && Files.exists(table) ? ErrorTable.read(table) : null;
@@ -150,6 +164,24 @@ final class BenchErrorCommand extends ReportingCommand {
         return ExitCode.SUCCESS;
     }
 
+    private int measureBudget() {
+        String names = resolutions == null ? "low,medium,high" : resolutions;
+        BudgetReport report = budget.measure(names, quick, out, progress("measured"));
+        if (out != null) {
+            System.setProperty("java.awt.headless", "true");
+            boolean drawn = !report.points().isEmpty() && Annotations.hasFonts();
+            if (drawn) {
+                BudgetChart.write(report.points(), out.resolve("error.png"));
+            }
+            String given = (quick ? " --quick" : " --resolution " + names) + budget.scenes();
+            List<String> lines = provenance.lines("bench error --whole" + given);
+            writePages(out, "error", report.document(lines, drawn ? "error.png" : ""));
+            JsonWriter.write(out.resolve("error.json"), report.values());
+        }
+        print(report.values(), () -> withDisclaimer(TextTable.of(BudgetReport.COLUMNS, report.cells(false))));
+        return ExitCode.SUCCESS;
+    }
+
     private static Map<String, List<MeshRefinementError>> meshErrors(
             List<Scenario> scenarios, ProgressListener progress) {
         Map<String, List<MeshRefinementError>> errors = new LinkedHashMap<>();
@@ -163,7 +195,8 @@ final class BenchErrorCommand extends ReportingCommand {
         List<Assignment> more = OptionValues.assignments(settings, RESERVED, "the measurement");
         List<Scenario> scenarios = new ArrayList<>();
         for (String material : OptionValues.split(materials)) {
-            for (String resolution : quick ? List.of("low") : OptionValues.split(resolutions)) {
+            for (String resolution :
+                    quick ? List.of("low") : OptionValues.split(resolutions == null ? "medium" : resolutions)) {
                 List<Assignment> list = new ArrayList<>();
                 OptionValues.assign(list, "--material", "material", material);
                 OptionValues.assign(list, "--resolution", "resolution", resolution);

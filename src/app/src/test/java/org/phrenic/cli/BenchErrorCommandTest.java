@@ -41,11 +41,35 @@ class BenchErrorCommandTest {
     }
 
     @Test
+    void theWholeErrorLeavesAPageAChartAndItsMeasurements() throws Exception {
+        CommandLineRun run = CommandLineRun.of(
+                "bench",
+                "error",
+                "--whole",
+                "--quick",
+                "--part",
+                "time",
+                "--made-by",
+                "Commit abc",
+                "--out",
+                folder.toString());
+        assertThat(run.exitCode()).isZero();
+        assertThat(run.out()).contains("virtual man", "stormer", "default");
+        assertThat(Files.readString(folder.resolve("error.md")))
+                .contains("Commit abc", "phrenic bench error --whole --quick", "error.png");
+        assertThat(Files.readString(folder.resolve("budget.csv"))).contains("time,virtual man,quiet");
+        assertThat(ImageIO.read(folder.resolve("error.png").toFile()).getWidth())
+                .isEqualTo(1200);
+    }
+
+    @Test
     void whatCannotBeMeasuredIsRefusedInASentenceBeforeAnythingRuns() {
         assertRefused("expected any other key", "--set", "time_step_s=0.01");
         assertRefused("expected one of", "--integrator", "leapfrog");
         assertRefused("--sweeps", "--sweeps", "0");
         assertRefused("--max-error", "--max-error", "none");
+        assertRefused("--part: found 'luck'", "--whole", "--part", "luck");
+        assertRefused("--scan: found no folder", "--whole", "--scan", "nowhere");
     }
 
     private static void assertRefused(String sentence, String... options) {

@@ -70,6 +70,7 @@ class ScenarioTest {
                 material: paper
                 anatomy: body
                 resolution: low
+                mesh_vertices: 9000
                 duration_s: 3.5
                 time_step_s: 2e-3
                 integrator: rk4
@@ -98,7 +99,7 @@ class ScenarioTest {
         assertThat(scenario.durationS(Breathing.patternOf(scenario))).isEqualTo(3.5);
         assertThat(scenario.get(SheetSprings.SPRING_STIFFNESS)).isEqualTo(20);
         assertThat(scenario.get(Breathing.RATE)).isEqualTo(12);
-        assertThat(scenario.toMap().keySet()).containsAll(Settings.keys().subList(0, 23));
+        assertThat(scenario.toMap().keySet()).containsAll(Settings.keys().subList(0, 24));
         Path resolved = folder.resolve("resolved/scenario.yaml");
         YamlWriter.write(resolved, scenario.toMap());
         assertThat(Scenario.read(resolved)).isEqualTo(scenario);

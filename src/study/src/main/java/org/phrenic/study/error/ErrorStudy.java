@@ -71,12 +71,25 @@ public record ErrorStudy(
      * @param quick whether to simulate only part of a breath
      */
     public static ErrorStudy of(Scenario scenario, SolverGrid grid, boolean quick, ProgressListener progress) {
-        Thorax thorax = SimulationRun.loadThorax(scenario);
+        return of(scenario, grid, quick ? QUICK_S : breathS(scenario), !quick, progress);
+    }
+
+    /** Time of a whole breath, s. */
+    static double breathS(Scenario scenario) {
         double periodS = scenario.breathing().pattern().periodS();
-        double breathS = quick
-                ? QUICK_S
-                : Double.isInfinite(periodS) ? scenario.breathing().pattern().fullDurationS() : periodS;
-        try (BreathRunner runs = new BreathRunner(scenario, thorax, breathS)) {
+        return Double.isInfinite(periodS) ? scenario.breathing().pattern().fullDurationS() : periodS;
+    }
+
+    /**
+     * Runs the study for a part of a breath.
+     *
+     * @param untilS simulated time, s
+     * @param lag whether to measure the distance from equilibrium too, in the physical material
+     */
+    public static ErrorStudy of(
+            Scenario scenario, SolverGrid grid, double untilS, boolean lag, ProgressListener progress) {
+        Thorax thorax = SimulationRun.loadThorax(scenario);
+        try (BreathRunner runs = new BreathRunner(scenario, thorax, untilS)) {
             List<SolverSettings> wanted = new ArrayList<>();
             List<String> leftOut = new ArrayList<>();
             for (SolverSettings settings : grid.settings(scenario)) {
@@ -88,8 +101,8 @@ public record ErrorStudy(
                 }
             }
             int total = wanted.size() + 2;
-            SolverSettings reference = SolverGrid.reference(SolverGrid.referenceStepS(scenario.material()));
-            SolverSettings coarser = SolverGrid.reference(2 * reference.timeStepS());
+            SolverSettings reference = SolverGrid.reference(scenario, 1);
+            SolverSettings coarser = SolverGrid.reference(scenario, 2);
             Trajectory coarse = runs.run(coarser);
             progress.done(1, total, "reference, " + coarser.label());
             Trajectory exact = runs.run(reference);
@@ -107,7 +120,7 @@ public record ErrorStudy(
                 }
                 progress.done(points.size() + 2, total, settings.label());
             }
-            List<EquilibriumLag> equilibrium = scenario.material() == Materials.PHYSICAL && !quick
+            List<EquilibriumLag> equilibrium = scenario.material() == Materials.PHYSICAL && lag
                     ? EquilibriumLag.of(runs, exact, SolverSettings.of(scenario))
                     : List.of();
             double excursionMm = runs.excursionMm(exact);

@@ -1,6 +1,5 @@
 package org.phrenic.study.error;
 
-import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -24,6 +23,33 @@ public record SolverGrid(
 
     /** Number of steps between refreshes of anchors and wall planes in the reference. */
     private static final int REFERENCE_REFRESH = 2;
+
+    private static final double PHYSICAL_REFINEMENT = 8;
+    private static final double SMOOTH_REFINEMENT = 10;
+
+    /** Settings of a convergence study: constraints swept to convergence and planes refreshed at a fixed interval. */
+    static SolverSettings converged(IntegratorKind scheme, double stepS, double refreshS) {
+        return new SolverSettings(scheme, stepS, REFERENCE_SWEEPS, refreshS);
+    }
+
+    /** Nothing besides the scenario's own setting. */
+    static SolverGrid own(Scenario scenario) {
+        return new SolverGrid(
+                List.of(),
+                integrators(scenario).timeStepsS(),
+                integrators(scenario).sweeps(),
+                integrators(scenario).refreshesS());
+    }
+
+    /** Every integrator with the scenario's own step, sweeps and refresh interval. */
+    static SolverGrid integrators(Scenario scenario) {
+        SolverSettings own = SolverSettings.of(scenario);
+        return new SolverGrid(
+                List.of(IntegratorKind.values()),
+                List.of(own.timeStepS()),
+                List.of(own.sweeps()),
+                List.of(own.refreshS()));
+    }
 
     /** The full grid of a material. */
     public static SolverGrid of(TissueMaterial material) {
@@ -54,7 +80,7 @@ public record SolverGrid(
     List<SolverSettings> settings(Scenario scenario) {
         Set<SolverSettings> list = new LinkedHashSet<>();
         SolverSettings own = SolverSettings.of(scenario);
-        List<Double> refreshes = new ArrayList<>(new LinkedHashSet<>(refreshesS));
+        Set<Double> refreshes = new LinkedHashSet<>(refreshesS);
         if (!refreshes.contains(own.refreshS())) {
             list.add(own);
         }
@@ -74,15 +100,17 @@ public record SolverGrid(
     }
 
     /**
-     * Settings of the reference solution: fourth-order scheme, constraints swept to convergence, anchors and wall
-     * planes refreshed every second step.
+     * Settings of the reference solution: constraints swept to convergence, anchors and wall planes refreshed every
+     * second step. Physical material: velocity Verlet with an eighth of the scenario's step, because contact leaves no
+     * scheme more than order 1 and Verlet asks for one force evaluation a step. Otherwise the fourth-order scheme with
+     * a tenth of the step.
+     *
+     * @param coarsening factor of the time step: 1, or 2 for the solution that tells the reference's uncertainty
      */
-    static SolverSettings reference(double stepS) {
-        return new SolverSettings(IntegratorKind.RK4, stepS, REFERENCE_SWEEPS, REFERENCE_REFRESH * stepS);
-    }
-
-    /** Time step of a material's finest reference, s. */
-    static double referenceStepS(TissueMaterial material) {
-        return material == Materials.PHYSICAL ? 0.0005 : 0.001;
+    static SolverSettings reference(Scenario scenario, int coarsening) {
+        boolean contact = scenario.material() == Materials.PHYSICAL;
+        double step = coarsening * scenario.timeStepS() / (contact ? PHYSICAL_REFINEMENT : SMOOTH_REFINEMENT);
+        return new SolverSettings(
+                contact ? IntegratorKind.VERLET : IntegratorKind.RK4, step, REFERENCE_SWEEPS, REFERENCE_REFRESH * step);
     }
 }

@@ -1,0 +1,91 @@
+package org.phrenic.cli.option;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.file.BadInputException;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.study.error.BudgetPart;
+import org.phrenic.study.error.BudgetPlan;
+import org.phrenic.study.error.BudgetReport;
+import org.phrenic.study.error.BudgetStudy;
+import org.phrenic.study.error.BudgetTable;
+import picocli.CommandLine.Option;
+
+/** Options of {@code phrenic bench error --whole}: which parts of the error budget to measure on which bodies. */
+public final class ErrorBudgetOptions {
+    private static final String TABLE = "budget.csv";
+    private static final List<BudgetPlan.Body> VIRTUAL_BODIES = List.of(
+            new BudgetPlan.Body("virtual man", "virtual/adult-male"),
+            new BudgetPlan.Body("virtual woman", "virtual/adult-female"));
+
+    @Option(
+            names = "--whole",
+            description = "The whole error of the defaults: in time, in space and against equilibrium, quiet and deep."
+                    + " DIR keeps what was measured (budget.csv), so that an interrupted run goes on.")
+    private boolean whole;
+
+    @Option(
+            names = "--part",
+            paramLabel = "NAME,...",
+            description = "With --whole: some of time, space, equilibrium, order, implicit (default all).")
+    private String parts;
+
+    @Option(
+            names = "--scan",
+            paramLabel = "DIR",
+            description = "With --whole: a scanned body besides the virtual ones.")
+    private Path scan;
+
+    public boolean isGiven() {
+        return whole;
+    }
+
+    /** The options that select scenes, as they were given. */
+    public String scenes() {
+        return scan == null ? "" : " --scan DIR";
+    }
+
+    /**
+     * Measures what the folder's table lacks.
+     *
+     * @param resolutions names of the resolutions, comma separated
+     * @param out folder of the table; null to keep it in memory
+     * @return the report of all that the table has
+     */
+    public BudgetReport measure(String resolutions, boolean quick, Path out, ProgressListener progress) {
+        List<BudgetPlan.Body> bodies = new ArrayList<>(VIRTUAL_BODIES);
+        if (scan != null) {
+            if (!Files.isDirectory(scan)) {
+                throw new BadInputException("--scan: found no folder '" + scan + "', expected a folder of meshes");
+            }
+            bodies.add(new BudgetPlan.Body("scanned man", scan.toString()));
+        }
+        List<Resolution> meshes = OptionValues.split(resolutions).stream()
+                .map(name -> Scenario.defaults().with("resolution=" + name).resolution())
+                .toList();
+        BudgetPlan plan = quick ? BudgetPlan.quick(bodies) : BudgetPlan.full(bodies, meshes);
+        Set<BudgetPart> wanted = parts();
+        BudgetTable table = new BudgetTable(out == null ? null : out.resolve(TABLE));
+        new BudgetStudy(plan, table, progress).run(wanted);
+        return new BudgetReport(table);
+    }
+
+    private Set<BudgetPart> parts() {
+        Set<BudgetPart> named = EnumSet.noneOf(BudgetPart.class);
+        if (parts == null) {
+            return EnumSet.allOf(BudgetPart.class);
+        }
+        for (String name : OptionValues.split(parts)) {
+            named.add(BudgetPart.of(name)
+                    .orElseThrow(() -> new BadInputException("--part: found '" + name
+                            + "', expected some of time, space, equilibrium, order, implicit")));
+        }
+        return named;
+    }
+}

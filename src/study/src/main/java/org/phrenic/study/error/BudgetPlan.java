@@ -1,0 +1,102 @@
+package org.phrenic.study.error;
+
+import java.util.List;
+import org.phrenic.anatomy.MeshBudget;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.study.ReportNumbers;
+
+/**
+ * Scenes and meshes of an error budget.
+ *
+ * @param bodies bodies, the first of which is also measured with every integrator
+ * @param breaths breathing presets
+ * @param meshes meshes on which the defaults are measured
+ * @param sheetVertices numbers of vertices of the diaphragm of the space part, coarsest first
+ * @param windowShare part of a breath that is simulated; beyond the end of inspiration for the full excursion
+ * @param settings assignments of all scenes
+ */
+public record BudgetPlan(
+        List<Body> bodies,
+        List<String> breaths,
+        List<Mesh> meshes,
+        List<Integer> sheetVertices,
+        double windowShare,
+        List<String> settings) {
+    /** Part of a breath until the domes stand lowest: inspiration, a pause, and what they lag behind. */
+    private static final double INSPIRATION_SHARE = 0.6;
+
+    /** The diaphragm's vertices at medium resolution, and meshes with edges 1.5 and 1.5² times as short and long. */
+    private static final List<Integer> SHEET_VERTICES = List.of(1720, 3870, 8705, 19_586, 44_068);
+
+    /** A body and its name in reports. */
+    public record Body(String name, String anatomy) {}
+
+    /** A mesh and its name in reports. */
+    public record Mesh(String name, List<String> settings) {}
+
+    public BudgetPlan {
+        bodies = List.copyOf(bodies);
+        breaths = List.copyOf(breaths);
+        meshes = List.copyOf(meshes);
+        sheetVertices = List.copyOf(sheetVertices);
+        settings = List.copyOf(settings);
+    }
+
+    /** The defaults at all resolutions, quiet and deep. */
+    public static BudgetPlan full(List<Body> bodies, List<Resolution> resolutions) {
+        return new BudgetPlan(
+                bodies,
+                List.of("quiet", "deep"),
+                resolutions.stream()
+                        .map(ReportNumbers::label)
+                        .map(name -> new Mesh(name, List.of("resolution=" + name)))
+                        .toList(),
+                SHEET_VERTICES,
+                INSPIRATION_SHARE,
+                List.of("threads=1"));
+    }
+
+    /** The sheet alone on coarse meshes and the start of a quiet breath: seconds. */
+    public static BudgetPlan quick(List<Body> bodies) {
+        return new BudgetPlan(
+                bodies.subList(0, 1),
+                List.of("quiet"),
+                List.of(mesh(840)),
+                List.of(560, 840, 1260),
+                0.025,
+                List.of("threads=1", "lungs=embedded", "sternum=kinematic", "liver=false"));
+    }
+
+    private static Mesh mesh(int sheetVertices) {
+        return new Mesh(
+                Integer.toString(sheetVertices),
+                List.of("mesh_vertices=" + MeshBudget.ofDiaphragm(sheetVertices).vertices()));
+    }
+
+    /** Scene of a body and a breath with default settings on a mesh. */
+    Scenario scenario(Body body, String breath, Mesh mesh) {
+        return Scenario.defaults()
+                .with("anatomy=" + body.anatomy(), "preset=" + breath)
+                .with(settings.toArray(String[]::new))
+                .with(mesh.settings().toArray(String[]::new));
+    }
+
+    /**
+     * Scene of a body and a breath on a mesh of the space part. The time step, and with it the masses that are scaled
+     * for it, is proportional to the edge length, so neither adds to the error of a finer mesh.
+     */
+    Scenario refined(Body body, String breath, int sheetVertices) {
+        Scenario scenario = scenario(body, breath, mesh(sheetVertices));
+        double relativeEdge = Math.sqrt((double) Resolution.MEDIUM.diaphragmVertices() / sheetVertices);
+        double samples = Math.ceil(BreathRunner.SAMPLE_S / (scenario.timeStepS() * relativeEdge));
+        double step = BreathRunner.SAMPLE_S / samples;
+        return scenario.with(
+                "lungs=embedded", "sternum=kinematic", "liver=false", "time_step_s=" + step, "mass_scaling_s=" + step);
+    }
+
+    /** Simulated time, s. */
+    double untilS(Scenario scenario) {
+        return windowShare * ErrorStudy.breathS(scenario);
+    }
+}

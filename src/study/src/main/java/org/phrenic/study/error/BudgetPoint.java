@@ -1,0 +1,87 @@
+package org.phrenic.study.error;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Whole error of a setting against its speed. The whole is the sum of the parts that were measured, an upper bound of
+ * their combination. Percentages are of the domes' excursion.
+ *
+ * @param row the setting's measurement of the error in time
+ * @param timePercent rms distance from the reference, and the reference's uncertainty
+ * @param resolved whether that distance is at least three times the reference's uncertainty
+ * @param spacePercent difference of the excursion from that extrapolated to edge length 0; NaN if not measured
+ * @param equilibriumPercent largest rms distance from equilibrium at the phases; NaN if not measured
+ */
+public record BudgetPoint(
+        BudgetRow row, double timePercent, boolean resolved, double spacePercent, double equilibriumPercent) {
+    private static final double RESOLVED = 3;
+
+    /** Sum of the parts, per cent. */
+    public double wholePercent() {
+        return timePercent + orZero(spacePercent) + orZero(equilibriumPercent);
+    }
+
+    private static double orZero(double percent) {
+        return Double.isNaN(percent) ? 0 : percent;
+    }
+
+    /** Name of the integrator. */
+    public String integrator() {
+        return row.setting().substring(0, row.setting().indexOf(','));
+    }
+
+    /** The points of all settings of which the error in time was measured. */
+    public static List<BudgetPoint> of(BudgetTable table) {
+        List<BudgetPoint> points = new ArrayList<>();
+        for (BudgetRow row : table.rows()) {
+            if (row.part() == BudgetPart.TIME) {
+                points.add(new BudgetPoint(
+                        row,
+                        100 * (row.rmsMm() + row.uncertaintyMm()) / row.excursionMm(),
+                        row.rmsMm() >= RESOLVED * row.uncertaintyMm(),
+                        space(table, row),
+                        equilibrium(table, row)));
+            }
+        }
+        return points;
+    }
+
+    /** Convergence of the excursion of a body's breath in space, if at least three meshes were measured. */
+    static Optional<RichardsonFit> convergence(BudgetTable table, String body, String breath) {
+        List<BudgetRow> meshes = meshes(table, body, breath);
+        return meshes.size() < 3
+                ? Optional.empty()
+                : Optional.of(RichardsonFit.of(
+                        meshes.stream().mapToDouble(BudgetRow::edgeMm).toArray(),
+                        meshes.stream().mapToDouble(BudgetRow::excursionMm).toArray()));
+    }
+
+    /** Measurements on meshes of different edge lengths, coarsest first. */
+    static List<BudgetRow> meshes(BudgetTable table, String body, String breath) {
+        return table.rows().stream()
+                .filter(r -> r.isOf(BudgetPart.SPACE, body, breath, r.mesh()))
+                .sorted((a, b) -> Double.compare(b.edgeMm(), a.edgeMm()))
+                .toList();
+    }
+
+    private static double space(BudgetTable table, BudgetRow row) {
+        return convergence(table, row.body(), row.breath())
+                .map(fit -> 100 * Math.abs(usual(table, row).excursionMm() - fit.limit()) / Math.abs(fit.limit()))
+                .orElse(Double.NaN);
+    }
+
+    /** The default's measurement on the same mesh. */
+    private static BudgetRow usual(BudgetTable table, BudgetRow row) {
+        return table.usual(BudgetPart.TIME, row.body(), row.breath(), row.mesh())
+                .orElse(row);
+    }
+
+    private static double equilibrium(BudgetTable table, BudgetRow row) {
+        return table.rows(BudgetPart.EQUILIBRIUM, row.body(), row.breath(), row.mesh()).stream()
+                .mapToDouble(BudgetRow::percent)
+                .max()
+                .orElse(Double.NaN);
+    }
+}

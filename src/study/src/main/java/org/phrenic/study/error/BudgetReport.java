@@ -1,0 +1,266 @@
+package org.phrenic.study.error;
+
+import static org.phrenic.study.ReportNumbers.format;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.ReportDocument;
+import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.document.report.ReportDocument.Picture;
+import org.phrenic.study.ReportNumbers;
+
+/** The error budget as a document and as values. */
+public final class BudgetReport {
+    /** Columns of {@link #cells}. */
+    public static final List<Column> COLUMNS = List.of(
+            Column.text("body"),
+            Column.text("breath"),
+            Column.text("mesh"),
+            Column.text("integrator"),
+            Column.number("excursion, mm"),
+            Column.number("time, %"),
+            Column.number("max, mm"),
+            Column.number("space, %"),
+            Column.number("equilibrium, %"),
+            Column.number("whole, %"),
+            Column.number("x real time"),
+            Column.text(""));
+
+    private final BudgetTable table;
+    private final List<BudgetPoint> points;
+
+    public BudgetReport(BudgetTable table) {
+        this.table = table;
+        points = BudgetPoint.of(table);
+    }
+
+    /** Points of the chart. */
+    public List<BudgetPoint> points() {
+        return points;
+    }
+
+    /** Rows of the defaults, or of every setting. */
+    public List<List<String>> cells(boolean defaultsAlone) {
+        return points.stream()
+                .filter(p -> p.row().usual() || !defaultsAlone)
+                .map(BudgetReport::cells)
+                .toList();
+    }
+
+    private static List<String> cells(BudgetPoint p) {
+        BudgetRow row = p.row();
+        String remark =
+                (row.usual() ? "default" : "") + (p.resolved() ? "" : row.usual() ? ", unresolved" : "unresolved");
+        return List.of(
+                row.body(),
+                row.breath(),
+                row.mesh(),
+                p.integrator(),
+                format("%.2f", row.excursionMm()),
+                percent(p.timePercent()),
+                percent(row.maxMm()),
+                percent(p.spacePercent()),
+                percent(p.equilibriumPercent()),
+                percent(p.wholePercent()),
+                format("%.2f", row.realTime()),
+                remark);
+    }
+
+    private static String percent(double value) {
+        return Double.isNaN(value) ? "" : ReportNumbers.trimmed(value, 2);
+    }
+
+    /**
+     * The results page.
+     *
+     * @param provenance what made it, on which machine and when
+     * @param picture path of the chart relative to the page; empty for none
+     */
+    public ReportDocument document(List<String> provenance, String picture) {
+        ReportDocument page = new ReportDocument(
+                "Speed against the whole error",
+                "Error of the default settings in time, in space and against quasi-static equilibrium, in per cent of"
+                        + " the excursion of the domes, and the speed on one thread.");
+        page.points(provenance.toArray(String[]::new));
+        page.paragraph("How each part is measured is described in error.md of the documentation. The parts of the"
+                + " whole are added. \"Unresolved\": the error in time is below three times the uncertainty of its"
+                + " reference; the sum of both is given.");
+        page.section("The defaults");
+        page.table("", COLUMNS, cells(true));
+        if (!picture.isEmpty()) {
+            String caption = "Whole error against speed: every integrator on the first body's quiet breath, and the"
+                    + " defaults of all scenes.";
+            page.figure("", new Picture(picture, "Whole error against speed", caption));
+        }
+        List<List<String>> all = points.stream()
+                .filter(p -> !p.row().usual() || hasOthers(p.row()))
+                .map(BudgetReport::cells)
+                .toList();
+        if (!all.isEmpty()) {
+            page.section("Every integrator");
+            page.table("", COLUMNS, all);
+        }
+        addSpace(page);
+        addEquilibrium(page);
+        addOrder(page);
+        addImplicit(page);
+        return page;
+    }
+
+    /** Whether other settings of the scene were measured too. */
+    private boolean hasOthers(BudgetRow row) {
+        return table.rows(BudgetPart.TIME, row.body(), row.breath(), row.mesh()).size() > 1;
+    }
+
+    private void addSpace(ReportDocument page) {
+        List<List<String>> rows = new ArrayList<>();
+        Set<List<String>> scenes = new LinkedHashSet<>();
+        table.rows().stream()
+                .filter(r -> r.part() == BudgetPart.SPACE)
+                .forEach(r -> scenes.add(List.of(r.body(), r.breath())));
+        for (List<String> scene : scenes) {
+            List<BudgetRow> meshes = BudgetPoint.meshes(table, scene.get(0), scene.get(1));
+            meshes.forEach(m -> rows.add(List.of(
+                    m.body(),
+                    m.breath(),
+                    m.mesh(),
+                    format("%.2f", m.edgeMm()),
+                    format("%.3f", m.excursionMm()),
+                    "",
+                    "")));
+            BudgetPoint.convergence(table, scene.get(0), scene.get(1))
+                    .ifPresent(fit -> rows.add(List.of(
+                            scene.get(0),
+                            scene.get(1),
+                            "extrapolated",
+                            "0",
+                            format("%.3f", fit.limit()),
+                            order(fit.order()),
+                            format("%.3f%s", fit.deviation(), fit.isMonotone() ? "" : ", not monotone"))));
+        }
+        if (!rows.isEmpty()) {
+            page.section("Error in space");
+            page.paragraph("The sheet with lungs and sternum that do not move it, time step in proportion to the edge"
+                    + " length; excursion of the domes by the diaphragm's number of vertices, and the fit"
+                    + " limit + c edge^order.");
+            page.table(
+                    "",
+                    List.of(
+                            Column.text("body"),
+                            Column.text("breath"),
+                            Column.text("vertices"),
+                            Column.number("edge, mm"),
+                            Column.number("excursion, mm"),
+                            Column.number("order"),
+                            Column.number("rms of the fit, mm")),
+                    rows);
+        }
+    }
+
+    private static String order(double order) {
+        double margin = 0.01;
+        return order < RichardsonFit.MIN_ORDER + margin
+                ? "none"
+                : order > RichardsonFit.MAX_ORDER - margin ? "above 4" : format("%.2f", order);
+    }
+
+    private void addEquilibrium(ReportDocument page) {
+        addDistances(
+                page,
+                BudgetPart.EQUILIBRIUM,
+                "Distance from equilibrium",
+                "Ribs, muscle and pressure are stopped at a phase of the breath; rms and greatest distance of the"
+                        + " diaphragm's nodes from the equilibrium there.",
+                "stopped at");
+    }
+
+    private void addOrder(ReportDocument page) {
+        List<List<String>> rows = new ArrayList<>();
+        Map<String, Double> before = new LinkedHashMap<>();
+        for (BudgetRow row : table.rows()) {
+            if (row.part() == BudgetPart.ORDER) {
+                String series = row.body()
+                        + row.breath()
+                        + row.mesh()
+                        + row.setting().substring(0, row.setting().lastIndexOf(','));
+                Double coarser = before.put(series, row.rmsMm());
+                // A step beyond the stability limit is split into those of the next row, so both agree.
+                boolean known = coarser != null && coarser > 0 && row.rmsMm() > 0;
+                String order = known ? format("%.2f", Math.log(coarser / row.rmsMm()) / Math.log(2)) : "";
+                rows.add(List.of(
+                        row.body(), row.breath(), row.mesh(), row.setting(), format("%.2g", row.rmsMm()), order));
+            }
+        }
+        if (!rows.isEmpty()) {
+            page.section("Order of convergence in time");
+            page.paragraph("The whole scene, first part of a breath, constraints swept to convergence: rms distance"
+                    + " of the diaphragm's nodes between the solution with a step and that with half of it.");
+            page.table(
+                    "",
+                    List.of(
+                            Column.text("body"),
+                            Column.text("breath"),
+                            Column.text("mesh"),
+                            Column.text("scheme and step"),
+                            Column.number("rms, mm"),
+                            Column.number("order")),
+                    rows);
+        }
+    }
+
+    private void addImplicit(ReportDocument page) {
+        addDistances(
+                page,
+                BudgetPart.IMPLICIT,
+                "A second reference",
+                "Distance of the default from backward Euler, extrapolated to step 0 from two steps; the uncertainty"
+                        + " is the distance between the two. With the true mass of muscle, 3.15 kg/m2 and no mass"
+                        + " scaling, it includes what the scaled masses change.",
+                "masses");
+    }
+
+    private void addDistances(ReportDocument page, BudgetPart part, String heading, String text, String setting) {
+        List<List<String>> rows = table.rows().stream()
+                .filter(r -> r.part() == part)
+                .map(r -> List.of(
+                        r.body(),
+                        r.breath(),
+                        r.mesh(),
+                        r.setting(),
+                        format("%.3g", r.rmsMm()),
+                        percent(r.percent()),
+                        format("%.3g", r.maxMm()),
+                        Double.isNaN(r.uncertaintyMm()) ? "" : format("%.2g", r.uncertaintyMm())))
+                .toList();
+        if (!rows.isEmpty()) {
+            page.section(heading);
+            page.paragraph(text);
+            page.table(
+                    "",
+                    List.of(
+                            Column.text("body"),
+                            Column.text("breath"),
+                            Column.text("mesh"),
+                            Column.text(setting),
+                            Column.number("rms, mm"),
+                            Column.number("%"),
+                            Column.number("max, mm"),
+                            Column.number("uncertainty, mm")),
+                    rows);
+        }
+    }
+
+    /** The budget as values for JSON. */
+    public Map<String, Object> values() {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("notice", Disclaimer.TEXT);
+        map.put("columns", BudgetRow.HEADER);
+        map.put("rows", table.rows().stream().map(BudgetRow::cells).toList());
+        return map;
+    }
+}

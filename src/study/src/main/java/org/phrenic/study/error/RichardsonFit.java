@@ -1,0 +1,85 @@
+package org.phrenic.study.error;
+
+/**
+ * Richardson extrapolation: the limit of a quantity that depends on the mesh as {@code q(h) = limit + c h^order}, by
+ * least squares over at least three edge lengths h. For a given order, limit and c follow from a linear regression; the
+ * order is found by a golden-section search of the remaining sum of squares between {@value #MIN_ORDER} and
+ * {@value #MAX_ORDER} (Roache 1994, doi 10.1115/1.2910291).
+ *
+ * @param limit extrapolated to edge length 0
+ * @param order observed order of convergence; one of the bounds if the quantity does not converge as a power
+ * @param deviation rms deviation of the quantity from the fit, in its unit
+ * @param isMonotone whether the quantity changes in one direction, by less at each refinement
+ */
+public record RichardsonFit(double limit, double order, double deviation, boolean isMonotone) {
+    /** Lower bound of the order. */
+    public static final double MIN_ORDER = 0.3;
+    /** Upper bound of the order. */
+    public static final double MAX_ORDER = 4;
+
+    private static final double GOLDEN = 0.5 * (Math.sqrt(5) - 1);
+    private static final int ITERATIONS = 60;
+
+    /**
+     * Fits a quantity.
+     *
+     * @param edges edge lengths, decreasing
+     * @param values the quantity on each mesh
+     * @throws IllegalArgumentException with fewer than three meshes
+     */
+    public static RichardsonFit of(double[] edges, double[] values) {
+        if (edges.length < 3 || values.length != edges.length) {
+            throw new IllegalArgumentException("found " + edges.length + " edge lengths and " + values.length
+                    + " values, expected at least three of each");
+        }
+        double low = MIN_ORDER;
+        double high = MAX_ORDER;
+        for (int i = 0; i < ITERATIONS; i++) {
+            double a = high - GOLDEN * (high - low);
+            double b = low + GOLDEN * (high - low);
+            if (line(edges, values, a)[2] < line(edges, values, b)[2]) {
+                high = b;
+            } else {
+                low = a;
+            }
+        }
+        double order = 0.5 * (low + high);
+        double[] line = line(edges, values, order);
+        return new RichardsonFit(line[0], order, Math.sqrt(line[2] / edges.length), isMonotone(values));
+    }
+
+    private static boolean isMonotone(double[] values) {
+        boolean monotone = true;
+        for (int i = 2; i < values.length; i++) {
+            double before = values[i - 1] - values[i - 2];
+            double step = values[i] - values[i - 1];
+            monotone &= step * before >= 0 && Math.abs(step) <= Math.abs(before);
+        }
+        return monotone;
+    }
+
+    /** Limit, slope and sum of squares of the regression of the values over {@code h^order}. */
+    private static double[] line(double[] edges, double[] values, double order) {
+        int n = edges.length;
+        double meanX = 0;
+        double meanY = 0;
+        for (int i = 0; i < n; i++) {
+            meanX += StrictMath.pow(edges[i] / edges[0], order) / n;
+            meanY += values[i] / n;
+        }
+        double xx = 0;
+        double xy = 0;
+        for (int i = 0; i < n; i++) {
+            double x = StrictMath.pow(edges[i] / edges[0], order) - meanX;
+            xx += x * x;
+            xy += x * (values[i] - meanY);
+        }
+        double slope = xy / xx;
+        double squares = 0;
+        for (int i = 0; i < n; i++) {
+            double x = StrictMath.pow(edges[i] / edges[0], order) - meanX;
+            squares += (values[i] - meanY - slope * x) * (values[i] - meanY - slope * x);
+        }
+        return new double[] {meanY - slope * meanX, slope, squares};
+    }
+}

@@ -1,0 +1,107 @@
+package org.phrenic.study.error;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.file.BadInputException;
+
+/** The quick budget of the virtual man's sheet: the start of a breath on a coarse mesh. */
+class BudgetStudyTest {
+    private static final BudgetPlan PLAN =
+            BudgetPlan.quick(List.of(new BudgetPlan.Body("virtual man", "virtual/adult-male")));
+
+    @TempDir
+    private static Path folder;
+
+    private static BudgetTable table;
+
+    @BeforeAll
+    static void measure() {
+        table = new BudgetTable(folder.resolve("budget.csv"));
+        new BudgetStudy(PLAN, table, (done, total, what) -> {})
+                .run(EnumSet.of(BudgetPart.TIME, BudgetPart.SPACE, BudgetPart.ORDER));
+    }
+
+    private static List<BudgetRow> rows(BudgetPart part) {
+        return table.rows().stream().filter(r -> r.part() == part).toList();
+    }
+
+    private static double distance(String scheme, String step) {
+        return rows(BudgetPart.ORDER).stream()
+                .filter(r -> r.setting().equals(scheme + ", no contact, " + step + " s"))
+                .findFirst()
+                .orElseThrow()
+                .rmsMm();
+    }
+
+    @Test
+    void withoutContactEachSchemeConvergesWithItsOrder() {
+        // Halving the step divides the distance by 2 to the order.
+        assertThat(distance("verlet", "0.000625") / distance("verlet", "0.0003125"))
+                .isBetween(3.6, 4.4);
+        assertThat(distance("stormer", "0.000625") / distance("stormer", "0.0003125"))
+                .isBetween(7.0, 9.0);
+        assertThat(distance("rk2", "0.000625") / distance("rk2", "0.0003125")).isBetween(3.6, 4.4);
+    }
+
+    @Test
+    void everyIntegratorIsMeasuredAndTheDefaultIsMarked() {
+        Map<Boolean, List<String>> schemes = BudgetPoint.of(table).stream()
+                .collect(Collectors.groupingBy(
+                        p -> p.row().usual(), Collectors.mapping(BudgetPoint::integrator, Collectors.toList())));
+        assertThat(schemes.get(true)).containsExactly("verlet");
+        assertThat(schemes.get(false)).contains("stormer", "rk2", "rk4", "lagged", "symplectic-euler");
+    }
+
+    @Test
+    void theEdgesOfTheMeshesHaveTheRatiosOfTheirNumbersOfVertices() {
+        List<BudgetRow> meshes = rows(BudgetPart.SPACE);
+        assertThat(meshes).hasSize(3);
+        assertThat(meshes.get(0).edgeMm() / meshes.get(2).edgeMm()).isBetween(1.4, 1.6);
+    }
+
+    @Test
+    void theWholeIsTheSumOfItsParts() {
+        assertThat(BudgetPoint.of(table))
+                .allSatisfy(p -> assertThat(p.wholePercent()).isEqualTo(p.timePercent() + p.spacePercent()));
+    }
+
+    @Test
+    void aTableThatIsReadBackLacksNothing() {
+        BudgetTable again = new BudgetTable(folder.resolve("budget.csv"));
+        assertThat(again.rows()).hasSameSizeAs(table.rows());
+        new BudgetStudy(PLAN, again, (done, total, what) -> {
+                    throw new AssertionError("measured " + what + " again");
+                })
+                .run(EnumSet.of(BudgetPart.TIME, BudgetPart.SPACE, BudgetPart.ORDER));
+    }
+
+    @Test
+    void thePageHasATableAPart() {
+        String page = MarkdownPage.format(
+                new BudgetReport(table).document(List.of("Commit abc", "Machine: any"), "error.png"));
+        assertThat(page)
+                .contains("- Commit abc", "## The defaults", "## Every integrator", "## Error in space")
+                .contains("## Order of convergence in time", "error.png", "extrapolated")
+                .doesNotContain("NaN", "Infinity");
+    }
+
+    @Test
+    void anUnknownPartInATableIsRefused() throws Exception {
+        Path file = folder.resolve("wrong.csv");
+        Files.writeString(file, Files.readString(folder.resolve("budget.csv")).replaceFirst("\ntime,", "\nluck,"));
+        assertThatThrownBy(() -> new BudgetTable(file))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("luck");
+    }
+}
