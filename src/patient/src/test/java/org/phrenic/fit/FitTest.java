@@ -56,7 +56,7 @@ class FitTest {
                         "rib_rotation=0.6",
                         "lungs=off",
                         "liver=false"));
-        truth = GroundTruth.of(patient, Resolution.MEDIUM, List.of(FitPart.DIAPHRAGM), 1, 1);
+        truth = GroundTruth.of(patient, Resolution.LOW, List.of(FitPart.DIAPHRAGM), 1, 1);
         base = Scenario.defaults().with(SHEET_ALONE);
         body = patient.body(Resolution.LOW);
     }

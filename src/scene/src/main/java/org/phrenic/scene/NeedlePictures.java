@@ -37,7 +37,9 @@ import org.phrenic.simulation.observe.Surface;
  * map on the skin.
  */
 public final class NeedlePictures implements AutoCloseable {
-    private static final int SIZE = 720;
+    /** Width and height of a picture, pixels. */
+    public static final int SIZE = 720;
+
     private static final int SAMPLES = 4;
     private static final String NEEDLE = "needle";
     private static final String TARGET = "target";
@@ -50,16 +52,22 @@ public final class NeedlePictures implements AutoCloseable {
     private final OffscreenContext gl;
     private final List<Surface> body;
     private final boolean ownsContext;
+    private final int size;
 
-    private NeedlePictures(OffscreenContext gl, List<Surface> body, boolean ownsContext) {
+    private NeedlePictures(OffscreenContext gl, List<Surface> body, boolean ownsContext, int size) {
         this.gl = gl;
         this.body = body;
         this.ownsContext = ownsContext;
+        this.size = size;
     }
 
-    /** Uses an open context. All calls must come from the thread of that context. */
-    public static NeedlePictures using(OffscreenContext gl, List<Surface> body) {
-        return new NeedlePictures(gl, body, false);
+    /**
+     * Uses an open context. All calls must come from the thread of that context.
+     *
+     * @param size width and height of a picture, pixels
+     */
+    public static NeedlePictures using(OffscreenContext gl, List<Surface> body, int size) {
+        return new NeedlePictures(gl, body, false, size);
     }
 
     /**
@@ -69,7 +77,7 @@ public final class NeedlePictures implements AutoCloseable {
      * @throws NoGraphicsException if no OpenGL context is available; the message is one sentence
      */
     public static NeedlePictures open(List<Surface> body) throws NoGraphicsException {
-        return new NeedlePictures(OffscreenContext.headless(), body, true);
+        return new NeedlePictures(OffscreenContext.headless(), body, true, SIZE);
     }
 
     /**
@@ -152,7 +160,7 @@ public final class NeedlePictures implements AutoCloseable {
 
     private String write(Series series, String name, AnatomicalView view, SceneStyle style, String title) {
         Camera camera = Camera.of(view, SceneBounds.of(body));
-        BufferedImage picture = gl.render(series.renderer, series.frame, camera, style, SIZE, SIZE);
+        BufferedImage picture = gl.render(series.renderer, series.frame, camera, style, size, size);
         Annotations.of(style).withTitle(title).withTimestamp(series.timestamp).draw(picture, camera);
         String file = name + ".png";
         PngFile.write(series.folder.resolve(file), picture);

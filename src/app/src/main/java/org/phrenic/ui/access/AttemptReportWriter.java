@@ -20,8 +20,17 @@ import org.phrenic.scene.NeedlePictures;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.view.SceneViewport;
 
-/** Writes the report of an attempt: the files of {@code phrenic rehearse}, and the plan that repeats the attempt. */
-public record AttemptReportWriter(SceneViewport view) {
+/**
+ * Writes the report of an attempt: the files of {@code phrenic rehearse}, and the plan that repeats the attempt.
+ *
+ * @param pictureSize width and height of its pictures, pixels
+ */
+public record AttemptReportWriter(SceneViewport view, int pictureSize) {
+    /** With pictures as large as those of {@code phrenic rehearse}. */
+    public AttemptReportWriter(SceneViewport view) {
+        this(view, NeedlePictures.SIZE);
+    }
+
     /**
      * Writes the files in the background; pictures are drawn between the frames of the view.
      *
@@ -57,7 +66,7 @@ public record AttemptReportWriter(SceneViewport view) {
     private List<String> render(Rehearsal rehearsal, Function<NeedlePictures, List<String>> what) {
         CompletableFuture<List<String>> files = new CompletableFuture<>();
         view.runTask(gl -> {
-            try (NeedlePictures pictures = NeedlePictures.using(gl, rehearsal.surfaces())) {
+            try (NeedlePictures pictures = NeedlePictures.using(gl, rehearsal.surfaces(), pictureSize)) {
                 files.complete(what.apply(pictures));
             } catch (RuntimeException e) {
                 files.completeExceptionally(e);

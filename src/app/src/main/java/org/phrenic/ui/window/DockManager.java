@@ -10,6 +10,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.ui.access.AttemptReportWriter;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.access.panel.AttemptsDock;
 import org.phrenic.ui.access.panel.RehearsalDock;
@@ -125,7 +126,7 @@ public final class DockManager {
             return;
         }
         rehearsal = new RehearsalDock(session, rehearsalController, breath::selectPreset);
-        attempts = new AttemptsDock(session, rehearsalController, view, null);
+        attempts = new AttemptsDock(session, rehearsalController, new AttemptReportWriter(view), null);
         sections = new SectionDock(rehearsalController);
         rehearsalController.addListener(new RehearsalController.Listener() {
             @Override

@@ -80,11 +80,17 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
             return Optional.empty();
         }
         try {
-            return Optional.of(
-                    new Measuring(body, largestShell(sheets.get(0).mesh()), new CageEnvelope(body)).result());
+            return Optional.of(of(body, new CageEnvelope(body)));
         } catch (IllegalArgumentException e) {
             return Optional.empty();
         }
+    }
+
+    /** Measures the sheet of a body whose envelope is known. */
+    static SheetQuality of(Thorax body, CageEnvelope cage) {
+        TriangleMesh sheet =
+                largestShell(body.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh());
+        return new Measuring(body, sheet, cage).result();
     }
 
     /** Of several shells the closed one with most vertices is the sheet, as in a simulation. */

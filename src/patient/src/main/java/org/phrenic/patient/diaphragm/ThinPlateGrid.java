@@ -27,6 +27,15 @@ final class ThinPlateGrid {
     private final double plate;
     private final double tension;
 
+    /** Weighted second differences along rows, one per node. */
+    private final double[] bentX;
+
+    /** Weighted differences along columns; the first row and the last are beyond the grid and zero. */
+    private final double[] bentY;
+
+    private final double[] stretched;
+    private final double[] twisted;
+
     /** Lengths L and T, in the unit of the grid's steps. */
     record Stiffness(double bendingMm, double tensionMm) {}
 
@@ -91,6 +100,10 @@ final class ThinPlateGrid {
         perYy = 1 / (grid.stepY() * grid.stepY());
         plate = Math.pow(stiffness.bendingMm(), 4);
         tension = Math.pow(stiffness.tensionMm(), 2) * perYy;
+        bentX = new double[columns * rows];
+        bentY = new double[columns * (rows + 2)];
+        stretched = new double[columns * (rows + 2)];
+        twisted = new double[columns * (rows + 2)];
     }
 
     /**
@@ -138,9 +151,9 @@ final class ThinPlateGrid {
     private double[] conjugateGradients(double[] data, double[] start) {
         int n = start.length;
         double[] x = start.clone();
-        double[] diagonal = new double[n];
+        double[] diagonal = diagonal();
         double[] product = new double[n];
-        apply(x, product, diagonal);
+        apply(x, product);
         double[] residual = new double[n];
         double[] direction = new double[n];
         double dot = 0;
@@ -154,7 +167,7 @@ final class ThinPlateGrid {
             scale += right * right / diagonal[i];
         }
         for (int k = 0; k < MOST_ITERATIONS && dot > TOLERANCE * TOLERANCE * scale; k++) {
-            apply(direction, product, null);
+            apply(direction, product);
             double curvature = 0;
             for (int i = 0; i < n; i++) {
                 curvature += direction[i] * product[i];
@@ -178,70 +191,107 @@ final class ThinPlateGrid {
         return x;
     }
 
-    /** Multiplies by the matrix of the normal equations; also writes its diagonal if {@code diagonal} is not null. */
-    private void apply(double[] h, double[] out, double[] diagonal) {
-        for (int i = 0; i < h.length; i++) {
-            out[i] = weight[i] * h[i];
-            if (diagonal != null) {
-                diagonal[i] = weight[i];
+    /**
+     * Multiplies by the matrix of the normal equations: first the weighted differences of each row, then their sum at
+     * each node.
+     */
+    private void apply(double[] h, double[] out) {
+        for (int j = 0; j < rows; j++) {
+            bendRow(h, columns * j);
+            if (j > 0 && j < rows - 1) {
+                bendColumns(h, columns * j);
+            }
+            if (j < rows - 1) {
+                stretchAndTwistRow(h, columns * j);
             }
         }
         for (int j = 0; j < rows; j++) {
-            for (int i = 0; i < columns; i++) {
-                int at = i + columns * j;
-                boolean inner = i > 0 && i < columns - 1;
-                int right = i < columns - 1 ? at + 1 : at + 1 - columns;
-                if (periodic || inner) {
-                    bend(h, out, diagonal, i > 0 ? at - 1 : at - 1 + columns, at, right, perXx);
-                }
-                if (j > 0 && j < rows - 1) {
-                    bend(h, out, diagonal, at - columns, at, at + columns, perYy);
-                }
-                if (j < rows - 1) {
-                    stretch(h, out, diagonal, at, at + columns);
-                }
-                if (j < rows - 1 && (periodic || i < columns - 1)) {
-                    twist(h, out, diagonal, at, right);
-                }
+            sumRow(h, out, columns * j);
+        }
+    }
+
+    private void bendRow(double[] h, int row) {
+        double factor = plate * perXx * perXx;
+        int last = row + columns - 1;
+        for (int at = row + 1; at < last; at++) {
+            bentX[at] = factor * (h[at - 1] - 2 * h[at] + h[at + 1]);
+        }
+        if (periodic) {
+            bentX[row] = factor * (h[last] - 2 * h[row] + h[row + 1]);
+            bentX[last] = factor * (h[last - 1] - 2 * h[last] + h[row]);
+        }
+    }
+
+    private void bendColumns(double[] h, int row) {
+        double factor = plate * perYy * perYy;
+        for (int at = row; at < row + columns; at++) {
+            bentY[at + columns] = factor * (h[at - columns] - 2 * h[at] + h[at + columns]);
+        }
+    }
+
+    private void stretchAndTwistRow(double[] h, int row) {
+        double factor = 2 * plate * perXy * perXy;
+        int last = row + columns - 1;
+        for (int at = row; at <= last; at++) {
+            stretched[at + columns] = tension * (h[at] - h[at + columns]);
+        }
+        for (int at = row; at < last; at++) {
+            twisted[at + columns] = factor * (h[at] - h[at + 1] - h[at + columns] + h[at + columns + 1]);
+        }
+        if (periodic) {
+            twisted[last + columns] = factor * (h[last] - h[row] - h[last + columns] + h[row + columns]);
+        }
+    }
+
+    private void sumRow(double[] h, double[] out, int row) {
+        int last = row + columns - 1;
+        for (int at = row + 1; at < last; at++) {
+            int above = at + columns;
+            double sum = weight[at] * h[at] + twisted[at - 1] + bentY[at] - stretched[at] - twisted[at];
+            sum = sum + bentX[at - 1] - twisted[above - 1] - 2 * bentX[at] - 2 * bentY[above];
+            out[at] = sum + stretched[above] + twisted[above] + bentX[at + 1] + bentY[above + columns];
+        }
+        int up = row + columns;
+        double sum = weight[row] * h[row] + bentY[row] - stretched[row] - twisted[row] + twisted[last];
+        sum = sum - 2 * bentX[row] - 2 * bentY[up] + stretched[up] + twisted[up] + bentX[row + 1];
+        out[row] = sum + bentX[last] - twisted[last + columns] + bentY[up + columns];
+        up = last + columns;
+        sum = weight[last] * h[last] + twisted[last - 1] + bentY[last] - stretched[last] - twisted[last];
+        sum = sum + bentX[row] + bentX[last - 1] - twisted[up - 1] - 2 * bentX[last] - 2 * bentY[up];
+        out[last] = sum + stretched[up] + twisted[up] + bentY[up + columns];
+    }
+
+    /** The diagonal of the matrix. */
+    private double[] diagonal() {
+        double[] diagonal = weight.clone();
+        double bendX = plate * perXx * perXx;
+        double bendY = plate * perYy * perYy;
+        double twist = 2 * plate * perXy * perXy;
+        for (int at = 0; at < diagonal.length; at++) {
+            int i = at % columns;
+            int j = at / columns;
+            int right = i < columns - 1 ? at + 1 : at + 1 - columns;
+            if (periodic || (i > 0 && i < columns - 1)) {
+                diagonal[i > 0 ? at - 1 : at - 1 + columns] += bendX;
+                diagonal[at] += 4 * bendX;
+                diagonal[right] += bendX;
+            }
+            if (j > 0 && j < rows - 1) {
+                diagonal[at - columns] += bendY;
+                diagonal[at] += 4 * bendY;
+                diagonal[at + columns] += bendY;
+            }
+            if (j < rows - 1) {
+                diagonal[at] += tension;
+                diagonal[at + columns] += tension;
+            }
+            if (j < rows - 1 && (periodic || i < columns - 1)) {
+                diagonal[at] += twist;
+                diagonal[right] += twist;
+                diagonal[at + columns] += twist;
+                diagonal[right + columns] += twist;
             }
         }
-    }
-
-    private void stretch(double[] h, double[] out, double[] diagonal, int a, int b) {
-        double v = tension * (h[a] - h[b]);
-        out[a] += v;
-        out[b] -= v;
-        if (diagonal != null) {
-            diagonal[a] += tension;
-            diagonal[b] += tension;
-        }
-    }
-
-    private void bend(double[] h, double[] out, double[] diagonal, int a, int b, int c, double per) {
-        double factor = plate * per * per;
-        double v = factor * (h[a] - 2 * h[b] + h[c]);
-        out[a] += v;
-        out[b] -= 2 * v;
-        out[c] += v;
-        if (diagonal != null) {
-            diagonal[a] += factor;
-            diagonal[b] += 4 * factor;
-            diagonal[c] += factor;
-        }
-    }
-
-    private void twist(double[] h, double[] out, double[] diagonal, int a, int b) {
-        double factor = 2 * plate * perXy * perXy;
-        double v = factor * (h[a] - h[b] - h[a + columns] + h[b + columns]);
-        out[a] += v;
-        out[b] -= v;
-        out[a + columns] -= v;
-        out[b + columns] += v;
-        if (diagonal != null) {
-            diagonal[a] += factor;
-            diagonal[b] += factor;
-            diagonal[a + columns] += factor;
-            diagonal[b + columns] += factor;
-        }
+        return diagonal;
     }
 }

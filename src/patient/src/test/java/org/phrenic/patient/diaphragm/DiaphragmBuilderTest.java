@@ -22,6 +22,7 @@ class DiaphragmBuilderTest {
             VirtualThorax.generate(VirtualThoraxParameters.preset("adult-female"), Resolution.LOW);
     private static final TriangleMesh TRUE_SHEET =
             FEMALE.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh();
+    private static final CageEnvelope CAGE = new CageEnvelope(FEMALE);
     private static final TriangleMesh BUILT = DiaphragmBuilder.build(without(StructureKind.DIAPHRAGM), 4000);
 
     private static Thorax without(StructureKind kind) {
@@ -35,7 +36,7 @@ class DiaphragmBuilderTest {
         List<Structure> all =
                 new java.util.ArrayList<>(without(StructureKind.DIAPHRAGM).structures());
         all.add(new Structure("diaphragm", StructureKind.DIAPHRAGM, 0, Side.MIDLINE, sheet));
-        return SheetQuality.of(new Thorax("patient", all, List.of())).orElseThrow();
+        return SheetQuality.of(new Thorax("patient", all, List.of()), CAGE);
     }
 
     @Test

@@ -24,7 +24,6 @@ import org.phrenic.ui.access.AttemptReportWriter;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
-import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.FileDialogs;
 import org.phrenic.ui.widget.ScrollablePanel;
@@ -71,11 +70,14 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
 
     /** @param chooser asks for the folder of a report; null for a dialog */
     public AttemptsDock(
-            Session session, RehearsalController rehearsal, SceneViewport view, Supplier<Optional<Path>> chooser) {
+            Session session,
+            RehearsalController rehearsal,
+            AttemptReportWriter writer,
+            Supplier<Optional<Path>> chooser) {
         super(new BorderLayout());
         this.session = session;
         this.chooser = chooser == null ? () -> FileDialogs.folder(this, "Folder for the report") : chooser;
-        writer = new AttemptReportWriter(view);
+        this.writer = writer;
         setName("attempts");
         placeholder.setTextIfChanged(
                 "An attempt ends when the needle is out again after a sample. Its report card is shown here.");

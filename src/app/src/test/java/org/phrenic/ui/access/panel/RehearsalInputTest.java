@@ -262,7 +262,7 @@ class RehearsalInputTest {
     @Test
     void attemptsStandInTheTableAndRetryAndSaveDoWhatTheySay() throws Exception {
         AttemptsDock dock = WindowHarness.onEdt(() -> new AttemptsDock(
-                window.session(), rehearsal(), window.window().view(), () -> Optional.of(folder.resolve("kept"))));
+                window.session(), rehearsal(), clinic.smallPictures(), () -> Optional.of(folder.resolve("kept"))));
         try {
             attempt(8);
             Rehearsal missed = WindowHarness.onEdt(() -> dock.attempts().get(0));

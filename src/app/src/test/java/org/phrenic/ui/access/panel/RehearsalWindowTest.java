@@ -19,7 +19,6 @@ import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RehearsalReport;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.document.JsonWriter;
-import org.phrenic.ui.access.AttemptReportWriter;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.window.WindowHarness;
@@ -94,8 +93,7 @@ class RehearsalWindowTest {
         assertThat(WindowHarness.onEdt(() -> attempts().card().text())).startsWith("Hit");
         Path report = folder.resolve("report");
         String[] problem = new String[1];
-        WindowHarness.doOnEdt(
-                () -> new AttemptReportWriter(window.window().view()).save(attempt, report, said -> problem[0] = said));
+        WindowHarness.doOnEdt(() -> clinic.smallPictures().save(attempt, report, said -> problem[0] = said));
         until("the report", () -> problem[0] != null);
         assertThat(problem[0]).isEmpty();
         assertThat(Files.readString(report.resolve("report.html"))).contains("Not for clinical use");
