@@ -14,65 +14,97 @@ import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 
 /**
- * The breath level at which a body was scanned, from the height of the domes against the spine. At end-expiration the
- * right dome stands at T8 and the left at T9; at full inspiration they stand at T11/T12 and T12 (physiology C2).
+ * The breath level at which a body was scanned, from the height of its lungs against the spine.
  *
- * @param right level of the right dome in vertebrae: 8.5 is half way from the middle of T8 to that of T9; NaN if the
- *     scan does not show the base of the right lung
- * @param left level of the left dome
- * @param descent mean descent of the domes from end-expiration, vertebrae
+ * @param mark what was measured
+ * @param right level of that mark on the right in vertebrae: 8.5 is half way from the middle of T8 to that of T9; NaN
+ *     if the scan does not show it
+ * @param left level on the left
+ * @param descent mean descent of the mark from end-expiration, vertebrae
  * @param share that descent as a share of the descent to full inspiration, 0 at end-expiration
  * @param descentMm that descent, mm
  */
-public record BreathLevel(double right, double left, double descent, double share, double descentMm) {
-    /** Levels of the right and the left dome at end-expiration. */
-    private static final double[] EXPIRED = {8, 9};
-    /** Levels of the right and the left dome at full inspiration. */
-    private static final double[] INSPIRED = {11.5, 12};
+public record BreathLevel(Mark mark, double right, double left, double descent, double share, double descentMm) {
+    /** What the level is read from. */
+    public enum Mark {
+        /**
+         * Tops of the lungs' bases: T8 and T9 at end-expiration, T11/T12 and T12 at full inspiration (physiology C2).
+         */
+        DOMES("the domes", "T8 and T9", new double[] {8, 9}, new double[] {11.5, 12}),
+        /**
+         * Lowest points of the lungs, in a scan that ends below the domes: beside the spine at rib 10 at
+         * end-expiration, two ribs lower at full inspiration.
+         */
+        LOWER_BORDERS("the lower borders of the lungs", "T11", new double[] {11, 11}, new double[] {13, 13});
+
+        private final String name;
+        private final String atExpiration;
+        private final double[] expired;
+        private final double[] inspired;
+
+        Mark(String name, String atExpiration, double[] expired, double[] inspired) {
+            this.name = name;
+            this.atExpiration = atExpiration;
+            this.expired = expired;
+            this.inspired = inspired;
+        }
+    }
+
     /** Share from which a scan counts as one at inspiration: one vertebra, by which people differ. */
     private static final double CLEARLY_INSPIRED = 0.3;
     /** Least number of vertebrae and ribs in a scan whose level is judged. */
     private static final int LEAST_BONES = 6;
     /** Anterior share of the depth of a vertebra in which its body lies. */
     private static final double BODY_SHARE = 0.2;
+    /** Least height of a scan above the domes that it shows, mm. */
+    private static final double ABOVE_DOMES_MM = 5;
 
     private static final int LAST_LEVEL = StructureName.FIRST_LUMBAR + 2;
 
     /**
-     * Estimates the level of a completed body; empty if the scan shows too few bones or no base of a lung.
+     * Estimates the level of a body; empty if the scan shows too few bones or the lower end of no lung. A scan that
+     * ends below the top of a completed lung's base does not show the domes.
      *
-     * @param body completed body, LPS, mm
+     * @param scanned body as scanned, LPS, mm
+     * @param completed the same body, completed
      */
-    public static Optional<BreathLevel> of(PatientBody body) {
-        long bones = body.structures().stream()
-                .filter(s ->
-                        s.source() == PatientStructure.Source.SCAN || s.source() == PatientStructure.Source.EXTENDED)
+    public static Optional<BreathLevel> of(PatientBody scanned, PatientBody completed) {
+        long bones = completed.structures().stream()
+                .filter(s -> s.source() == PatientStructure.Source.SCAN
+                        || s.source() == PatientStructure.Source.EXTENDED
+                        || s.scan().isPresent())
                 .map(s -> s.structure().kind())
                 .filter(kind -> kind == StructureKind.VERTEBRA || kind == StructureKind.RIB)
                 .count();
-        List<double[]> spine = spine(body.thorax());
+        List<double[]> spine = spine(completed.thorax());
         if (bones < LEAST_BONES || spine.size() < 2) {
             return Optional.empty();
         }
+        double[] domes = {dome(scanned, completed, Side.RIGHT), dome(scanned, completed, Side.LEFT)};
+        double[] borders = {border(scanned, Side.RIGHT), border(scanned, Side.LEFT)};
+        return measured(Mark.DOMES, domes, spine).or(() -> measured(Mark.LOWER_BORDERS, borders, spine));
+    }
+
+    /** @param heights of the mark on the right and the left, mm; NaN for none */
+    private static Optional<BreathLevel> measured(Mark mark, double[] heights, List<double[]> spine) {
         double[] level = {Double.NaN, Double.NaN};
         double descent = 0;
         double share = 0;
         double descentMm = 0;
         int sides = 0;
-        for (Side side : List.of(Side.RIGHT, Side.LEFT)) {
-            Optional<Double> top = top(body, side);
-            if (top.isPresent()) {
-                int i = side == Side.RIGHT ? 0 : 1;
-                level[i] = levelAt(spine, top.get());
-                descent += level[i] - EXPIRED[i];
-                share += (level[i] - EXPIRED[i]) / (INSPIRED[i] - EXPIRED[i]);
-                descentMm += heightOf(spine, EXPIRED[i]) - top.get();
+        for (int i = 0; i < 2; i++) {
+            if (!Double.isNaN(heights[i])) {
+                level[i] = levelAt(spine, heights[i]);
+                descent += level[i] - mark.expired[i];
+                share += (level[i] - mark.expired[i]) / (mark.inspired[i] - mark.expired[i]);
+                descentMm += heightOf(spine, mark.expired[i]) - heights[i];
                 sides++;
             }
         }
         return sides == 0
                 ? Optional.empty()
-                : Optional.of(new BreathLevel(level[0], level[1], descent / sides, share / sides, descentMm / sides));
+                : Optional.of(
+                        new BreathLevel(mark, level[0], level[1], descent / sides, share / sides, descentMm / sides));
     }
 
     /** Whether the scan is one at inspiration beyond the differences between people. */
@@ -80,8 +112,11 @@ public record BreathLevel(double right, double left, double descent, double shar
         return share >= CLEARLY_INSPIRED;
     }
 
-    /** The levels of the domes, such as "T9.4 on the right and T10.7 on the left". */
-    public String domes() {
+    /**
+     * The levels of the mark, such as "the domes at T9.4 on the right and T10.7 on the left (T8 and T9 at
+     * end-expiration)".
+     */
+    public String stated() {
         List<String> sides = new ArrayList<>();
         if (!Double.isNaN(right)) {
             sides.add(name(right) + " on the right");
@@ -89,7 +124,7 @@ public record BreathLevel(double right, double left, double descent, double shar
         if (!Double.isNaN(left)) {
             sides.add(name(left) + " on the left");
         }
-        return String.join(" and ", sides);
+        return mark.name + " at " + String.join(" and ", sides) + " (" + mark.atExpiration + " at end-expiration)";
     }
 
     private static String name(double level) {
@@ -98,24 +133,44 @@ public record BreathLevel(double right, double left, double descent, double shar
                 Locale.ROOT, lumbar ? "L%.1f" : "T%.1f", lumbar ? level - StructureName.FIRST_LUMBAR + 1 : level);
     }
 
-    /** Top of the base of a lung that the scan shows. */
-    private static Optional<Double> top(PatientBody body, Side side) {
-        List<PatientStructure> lobes = body.structures().stream()
+    /** Top of the base of a lung whose dome the scan shows, else NaN. */
+    private static double dome(PatientBody scanned, PatientBody completed, Side side) {
+        List<Structure> shown = shown(scanned, side);
+        Thorax lung = new Thorax(
+                completed.name(),
+                completed.thorax().structuresOf(StructureKind.LUNG).stream()
+                        .filter(s -> s.side() == side)
+                        .toList(),
+                List.of());
+        if (shown.isEmpty()) {
+            return Double.NaN;
+        }
+        double end = shown.stream().mapToDouble(s -> s.mesh().bounds()[5]).max().orElseThrow();
+        return LungBase.of(lung).stream()
+                .mapToDouble(LungBase::top)
+                .filter(top -> top < end - ABOVE_DOMES_MM)
+                .findFirst()
+                .orElse(Double.NaN);
+    }
+
+    /** Height of the lowest point of a lung that the scan shows, else NaN. */
+    private static double border(PatientBody scanned, Side side) {
+        return shown(scanned, side).stream()
+                .mapToDouble(s -> s.mesh().bounds()[2])
+                .min()
+                .orElse(Double.NaN);
+    }
+
+    /** The lobes of a side; none if the scan ends above the lower end of one of them. */
+    private static List<Structure> shown(PatientBody scanned, Side side) {
+        List<PatientStructure> lobes = scanned.structures().stream()
                 .filter(s -> s.structure().kind() == StructureKind.LUNG
                         && s.structure().side() == side)
                 .toList();
-        if (lobes.isEmpty() || !lobes.stream().allMatch(BreathLevel::showsBase)) {
-            return Optional.empty();
-        }
-        Thorax lung = new Thorax(
-                body.name(), lobes.stream().map(PatientStructure::structure).toList(), List.of());
-        return LungBase.of(lung).stream().findFirst().map(LungBase::top);
-    }
-
-    private static boolean showsBase(PatientStructure lobe) {
-        return lobe.scan()
-                .map(scan -> !scan.cutAt().contains("I"))
-                .orElse(lobe.source() == PatientStructure.Source.SCAN);
+        boolean cut = lobes.stream()
+                .anyMatch(
+                        s -> s.scan().filter(scan -> scan.cutAt().contains("I")).isPresent());
+        return cut ? List.of() : lobes.stream().map(PatientStructure::structure).toList();
     }
 
     /** Level and height of each vertebral body, from top to bottom. */

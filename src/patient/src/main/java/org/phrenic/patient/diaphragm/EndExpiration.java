@@ -164,10 +164,10 @@ public final class EndExpiration {
     private String note(BreathLevel level, double scannedMl, double ml) {
         return String.format(
                 Locale.ROOT,
-                "the scan is one at inspiration, the domes at %s (T8 and T9 at end-expiration): they are raised by"
+                "the scan is one at inspiration, %s: the domes are raised by"
                         + " %.0f mm, up to %.0f mm at the back, with the organs about them, the lungs deflated from"
                         + " %.1f to %.1f l, the ribs turned back by %.0f %% of a full inspiration",
-                level.domes(),
+                level.stated(),
                 level.descentMm(),
                 rise,
                 scannedMl / 1000,

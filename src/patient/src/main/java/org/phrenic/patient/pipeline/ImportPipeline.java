@@ -72,7 +72,7 @@ public final class ImportPipeline {
         ImportRequest.Completion completion = request.completion().orElseThrow();
         Thorax template = completion.template();
         progress.stage("bringing " + template.name() + " to the scan for what it lacks");
-        RestingBody resting = RestingBody.asScanned(BodyCompletion.complete(scanned, template));
+        RestingBody resting = RestingBody.asScanned(scanned, BodyCompletion.complete(scanned, template));
         if (resting.isInspired() && !completion.keepLevel()) {
             progress.stage("bringing the scan, which is one at inspiration, to end-expiration");
             resting = resting.atEndExpiration(scanned, template);

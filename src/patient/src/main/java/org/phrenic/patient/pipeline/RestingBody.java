@@ -18,8 +18,8 @@ import org.phrenic.patient.registration.BodyCompletion;
  */
 public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean moved) {
     /** A completed body at the breath level of its scan, with a note if that is one at inspiration. */
-    static RestingBody asScanned(PatientBody completed) {
-        return new RestingBody(completed, BreathLevel.of(completed), false);
+    static RestingBody asScanned(PatientBody scanned, PatientBody completed) {
+        return new RestingBody(completed, BreathLevel.of(scanned, completed), false);
     }
 
     /** Whether the scan is clearly one at inspiration. */
@@ -37,9 +37,9 @@ public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean
     RestingBody with(PatientBody whole) {
         return new RestingBody(
                 isInspired() && !moved
-                        ? whole.withNotes(List.of("the scan is one at inspiration, the domes at "
-                                + level.orElseThrow().domes()
-                                + " (T8 and T9 at end-expiration), and is left as it is: it breathes less than from"
+                        ? whole.withNotes(List.of("the scan is one at inspiration, "
+                                + level.orElseThrow().stated()
+                                + ", and is left as it is: it breathes less than from"
                                 + " end-expiration"))
                         : whole,
                 level,
@@ -59,11 +59,15 @@ public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean
     /** The entry of {@code import.json}. */
     Optional<OrderedValues> report() {
         return level.map(found -> new OrderedValues()
-                .with("dome_right_vertebra", Double.isNaN(found.right()) ? null : found.right())
-                .with("dome_left_vertebra", Double.isNaN(found.left()) ? null : found.left())
+                .with(key(found, "right"), Double.isNaN(found.right()) ? null : found.right())
+                .with(key(found, "left"), Double.isNaN(found.left()) ? null : found.left())
                 .with("share_of_full_inspiration", found.share())
                 .with("domes_below_end_expiration_mm", found.descentMm())
                 .with("inspired", found.isInspired())
                 .with("brought_to_end_expiration", moved));
+    }
+
+    private static String key(BreathLevel level, String side) {
+        return (level.mark() == BreathLevel.Mark.DOMES ? "dome_" : "lung_border_") + side + "_vertebra";
     }
 }

@@ -28,7 +28,7 @@ class EndExpirationTest {
     private static final double TALLER = 1.3;
 
     private static final PatientBody INSPIRED = body(true, s -> true);
-    private static final BreathLevel LEVEL = BreathLevel.of(INSPIRED).orElseThrow();
+    private static final BreathLevel LEVEL = level(INSPIRED).orElseThrow();
     private static final PatientBody RESTING = EndExpiration.of(INSPIRED, INSPIRED, LEVEL);
 
     private static PatientBody body(boolean inspired, Predicate<Structure> kept) {
@@ -56,6 +56,10 @@ class EndExpirationTest {
         return s.withMesh(s.mesh().withPositions(p));
     }
 
+    private static Optional<BreathLevel> level(PatientBody body) {
+        return BreathLevel.of(body, body);
+    }
+
     private static TriangleMesh mesh(PatientBody body, String name) {
         return body.structure(name).orElseThrow().structure().mesh();
     }
@@ -66,7 +70,7 @@ class EndExpirationTest {
 
     @Test
     void theVirtualManIsAtEndExpiration() {
-        BreathLevel level = BreathLevel.of(body(false, s -> true)).orElseThrow();
+        BreathLevel level = level(body(false, s -> true)).orElseThrow();
         assertThat(level.right()).isCloseTo(8, within(0.5));
         assertThat(level.left()).isCloseTo(9, within(0.6));
         assertThat(level.isInspired()).isFalse();
@@ -77,20 +81,51 @@ class EndExpirationTest {
         assertThat(LEVEL.isInspired()).isTrue();
         assertThat(LEVEL.right()).isBetween(9.5, 11.0);
         assertThat(LEVEL.descentMm()).isBetween(35.0, 60.0);
-        assertThat(LEVEL.domes()).matches("T\\d+\\.\\d on the right and T\\d+\\.\\d on the left");
+        assertThat(LEVEL.stated())
+                .matches(
+                        "the domes at T\\d+\\.\\d on the right and T\\d+\\.\\d on the left \\(T8 and T9 at end-expiration\\)");
+    }
+
+    /** Of the lungs only the lower borders are in the scan. */
+    private static PatientBody cutBelowTheDomes(PatientBody body) {
+        List<PatientStructure> cut = body.structures().stream()
+                .map(s -> s.structure().kind() == StructureKind.LUNG ? lowest(s) : s)
+                .toList();
+        return new PatientBody("patient", cut, List.of(), List.of());
+    }
+
+    private static PatientStructure lowest(PatientStructure lung) {
+        TriangleMesh mesh = lung.structure().mesh();
+        double[] p = mesh.positions().clone();
+        double bottom = mesh.bounds()[2];
+        for (int i = 2; i < p.length; i += 3) {
+            p[i] = Math.min(p[i], bottom + 20);
+        }
+        return lung.withStructure(lung.structure().withMesh(mesh.withPositions(p)));
+    }
+
+    @Test
+    void aScanThatEndsBelowTheDomesTellsItsLevelByTheLowerBordersOfTheLungs() {
+        BreathLevel resting = BreathLevel.of(cutBelowTheDomes(body(false, s -> true)), body(false, s -> true))
+                .orElseThrow();
+        assertThat(resting.mark()).isEqualTo(BreathLevel.Mark.LOWER_BORDERS);
+        assertThat(resting.isInspired()).isFalse();
+        BreathLevel inspired =
+                BreathLevel.of(cutBelowTheDomes(INSPIRED), INSPIRED).orElseThrow();
+        assertThat(inspired.isInspired()).isTrue();
+        assertThat(inspired.descentMm()).isBetween(25.0, 100.0);
+        assertThat(inspired.stated()).startsWith("the lower borders of the lungs at ");
     }
 
     @Test
     void nothingIsSaidOfTheLevelWithoutBonesOrBasesOfLungs() {
-        assertThat(BreathLevel.of(body(true, s -> s.kind() == StructureKind.LUNG)))
-                .isEmpty();
-        assertThat(BreathLevel.of(body(true, s -> s.kind() != StructureKind.LUNG)))
-                .isEmpty();
+        assertThat(level(body(true, s -> s.kind() == StructureKind.LUNG))).isEmpty();
+        assertThat(level(body(true, s -> s.kind() != StructureKind.LUNG))).isEmpty();
     }
 
     @Test
     void domesRiseToTheirLevelAndLungsDeflate() {
-        BreathLevel level = BreathLevel.of(RESTING).orElseThrow();
+        BreathLevel level = level(RESTING).orElseThrow();
         assertThat(level.descentMm()).as("left of the descent, mm").isCloseTo(0, within(7.0));
         assertThat(lungMl(RESTING)).isBetween(0.5 * lungMl(INSPIRED), 0.8 * lungMl(INSPIRED));
         for (String lung : new String[] {"lung_R", "lung_L"}) {
@@ -118,7 +153,7 @@ class EndExpirationTest {
         marked.add(marker("midline", 0, middle, z));
         marked.add(marker("front", 0, cage[1] + 10, z));
         double perVertebra = LEVEL.descentMm() / LEVEL.descent();
-        BreathLevel full = new BreathLevel(11.5, 12, 3.25, 1, 3.25 * perVertebra);
+        BreathLevel full = new BreathLevel(BreathLevel.Mark.DOMES, 11.5, 12, 3.25, 1, 3.25 * perVertebra);
         PatientBody raised = EndExpiration.of(new PatientBody("patient", marked, List.of(), List.of()), INSPIRED, full);
         double dome = mesh(raised, "dome").bounds()[2] - z;
         assertThat(dome).isGreaterThan(2 * perVertebra);
