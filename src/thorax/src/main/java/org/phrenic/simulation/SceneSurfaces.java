@@ -105,7 +105,7 @@ public final class SceneSurfaces {
     /** Adds a soft organ that yields to the diaphragm. */
     private void yielding(Structure s, boolean above, VertexSource place) {
         double[] p = s.mesh().positions().clone();
-        SheetContact.Organ organ = contact.organ(p.length / 3, above);
+        SheetContact.Organ organ = contact.organ(s.mesh().positions(), above);
         deforming(s, (time, at) -> {
             System.arraycopy(place.positionsAt(time, at), 0, p, 0, p.length);
             organ.pushBack(p);

@@ -18,6 +18,8 @@ public final class SheetContact {
     private static final double ALLOWED_MM = 2;
     /** Vertices farther beyond the sheet are left alone: the nearest point says nothing about them. */
     private static final double REACH_MM = 25;
+    /** Distance up to which the first point of a cluster is searched for. */
+    private static final double CLUSTER_REACH_MM = 60;
     /** Weight of corners within a face below which a nearest point lies on the border. */
     private static final double AT_BORDER = 1e-3;
     /** Weight of a corner below which a nearest point lies on the opposite side of its triangle. */
@@ -36,6 +38,7 @@ public final class SheetContact {
     private final double[] normal = new double[3];
     private final MeshTopology topology;
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
+    private final TriangleTree.Hit onFace = new TriangleTree.Hit();
 
     public SheetContact(DiaphragmPart part) {
         Diaphragm diaphragm = part.diaphragm;
@@ -90,44 +93,85 @@ public final class SheetContact {
         }
     }
 
-    /** An organ on one side of the sheet, with the nearest triangle of each of its points when last asked for. */
+    /**
+     * An organ on one side of the sheet. Its points are searched in clusters: a point that is nearer to the first of
+     * its cluster than the sheet is lies on the same side, and needs no search of its own.
+     */
     public final class Organ {
         private final boolean above;
+        private final PointClusters clusters;
+        /** Nearest triangle of each point when last searched for. */
         private final int[] nearest;
 
-        private Organ(int points, boolean above) {
+        private Organ(double[] rest, boolean above) {
             this.above = above;
-            nearest = new int[points];
+            clusters = new PointClusters(rest);
+            nearest = new int[rest.length / 3];
             Arrays.fill(nearest, -1);
         }
 
         /** Moves the points that lie beyond the face of the organ's side; three numbers a point, changed in place. */
         public void pushBack(double[] points) {
-            boolean[] own = above ? thoracicFace : abdominalFace;
-            for (int k = 0; k < points.length; k += 3) {
+            int[] order = clusters.order();
+            for (int c = 0; c < clusters.count(); c++) {
+                int k = 3 * order[clusters.start(c)];
                 double x = points[k];
                 double y = points[k + 1];
                 double z = points[k + 2];
-                boolean near = sheet.closest(x, y, z, REACH_MM, nearest[k / 3], null, hit);
-                nearest[k / 3] = hit.triangle;
-                if (near && isBeyond(points, k, above) && sheet.closest(x, y, z, REACH_MM, -1, own, hit)) {
-                    yieldTo(points, k);
+                double free = freeDistance(points, k);
+                for (int i = clusters.start(c) + 1; i < clusters.start(c + 1); i++) {
+                    int m = 3 * order[i];
+                    double dx = points[m] - x;
+                    double dy = points[m + 1] - y;
+                    double dz = points[m + 2] - z;
+                    if (dx * dx + dy * dy + dz * dz >= free * free) {
+                        pushBack(points, m, REACH_MM);
+                    }
                 }
             }
         }
+
+        /** Moves a point if it lies beyond; returns up to which distance all points lie on the organ's side, mm. */
+        private double freeDistance(double[] points, int k) {
+            if (!pushBack(points, k, CLUSTER_REACH_MM)) {
+                return CLUSTER_REACH_MM;
+            }
+            return isOnBorder() || isBeyond(points, k, above) ? 0 : Math.sqrt(hit.distanceSquared);
+        }
+
+        /** Moves a point if it lies beyond; returns whether the sheet is within a distance, of which the hit tells. */
+        private boolean pushBack(double[] points, int k, double reachMm) {
+            double x = points[k];
+            double y = points[k + 1];
+            double z = points[k + 2];
+            boolean near = sheet.closest(x, y, z, reachMm, nearest[k / 3], null, hit);
+            nearest[k / 3] = hit.triangle;
+            if (near
+                    && hit.distanceSquared <= REACH_MM * REACH_MM
+                    && isBeyond(points, k, above)
+                    && sheet.closest(x, y, z, REACH_MM, -1, above ? thoracicFace : abdominalFace, onFace)) {
+                yieldTo(points, k);
+            }
+            return near;
+        }
     }
 
-    /** @param above whether the organ lies above the thoracic face; else below the abdominal face */
-    public Organ organ(int points, boolean above) {
-        return new Organ(points, above);
+    /**
+     * An organ that yields to the sheet.
+     *
+     * @param rest points at rest, three numbers each
+     * @param above whether the organ lies above the thoracic face; else below the abdominal face
+     */
+    public Organ organ(double[] rest, boolean above) {
+        return new Organ(rest, above);
     }
 
     private void yieldTo(double[] points, int k) {
-        if (hit.distanceSquared > ALLOWED_MM * ALLOWED_MM) {
-            double share = 1 - ALLOWED_MM / Math.sqrt(hit.distanceSquared);
-            points[k] += share * (hit.x - points[k]);
-            points[k + 1] += share * (hit.y - points[k + 1]);
-            points[k + 2] += share * (hit.z - points[k + 2]);
+        if (onFace.distanceSquared > ALLOWED_MM * ALLOWED_MM) {
+            double share = 1 - ALLOWED_MM / Math.sqrt(onFace.distanceSquared);
+            points[k] += share * (onFace.x - points[k]);
+            points[k + 1] += share * (onFace.y - points[k + 1]);
+            points[k + 2] += share * (onFace.z - points[k + 2]);
         }
     }
 

@@ -3,6 +3,8 @@ package org.phrenic.simulation.observe;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
+import java.util.Random;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -42,18 +44,18 @@ class SheetContactTest {
         SheetContact contact = new SheetContact(simulation.scene().diaphragm());
         contact.update(lowered);
         double[] liver = {-68, -16, 108, -68, -16, 60};
-        contact.organ(liver.length / 3, false).pushBack(liver);
+        contact.organ(liver, false).pushBack(liver);
         // The abdominal face lies at about 115 - 20 mm here.
         assertThat(liver[2]).isCloseTo(97, within(1.0));
         assertThat(liver[5]).isEqualTo(60);
         double[] lung = {-68, -16, 100, -68, -16, 85};
-        contact.organ(lung.length / 3, true).pushBack(lung);
+        contact.organ(lung, true).pushBack(lung);
         assertThat(lung[2]).isEqualTo(100);
         // The thoracic face lies at about 116 - 20 mm.
         assertThat(lung[5]).isCloseTo(94, within(1.0));
         contact.update(simulation.scene().restPositions());
         double[] atRest = {-68, -16, 108};
-        contact.organ(atRest.length / 3, false).pushBack(atRest);
+        contact.organ(atRest, false).pushBack(atRest);
         assertThat(atRest).containsExactly(-68, -16, 108);
     }
 
@@ -77,7 +79,7 @@ class SheetContactTest {
                 if (on(part, t, i) == 3 && atBorder[t[i]] && atBorder[t[i + 1]] && atBorder[t[i + 2]]) {
                     double[] p = outside(nodes, part.firstNode, t, i);
                     double[] before = p.clone();
-                    contact.organ(p.length / 3, false).pushBack(p);
+                    contact.organ(p, false).pushBack(p);
                     assertThat(Vectors.distance(p, before)).as("yield, mm").isGreaterThan(0.3);
                     tried++;
                 }
@@ -107,6 +109,34 @@ class SheetContactTest {
             }
         }
         return p;
+    }
+
+    /** Points all around the sheet, once as one organ and once each as an organ of its own. */
+    @Test
+    void aPointYieldsAsItDoesAlone() {
+        SheetContact contact = new SheetContact(simulation.scene().diaphragm());
+        contact.update(lowered);
+        Random random = new Random(5);
+        double[] sheet = simulation.scene().diaphragm().diaphragm.sheet().positions();
+        double[] points = new double[3 * 3000];
+        for (int k = 0; k < points.length; k += 3) {
+            int near = 3 * random.nextInt(sheet.length / 3);
+            for (int axis = 0; axis < 3; axis++) {
+                points[k + axis] = sheet[near + axis] + 12 * random.nextGaussian();
+            }
+        }
+        for (boolean above : new boolean[] {false, true}) {
+            double[] together = points.clone();
+            contact.organ(points, above).pushBack(together);
+            int moved = 0;
+            for (int k = 0; k < points.length; k += 3) {
+                double[] alone = Arrays.copyOfRange(points, k, k + 3);
+                contact.organ(alone, above).pushBack(alone);
+                assertThat(Arrays.copyOfRange(together, k, k + 3)).containsExactly(alone);
+                moved += Arrays.equals(alone, Arrays.copyOfRange(points, k, k + 3)) ? 0 : 1;
+            }
+            assertThat(moved).as("points that yield").isBetween(300, 2700);
+        }
     }
 
     @Test
