@@ -40,6 +40,7 @@ import picocli.CommandLine.Spec;
             "  phrenic validate                          breaths held against a table of physiology",
             "  phrenic reproduce --out reproduction      the published model, as printed and as found here",
             "  phrenic rehearse plan.yaml --out report   a needle attempt to a target in the liver",
+            "  phrenic ultrasound --out images           ultrasound images from a probe on the skin",
             "",
             "Exit codes: 0 done, 1 failure, 2 usage or bad input, 3 out of range, 4 nothing here can draw. "
                     + "Results go to stdout, log and progress to stderr.",

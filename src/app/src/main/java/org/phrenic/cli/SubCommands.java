@@ -21,7 +21,8 @@ final class SubCommands {
             "fit",
             "regress",
             "reproduce",
-            "rehearse");
+            "rehearse",
+            "ultrasound");
 
     private SubCommands() {}
 
@@ -47,6 +48,7 @@ final class SubCommands {
             case "regress" -> RegressCommand.class;
             case "reproduce" -> ReproduceCommand.class;
             case "rehearse" -> RehearseCommand.class;
+            case "ultrasound" -> UltrasoundCommand.class;
             default -> throw new IllegalArgumentException(name + " is no command");
         };
     }

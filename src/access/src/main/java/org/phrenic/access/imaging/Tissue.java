@@ -11,26 +11,35 @@ import org.phrenic.simulation.observe.Surface;
  * of cortex and marrow. Mass attenuation coefficients at 40, 60 and 80 keV: Hubbell and Seltzer, NIST Standard
  * Reference Database 126 (doi 10.18434/T4D01F); a bone is cortical bone and soft tissue in the proportion that gives
  * its density.
+ *
+ * <p>Acoustic impedance: doi 10.3390/s23135942, table A2 (bone, muscle, water); liver 1.65, spleen 1.64, kidney 1.62,
+ * blood 1.61 and lung 0.2 to 0.3 MRayl are values of general textbooks; soft tissue is muscle and fat in equal parts;
+ * bile and cartilage are density times speed of sound. Attenuation: doi 10.3390/diagnostics13050855, table 4, at 1 MHz,
+ * taken as proportional to the frequency; bile as water; cartilage lies between muscle and bone and is an estimate.
+ * Echogenicity is not measured: its order is that of textbooks (spleen and liver above kidney cortex and muscle, fluids
+ * without echoes), and its level is chosen against the reflection from interfaces.
  */
 public enum Tissue {
-    SOFT(1.05),
-    LIVER(1.06),
-    SPLEEN(1.06),
-    KIDNEY(1.05),
-    HEART(1.06),
-    BLOOD(1.06),
-    BILE(1.02),
-    MUSCLE(1.05),
+    SOFT(1.05, 1.54, 0.80, -51),
+    LIVER(1.06, 1.65, 0.50, -50),
+    SPLEEN(1.06, 1.64, 0.40, -49),
+    KIDNEY(1.05, 1.62, 1.00, -54),
+    HEART(1.06, 1.64, 0.52, -55),
+    BLOOD(1.06, 1.61, 0.15, -85),
+    BILE(1.02, 1.56, 0.0022, -110),
+    MUSCLE(1.05, 1.68, 0.96, -55),
     /**
      * At end-expiration: 1.2 kg of tissue and blood (ICRP Publication 89) in 3.3 l. They stay in the lung when its
      * volume changes.
      */
-    LUNG(0.36),
-    GAS(0.001),
-    CARTILAGE(1.10),
-    RIB(1.41),
-    VERTEBRA(1.33),
-    STERNUM(1.25);
+    LUNG(0.36, 0.26, 40, -60),
+    GAS(0.001, 0.0004, 7.5, -140),
+    /** Water, and the gel between probe and skin. */
+    WATER(1.00, 1.46, 0.0022, -140),
+    CARTILAGE(1.10, 1.85, 5, -62),
+    RIB(1.41, 6.50, 15, -55),
+    VERTEBRA(1.33, 6.50, 15, -55),
+    STERNUM(1.25, 6.50, 15, -55);
 
     private static final double CORTICAL_DENSITY = 1.92;
     private static final double SOFT_DENSITY = 1.05;
@@ -41,14 +50,49 @@ public enum Tissue {
     private static final double[] CORTICAL_CM2_PER_G = {0.6655, 0.3148, 0.2229};
 
     private final double density;
+    private final double impedance;
+    private final double attenuation;
+    private final double echogenicity;
 
-    Tissue(double density) {
+    /**
+     * @param density g/cm3
+     * @param impedance acoustic, MRayl
+     * @param attenuation of ultrasound, dB/cm at 1 MHz
+     * @param echogenicity dB
+     */
+    Tissue(double density, double impedance, double attenuation, double echogenicity) {
         this.density = density;
+        this.impedance = impedance;
+        this.attenuation = attenuation;
+        this.echogenicity = echogenicity;
     }
 
     /** Density, g/cm3. */
     public double density() {
         return density;
+    }
+
+    /** Acoustic impedance, MRayl. */
+    public double impedance() {
+        return impedance;
+    }
+
+    /** Attenuation of ultrasound one way, dB/cm at 1 MHz; proportional to the frequency. */
+    public double attenuationDbPerCmMhz() {
+        return attenuation;
+    }
+
+    /** Mean intensity of the echoes from within, dB of the echo of a perfect plane mirror at a right angle. */
+    public double echogenicityDb() {
+        return echogenicity;
+    }
+
+    /**
+     * Ratio of the reflected to the incident amplitude of ultrasound at the plane boundary to another tissue, {@code
+     * (Z2 - Z1) / (Z2 + Z1)}. Its square is the ratio of intensities.
+     */
+    public double reflectionTo(Tissue other) {
+        return (other.impedance - impedance) / (other.impedance + impedance);
     }
 
     /**
