@@ -106,10 +106,12 @@ final class UltrasoundCommand extends ReportingCommand {
         Optional<SonatedNeedle> needle = probeOptions.needle();
         needle.ifPresent(n -> values.with(
                         "needle_in_beam_mm",
-                        n.lengthInBeamMm(image.probe(), image.pose(), image.settings().depthMm()))
+                        n.lengthInBeamMm(
+                                image.probe(), image.pose(), image.settings().depthMm()))
                 .with(
                         "tip_in_beam",
-                        n.isTipInBeam(image.probe(), image.pose(), image.settings().depthMm())));
+                        n.isTipInBeam(
+                                image.probe(), image.pose(), image.settings().depthMm())));
         written.add(values);
     }
 

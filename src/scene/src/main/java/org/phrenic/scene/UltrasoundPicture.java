@@ -5,7 +5,9 @@ import java.nio.file.Path;
 import org.phrenic.access.imaging.BModeImage;
 import org.phrenic.scene.export.PngFile;
 
-/** Pictures of {@link BModeImage}s: grey levels, a mark for each centimetre of depth, the probe's marker on the left. */
+/**
+ * Pictures of {@link BModeImage}s: grey levels, a mark for each centimetre of depth, the probe's marker on the left.
+ */
 public final class UltrasoundPicture {
     private static final int MARK_RGB = 0xffb0b0b0;
     private static final int MARKER_RGB = 0xff4f9de0;

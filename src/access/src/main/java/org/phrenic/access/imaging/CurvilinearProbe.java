@@ -7,9 +7,9 @@ package org.phrenic.access.imaging;
  * <ul>
  *   <li>along the line: half of a pulse of 2.5 wavelengths;
  *   <li>across it in the image: {@code wavelength max(2, d / aperture)} of a receiver that follows the echo's depth d
- *       with an aperture of {@value #APERTURE_MM} mm, widened by {@value #DEFOCUS} of the distance from the focus of the
- *       transmitted beam;
- *   <li>across the image plane (elevation): {@code sqrt(t^2 + (}{@value #ELEVATION_SLOPE}{@code  (d - f))^2)}, with the
+ *       with an aperture of {@value #APERTURE_MM} mm, widened by {@value #DEFOCUS} of the distance from the focus of
+ *       the transmitted beam;
+ *   <li>across the image plane (elevation): {@code sqrt(t^2 + (}{@value #ELEVATION_SLOPE}{@code (d - f))^2)}, with the
  *       thickness t at the focus f of the fixed lens.
  * </ul>
  *

@@ -3,8 +3,8 @@ package org.phrenic.access.imaging;
 import java.util.Arrays;
 
 /**
- * Echoes of all scan lines before they are blurred across the lines: complex amplitudes of the scatterers, amplitudes of
- * interfaces already shaped as pulses, and the amplitude that an echo from the image plane keeps, all relative to a
+ * Echoes of all scan lines before they are blurred across the lines: complex amplitudes of the scatterers, amplitudes
+ * of interfaces already shaped as pulses, and the amplitude that an echo from the image plane keeps, all relative to a
  * perfect mirror in front of the face.
  */
 final class EchoField {

@@ -72,8 +72,8 @@ public enum LiverWindow {
                     Math.max(a[4], b[4]),
                     Math.max(a[5], b[5])
                 })
-                .orElseThrow(() -> new BadInputException(
-                        "the body: found no " + what + ", expected one to find this place from"));
+                .orElseThrow(() ->
+                        new BadInputException("the body: found no " + what + ", expected one to find this place from"));
         return box;
     }
 
@@ -109,7 +109,8 @@ public enum LiverWindow {
         for (Surface s : surfaces) {
             if (s.kind() == StructureKind.RIB || s.kind() == StructureKind.COSTAL_CARTILAGE) {
                 for (int v = 0; v < s.rest().vertexCount(); v++) {
-                    boolean near = Math.abs(s.rest().x(v) - x) < STRIP_MM && s.rest().y(v) < front;
+                    boolean near =
+                            Math.abs(s.rest().x(v) - x) < STRIP_MM && s.rest().y(v) < front;
                     lowest = near ? Math.min(lowest, s.rest().z(v)) : lowest;
                 }
             }
@@ -129,7 +130,8 @@ public enum LiverWindow {
         TriangleTree.Hit hit = new TriangleTree.Hit();
         double[] far = Vectors.addScaled(from, Vectors.of(dx, dy, 0), FAR_MM);
         if (!skin.nearestAlongRay(far[0], far[1], far[2], -dx, -dy, 0, hit)) {
-            throw new BadInputException("the body: found no skin beside the liver, expected a trunk that reaches there");
+            throw new BadInputException(
+                    "the body: found no skin beside the liver, expected a trunk that reaches there");
         }
         return Vectors.addScaled(far, Vectors.of(-dx, -dy, 0), hit.rayParameter);
     }

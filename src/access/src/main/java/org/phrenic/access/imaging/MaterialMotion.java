@@ -12,8 +12,8 @@ import org.phrenic.simulation.observe.Surface;
  * Displacement from where a point of a tissue is to where it is at rest, at nodes of a coarse grid in the image plane.
  * For a rigid surface it is that of the inverse pose. Inside a deforming surface it is interpolated from
  * {@value #ANCHORS} of its vertices, spread evenly, by {@link MovingLeastSquares} about their current positions: exact
- * for an affine motion. Tissue between organs follows the skin and, by {@value #POOLED_ANCHORS} vertices each, all other
- * surfaces that deform.
+ * for an affine motion. Tissue between organs follows the skin and, by {@value #POOLED_ANCHORS} vertices each, all
+ * other surfaces that deform.
  */
 final class MaterialMotion {
     /** Lines from node to node. */

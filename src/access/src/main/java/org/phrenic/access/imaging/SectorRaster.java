@@ -33,8 +33,8 @@ final class SectorRaster {
                 double line = grid.lineAt(x, z);
                 double sample = (Math.sqrt(x * x + z * z) - radius) / grid.stepMm;
                 int i = row * size + column;
-                boolean seen = line >= 0 && line <= SectorGrid.LINES - 1 && sample >= 0
-                        && sample <= SectorGrid.SAMPLES - 1;
+                boolean seen =
+                        line >= 0 && line <= SectorGrid.LINES - 1 && sample >= 0 && sample <= SectorGrid.SAMPLES - 1;
                 int lower = Math.min((int) line, SectorGrid.LINES - 2);
                 int upper = Math.min((int) sample, SectorGrid.SAMPLES - 2);
                 first[i] = seen ? lower * SectorGrid.SAMPLES + upper : -1;

@@ -9,8 +9,8 @@ import org.phrenic.simulation.observe.Surface;
 
 /**
  * A surface as a probe meets it: vertices in plane coordinates of a {@link SectorGrid} with their elevation in units of
- * the beam's width, and the triangles near the image plane. A level of that elevation cuts it in curves, which {@link
- * #crossings} intersects with the scan lines.
+ * the beam's width, and the triangles near the image plane. A level of that elevation cuts it in curves, which
+ * {@link #crossings} intersects with the scan lines.
  */
 final class SonatedSurface {
     /** Part of the beam's width within which surfaces are cut. */

@@ -5,8 +5,8 @@ import java.util.SplittableRandom;
 /**
  * Scatterers of tissue: a fixed complex noise in rest coordinates of mean power 1 everywhere, white on a lattice of
  * {@value #CELL_MM} mm and linearly interpolated between its points, so that it changes smoothly where tissue moves. It
- * repeats after {@value #SIZE} points. What a scanner adds up of it has Rayleigh-distributed amplitudes (fully developed
- * speckle).
+ * repeats after {@value #SIZE} points. What a scanner adds up of it has Rayleigh-distributed amplitudes (fully
+ * developed speckle).
  */
 final class SpeckleField {
     static final double CELL_MM = 0.4;

@@ -20,7 +20,7 @@ import org.phrenic.simulation.observe.Surface;
  * without echoes), and its level is chosen against the reflection from interfaces.
  */
 public enum Tissue {
-    SOFT(1.05, 1.54, 0.80, -51),
+    SOFT(1.05, 1.54, 0.80, -57),
     LIVER(1.06, 1.65, 0.50, -50),
     SPLEEN(1.06, 1.64, 0.40, -49),
     KIDNEY(1.05, 1.62, 1.00, -54),
@@ -88,8 +88,8 @@ public enum Tissue {
     }
 
     /**
-     * Ratio of the reflected to the incident amplitude of ultrasound at the plane boundary to another tissue, {@code
-     * (Z2 - Z1) / (Z2 + Z1)}. Its square is the ratio of intensities.
+     * Ratio of the reflected to the incident amplitude of ultrasound at the plane boundary to another tissue,
+     * {@code (Z2 - Z1) / (Z2 + Z1)}. Its square is the ratio of intensities.
      */
     public double reflectionTo(Tissue other) {
         return (other.impedance - impedance) / (other.impedance + impedance);

@@ -121,8 +121,7 @@ public final class Ultrasound {
         float[] intensity = new float[levels.length];
         depth.spread.apply(field, intensity, threads);
         compress(intensity, settings);
-        return new BModeImage(
-                pose, settings, grid, depth.raster, intensity, depth.raster.convert(levels, threads));
+        return new BModeImage(pose, settings, grid, depth.raster, intensity, depth.raster.convert(levels, threads));
     }
 
     private void cut(int level) {

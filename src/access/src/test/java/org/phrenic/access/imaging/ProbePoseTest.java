@@ -55,8 +55,8 @@ class ProbePoseTest {
                 Shapes.sphere(100, 4),
                 Surface.Motion.STILL,
                 new boolean[0]));
-        ProbePose pose = new ProbeOnSkin(surfaces, new double[] {0, -100, 0})
-                .pose(Frame.still(surfaces), ProbePose.Angles.ZERO);
+        ProbePose pose =
+                new ProbeOnSkin(surfaces, new double[] {0, -100, 0}).pose(Frame.still(surfaces), ProbePose.Angles.ZERO);
         assertThat(pose.face()[1]).isCloseTo(ProbeOnSkin.PRESS_MM - 100, within(0.5));
         assertThat(pose.axial()[1]).isGreaterThan(0.999);
         assertThatThrownBy(() -> new ProbeOnSkin(surfaces, new double[] {0, -130, 0}))

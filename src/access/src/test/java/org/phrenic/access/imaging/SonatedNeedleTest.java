@@ -43,8 +43,7 @@ class SonatedNeedleTest {
 
     @Test
     void needleBehindARibIsNotSeen() {
-        SonatedScene scene = new SonatedScene()
-                .with("rib_08_R", org.phrenic.anatomy.StructureKind.RIB, 15, 45);
+        SonatedScene scene = new SonatedScene().with("rib_08_R", org.phrenic.anatomy.StructureKind.RIB, 15, 45);
         BModeImage with = scene.image(SonatedScene.needleAcross(DEPTH, 0, 0));
         BModeImage without = scene.image();
         assertThat(with.grey()).isEqualTo(without.grey());
@@ -54,10 +53,9 @@ class SonatedNeedleTest {
     @Test
     void lengthInBeamIsThatWithinItsThickness() {
         CurvilinearProbe probe = CurvilinearProbe.abdominal();
-        SonatedNeedle through = new SonatedNeedle(
-                new double[] {DEPTH, -20, -20}, new double[] {DEPTH, 20, 20}, Needle.standard());
-        assertThat(through.lengthInBeamMm(probe, SonatedScene.POSE, 150))
-                .isCloseTo(Math.sqrt(2) * WIDTH, within(0.3));
+        SonatedNeedle through =
+                new SonatedNeedle(new double[] {DEPTH, -20, -20}, new double[] {DEPTH, 20, 20}, Needle.standard());
+        assertThat(through.lengthInBeamMm(probe, SonatedScene.POSE, 150)).isCloseTo(Math.sqrt(2) * WIDTH, within(0.3));
         assertThat(through.isTipInBeam(probe, SonatedScene.POSE, 150)).isFalse();
         SonatedNeedle along = SonatedScene.needleAcross(DEPTH, 0, 0);
         assertThat(along.lengthInBeamMm(probe, SonatedScene.POSE, 150)).isCloseTo(40, within(0.3));

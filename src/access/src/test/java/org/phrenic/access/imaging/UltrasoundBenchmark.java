@@ -25,8 +25,7 @@ final class UltrasoundBenchmark {
         int threads = arguments.length > 0 ? Integer.parseInt(arguments[0]) : 2;
         String anatomy = arguments.length > 1 ? arguments[1] : "virtual/adult-male";
         String resolution = arguments.length > 2 ? arguments[2] : "medium";
-        Scenario scenario =
-                Scenario.defaults().with("anatomy=" + anatomy).with("resolution=" + resolution);
+        Scenario scenario = Scenario.defaults().with("anatomy=" + anatomy).with("resolution=" + resolution);
         OperatingSystemMXBean system = ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
         try (Simulation simulation = Simulation.of(scenario, SimulationRun.loadThorax(scenario))) {
             SceneSurfaces scene = new SceneSurfaces(simulation);

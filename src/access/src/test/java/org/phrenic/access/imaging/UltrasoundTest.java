@@ -61,7 +61,9 @@ class UltrasoundTest {
         double inside = SonatedScene.mean(image, MIDDLE - 15, MIDDLE + 15, 45, 65);
         double behind = SonatedScene.mean(image, MIDDLE - 15, MIDDLE + 15, 75, 110);
         double beside = SonatedScene.mean(image, MIDDLE + 80, MIDDLE + 110, 75, 110);
-        assertThat(SonatedScene.db(beside / inside)).as("a gall bladder is dark").isGreaterThan(30);
+        assertThat(SonatedScene.db(beside / inside))
+                .as("a gall bladder is dark")
+                .isGreaterThan(30);
         assertThat(SonatedScene.db(behind / beside)).isCloseTo((0.5 - 0.0022) * 3.5 * 2 * 3, within(0.8));
     }
 
@@ -89,8 +91,8 @@ class UltrasoundTest {
 
     @Test
     void speckleMovesWithTheTissue() {
-        SonatedScene scene = new SonatedScene()
-                .with("liver", StructureKind.LIVER, Surface.Motion.DEFORMING, -30, -300, 250, 300);
+        SonatedScene scene =
+                new SonatedScene().with("liver", StructureKind.LIVER, Surface.Motion.DEFORMING, -30, -300, 250, 300);
         BModeImage before = scene.image(1, scene.shifted(0, 0, 0), Optional.empty());
         BModeImage after = scene.image(1, scene.shifted(3, 0.05, 0), Optional.empty());
         assertThat(correlation(before, after, 3)).isGreaterThan(0.85);

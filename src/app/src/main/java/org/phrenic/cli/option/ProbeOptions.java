@@ -100,8 +100,7 @@ public final class ProbeOptions {
     public Optional<SonatedNeedle> needle() {
         return Optional.ofNullable(needle).map(text -> {
             double[] p = numbers("--needle", text, 6);
-            return new SonatedNeedle(
-                    Arrays.copyOfRange(p, 0, 3), Arrays.copyOfRange(p, 3, 6), Needle.standard());
+            return new SonatedNeedle(Arrays.copyOfRange(p, 0, 3), Arrays.copyOfRange(p, 3, 6), Needle.standard());
         });
     }
 
@@ -137,6 +136,8 @@ public final class ProbeOptions {
             throw new BadInputException(
                     option + ": found " + parts.size() + " numbers in '" + text + "', expected " + count + " in mm");
         }
-        return parts.stream().mapToDouble(part -> OptionValues.number(option, part)).toArray();
+        return parts.stream()
+                .mapToDouble(part -> OptionValues.number(option, part))
+                .toArray();
     }
 }
