@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.phrenic.cli.option.VersionProvider;
+import org.phrenic.cli.report.HeadlessRun;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.ui.window.PhrenicWindow;
 import picocli.CommandLine;

@@ -2,7 +2,7 @@ package org.phrenic.scene;
 
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
-import org.phrenic.access.imaging.BModeImage;
+import org.phrenic.access.ultrasound.BModeImage;
 import org.phrenic.scene.export.PngFile;
 
 /**

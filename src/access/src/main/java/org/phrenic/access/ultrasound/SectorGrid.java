@@ -1,4 +1,4 @@
-package org.phrenic.access.imaging;
+package org.phrenic.access.ultrasound;
 
 /**
  * Scan lines and samples of a {@link CurvilinearProbe}: line i at an angle from the central one, positive toward the

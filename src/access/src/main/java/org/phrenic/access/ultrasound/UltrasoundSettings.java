@@ -1,4 +1,4 @@
-package org.phrenic.access.imaging;
+package org.phrenic.access.ultrasound;
 
 /**
  * Controls of an ultrasound scanner.

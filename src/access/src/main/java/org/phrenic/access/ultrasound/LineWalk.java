@@ -1,7 +1,8 @@
-package org.phrenic.access.imaging;
+package org.phrenic.access.ultrasound;
 
 import java.util.Arrays;
 import java.util.List;
+import org.phrenic.access.imaging.Tissue;
 import org.phrenic.anatomy.StructureKind;
 
 /**

@@ -1,4 +1,4 @@
-package org.phrenic.access.imaging;
+package org.phrenic.access.ultrasound;
 
 /**
  * The point spread of a probe in the image plane: Gaussians along the scan lines and across them, whose width grows

@@ -1,12 +1,10 @@
-package org.phrenic.cli;
+package org.phrenic.cli.report;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import org.phrenic.cli.chart.RunChart;
-import org.phrenic.cli.report.ConsoleProgress;
-import org.phrenic.cli.report.RunReport;
 import org.phrenic.document.CsvTable;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.ScenarioRenderer;
@@ -17,7 +15,7 @@ import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.style.SceneStyle;
 
 /** {@code phrenic} without a display: simulates a quiet breath and writes tables, curves and pictures. */
-final class HeadlessRun {
+public final class HeadlessRun {
     private static final int SIDE = 1000;
     private static final int SAMPLES = 4;
     private static final String TITLE = "Quiet breath, virtual adult male";
@@ -28,7 +26,7 @@ final class HeadlessRun {
      * Runs the default scenario and writes into a folder: the files of {@code phrenic run}, {@code curves.png}, and
      * pictures at end-expiration and end-inspiration. Without graphics or fonts, a line on stderr says so.
      */
-    static void run(Path out, PrintWriter stdout, PrintWriter stderr) {
+    public static void run(Path out, PrintWriter stdout, PrintWriter stderr) {
         Scenario scenario = Scenario.defaults();
         stdout.print(RunReport.table(RunReport.run(scenario, Map.of(), out, stderr)));
         stdout.flush();

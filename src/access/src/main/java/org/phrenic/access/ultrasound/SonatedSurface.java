@@ -1,5 +1,6 @@
-package org.phrenic.access.imaging;
+package org.phrenic.access.ultrasound;
 
+import org.phrenic.access.imaging.Tissue;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.IntList;

@@ -1,7 +1,8 @@
-package org.phrenic.access.imaging;
+package org.phrenic.access.ultrasound;
 
 import java.util.EnumMap;
 import java.util.Map;
+import org.phrenic.access.imaging.Tissue;
 
 /**
  * Reflection and attenuation of ultrasound at one frequency, as ratios of amplitudes. At a boundary the reflected

@@ -1,4 +1,4 @@
-package org.phrenic.access.imaging;
+package org.phrenic.access.ultrasound;
 
 /**
  * A B-mode ultrasound image of {@value #SIZE} x {@value #SIZE} pixels, and the intensities on the scan lines that it is

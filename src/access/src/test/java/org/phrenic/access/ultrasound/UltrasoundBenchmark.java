@@ -1,4 +1,4 @@
-package org.phrenic.access.imaging;
+package org.phrenic.access.ultrasound;
 
 import com.sun.management.OperatingSystemMXBean;
 import java.lang.management.ManagementFactory;

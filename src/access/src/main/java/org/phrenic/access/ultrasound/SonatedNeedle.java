@@ -1,4 +1,4 @@
-package org.phrenic.access.imaging;
+package org.phrenic.access.ultrasound;
 
 import org.phrenic.access.Needle;
 import org.phrenic.mesh.Vectors;

@@ -1,4 +1,4 @@
-package org.phrenic.access.imaging;
+package org.phrenic.access.ultrasound;
 
 /**
  * A curvilinear ultrasound probe: scan lines leave a cylindrical face at right angles. Widths of the beam are full

@@ -1,4 +1,4 @@
-package org.phrenic.access.imaging;
+package org.phrenic.access.ultrasound;
 
 import java.util.List;
 import java.util.Locale;

@@ -1,4 +1,4 @@
-package org.phrenic.access.imaging;
+package org.phrenic.access.ultrasound;
 
 /**
  * Scan conversion: levels on scan lines become square pixels by bilinear interpolation. The sector fills a square
