@@ -69,7 +69,7 @@ public final class SelectiveMass {
      */
     public void addInertia(double factor, double[] u, double[] out) {
         double[] mean = mean(u);
-        double share = -factor * (1 - 1 / lightness);
+        double share = -factor * relief();
         add(out, share * mean[0], share * mean[1], share * mean[2]);
     }
 
@@ -78,7 +78,18 @@ public final class SelectiveMass {
         return nodes.length == 0 ? 0 : viscosity[nodes[0]] / masses[nodes[0]];
     }
 
-    private double[] mean(double[] u) {
+    /** Internal numbers of the group's nodes, ascending. */
+    public int[] nodes() {
+        return nodes.clone();
+    }
+
+    /** The share 1 - 1/s of the group's mean velocity that has no inertia. */
+    public double relief() {
+        return 1 - 1 / lightness;
+    }
+
+    /** Mean of velocities over the group, weighted by mass. */
+    public double[] mean(double[] u) {
         double[] sum = new double[3];
         for (int n : nodes) {
             for (int axis = 0; axis < 3; axis++) {
@@ -118,7 +129,7 @@ public final class SelectiveMass {
     double energyRelief(double[] v) {
         double[] mean = mean(v);
         double squared = mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2];
-        return 0.5 * (1 - 1 / lightness) * total() * squared;
+        return 0.5 * relief() * total() * squared;
     }
 
     /**

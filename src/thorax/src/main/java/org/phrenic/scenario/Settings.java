@@ -40,6 +40,7 @@ public final class Settings {
                             Numerics.REFRESH,
                             Numerics.MASS_SCALING,
                             Numerics.TENDON_LIGHTNESS,
+                            Numerics.DAMPING_TIME,
                             Numerics.THREADS,
                             RunSettings.RECORD_EVERY,
                             RunSettings.MESHES_EVERY,

@@ -9,6 +9,7 @@ import org.phrenic.anatomy.cage.RibAxisTable;
 import org.phrenic.anatomy.cage.RibCage;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.force.SlowMotionRelease;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.integrator.StabilityLimit;
 import org.phrenic.engine.integrator.StepPolicy;
@@ -122,6 +123,7 @@ public final class Simulation implements AutoCloseable {
         ParticleSystem system = scene.system();
         double[] viscosity = system.viscosities().clone();
         system.setViscosityPerMass(SETTLE_DAMPING);
+        SlowMotionRelease.setActive(system, false);
         scene.drive().holdAtExpiration(true);
         Stepper stepper =
                 new Stepper(IntegratorKind.VERLET.create(system), scenario.timeStepS(), StepPolicy.SUBSTEP, limit);
@@ -132,6 +134,7 @@ public final class Simulation implements AutoCloseable {
             stepper.step();
         }
         scene.drive().holdAtExpiration(false);
+        SlowMotionRelease.setActive(system, true);
         System.arraycopy(viscosity, 0, system.viscosities(), 0, viscosity.length);
         Arrays.fill(system.velocities(), 0);
         double[] before = scene.restPositions().clone();

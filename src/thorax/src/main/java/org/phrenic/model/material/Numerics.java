@@ -21,6 +21,8 @@ public final class Numerics {
     private static final double SCALED_STEP_S = 0.00125;
     private static final double MAX_LIGHTNESS = 100;
     private static final double LIGHTNESS = 1;
+    private static final double MAX_DAMPING_TIME_S = 10;
+    private static final double DAMPING_TIME_S = 0;
     private static final int MAX_SWEEPS = 100;
     private static final double REFRESH_S = 0.02;
     private static final double REFRESH_STEPS = 4;
@@ -62,6 +64,10 @@ public final class Numerics {
             .describedAs("Physical material: the tendon moves as a whole as if its nodes were so many times lighter;"
                     + " their masses, which its stiffness asks for, oppose its deformation alone.")
             .number("times", 1, MAX_LIGHTNESS, values -> LIGHTNESS);
+    public static final NumberSetting DAMPING_TIME = Setting.named("damping_time_s", "Damping time", Effect.ASSEMBLY)
+            .describedAs("Physical material: damping acts on a node's velocity relative to its mean over this time, so"
+                    + " that slow motion is not held back; 0: on all of it.")
+            .number("s", 0, MAX_DAMPING_TIME_S, values -> DAMPING_TIME_S);
     public static final WholeSetting THREADS = Setting.named("threads", "Threads", Effect.ASSEMBLY)
             .describedAs("Threads to compute on; the numbers do not depend on it.")
             .whole(

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.force.SlowMotionRelease;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
@@ -19,9 +20,8 @@ public final class TissueMass extends ScenePart {
             .range(3, 1000, "kg/m^2")
             .initial(60)
             .limitsStep()
-            .describedAs(
-                    "Mass per area of a face; scaled up from the 3.15 of muscle alone, for a breath is quasi-static"
-                            + " and the abdomen's contents move along.");
+            .describedAs("Mass per area of a face; nodes whose springs would not bear the time step are heavier"
+                    + " (mass_scaling_s), for a breath is quasi-static.");
     public static final Parameter NODE_MASS = Parameter.named("node_mass_kg", "Node mass")
             .range(0.001, 10, "kg")
             .initial(0.1)
@@ -69,6 +69,10 @@ public final class TissueMass extends ScenePart {
         setDamping(scene, scene.settings().get(damping));
         if (perArea) {
             lightenTendon(scene);
+            double time = scene.settings().get(Numerics.DAMPING_TIME);
+            if (time > 0) {
+                scene.system().add(new SlowMotionRelease(scene.system(), time));
+            }
         }
         List<Parameter> tuned = new ArrayList<>(parameters());
         if (perArea) {
