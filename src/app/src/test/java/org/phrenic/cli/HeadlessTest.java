@@ -21,6 +21,8 @@ import org.phrenic.document.report.Disclaimer;
 /** Commands as a machine without a screen starts them: where that counts, in a Java process of their own. */
 class HeadlessTest {
     private static final long PATIENCE_S = 120;
+    /** For a process of some seconds the optimizing compiler takes more time than it gains. */
+    private static final String SHORT_LIVED = "-XX:TieredStopAtLevel=1";
 
     @TempDir
     Path folder;
@@ -30,6 +32,7 @@ class HeadlessTest {
         Path log = folder.resolve("classes.log");
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                SHORT_LIVED,
                 "-Xlog:class+load:file=" + log,
                 "-cp",
                 System.getProperty("java.class.path"),
@@ -117,6 +120,7 @@ class HeadlessTest {
     private int render(Map<String, String> environment, String... options) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                SHORT_LIVED,
                 "-Djava.awt.headless=true",
                 "-cp",
                 System.getProperty("java.class.path"),

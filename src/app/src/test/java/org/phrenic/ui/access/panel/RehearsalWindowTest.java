@@ -7,19 +7,14 @@ import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JToggleButton;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
-import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RehearsalReport;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.document.JsonWriter;
-import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.window.WindowHarness;
 
@@ -27,33 +22,9 @@ import org.phrenic.ui.window.WindowHarness;
  * Rehearsal of liver access on the virtual body at low resolution, breathing fast: place, insert, hit, miss, report.
  */
 @Timeout(180)
-class RehearsalWindowTest {
+class RehearsalWindowTest extends RehearsalInputCases {
     /** Longest that an event may keep the window, ms of processor time. */
     private static final double LONGEST_EVENT_MS = 50;
-
-    private static RehearsalHarness clinic;
-    private static WindowHarness window;
-
-    @TempDir
-    Path folder;
-
-    @BeforeAll
-    static void open() throws Exception {
-        WindowHarness.assumeDisplay();
-        clinic = new RehearsalHarness("rehearsal");
-        window = clinic.window();
-    }
-
-    @AfterAll
-    static void close() throws Exception {
-        if (clinic != null) {
-            clinic.close();
-        }
-    }
-
-    private static RehearsalController rehearsal() {
-        return clinic.rehearsal();
-    }
 
     private static AttemptsDock attempts() {
         return clinic.attempts();
@@ -61,10 +32,6 @@ class RehearsalWindowTest {
 
     private static void until(String what, java.util.function.BooleanSupplier holds) throws InterruptedException {
         clinic.until(what, holds);
-    }
-
-    private static NeedleState state() {
-        return clinic.state();
     }
 
     @Test
@@ -147,7 +114,8 @@ class RehearsalWindowTest {
     void aBadPlanIsOneSentenceAndNothingIsLost() throws Exception {
         Path outside = Files.writeString(
                 folder.resolve("outside.yaml"),
-                "set: {preset: rapid-shallow, resolution: low, lungs: embedded, sternum: kinematic, threads: 1}\n"
+                "set: {preset: rapid-shallow, rate_per_min: 69, resolution: low, lungs: embedded, sternum: kinematic,"
+                        + " threads: 1}\n"
                         + "target: {rest_mm: [200, 0, 0], diameter_mm: 20}\nsteps: []\n");
         Path wrong = Files.writeString(folder.resolve("wrong.yaml"), "target: {rest_mm: [1, 2]}\nsteps: []\n");
         int before = WindowHarness.onEdt(() -> attempts().attempts().size());

@@ -15,7 +15,6 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.path.AccessMap;
@@ -34,15 +33,14 @@ import org.phrenic.ui.window.WindowHarness;
 
 /**
  * Keys, clicks, wheel and slider as a hand uses them, and what comes of them: the plan that is kept, its report, the
- * table of attempts.
+ * table of attempts. The window is that of {@link RehearsalWindowTest}.
  */
-@Timeout(180)
-class RehearsalInputTest {
+abstract class RehearsalInputCases {
     /** The picture that is clicked on is older than the body by a few frames of a fast breath. */
     private static final double CLICKED_WITHIN_MM = 6;
 
-    private static RehearsalHarness clinic;
-    private static WindowHarness window;
+    static RehearsalHarness clinic;
+    static WindowHarness window;
 
     @TempDir
     Path folder;
@@ -50,7 +48,7 @@ class RehearsalInputTest {
     @BeforeAll
     static void open() throws Exception {
         WindowHarness.assumeDisplay();
-        clinic = new RehearsalHarness("rehearsal-input");
+        clinic = new RehearsalHarness("rehearsal");
         window = clinic.window();
     }
 
@@ -69,11 +67,11 @@ class RehearsalInputTest {
         clinic.ready();
     }
 
-    private static RehearsalController rehearsal() {
+    static RehearsalController rehearsal() {
         return clinic.rehearsal();
     }
 
-    private static NeedleState state() {
+    static NeedleState state() {
         return clinic.state();
     }
 
