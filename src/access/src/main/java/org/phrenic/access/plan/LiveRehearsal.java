@@ -98,6 +98,28 @@ public final class LiveRehearsal implements StepListener {
         analyzer = new PathAnalyzer(anatomy, plan.needle());
     }
 
+    /** While a needle by hand is in no body and nothing is asked of it, a frame changes nothing but what is shown. */
+    @Override
+    public boolean needsFrame() {
+        return needle == null
+                || player != null
+                || needle.shaft().isPlaced()
+                || !requests.isEmpty()
+                || System.nanoTime() - describedNs > SHOW_NS;
+    }
+
+    @Override
+    public void onStepWithoutFrame(double nowS, RespiratoryPhase doing, int breath) {
+        if (nowS < timeS) {
+            steps.clear();
+            begin();
+        }
+        timeS = nowS;
+        holdIfDue(doing, breath);
+        before = doing;
+        breathBefore = breath;
+    }
+
     @Override
     public void onStep(Frame shownFrame, RespiratoryPhase doing) {
         if (!shownFrame.isOfSceneOf(ofScene)) {
@@ -154,10 +176,7 @@ public final class LiveRehearsal implements StepListener {
 
     /** Executes the pending requests. Returns whether the attempt has ended. */
     private boolean runRequests(int breath) {
-        if (holdAt.isPresent() && holdAt.get().occurs(before, breathBefore, phase, breath)) {
-            holdAt = Optional.empty();
-            held(true);
-        }
+        holdIfDue(phase, breath);
         for (Runnable next = requests.poll(); next != null; next = requests.poll()) {
             try {
                 next.run();
@@ -166,6 +185,13 @@ public final class LiveRehearsal implements StepListener {
             }
         }
         return !over && !needle.shaft().isPlaced() && !needle.record().samples().isEmpty();
+    }
+
+    private void holdIfDue(RespiratoryPhase doing, int breath) {
+        if (holdAt.isPresent() && holdAt.get().occurs(before, breathBefore, doing, breath)) {
+            holdAt = Optional.empty();
+            held(true);
+        }
     }
 
     private void hold(boolean on, String origin) {

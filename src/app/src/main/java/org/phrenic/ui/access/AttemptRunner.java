@@ -14,7 +14,9 @@ import org.phrenic.access.plan.LiveRehearsal;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.simulation.live.StepListener;
+import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
@@ -72,11 +74,27 @@ final class AttemptRunner implements AutoCloseable {
                 });
         entry.ifPresent(watching::enterAt);
         rehearsal = watching;
-        session.restart(StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), (frame, label) -> {
-            watching.onStep(frame, label);
-            feed.offer(frame, watching.state());
-        });
+        session.restart(StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), new WithSections(watching, feed));
         session.restoreSpeed();
+    }
+
+    /** Hands on the steps of the run to the needle, and its frames to the sections too. */
+    private record WithSections(LiveRehearsal needle, SectionUpdater sections) implements StepListener {
+        @Override
+        public void onStep(Frame frame, RespiratoryPhase label) {
+            needle.onStep(frame, label);
+            sections.offer(frame, needle.state());
+        }
+
+        @Override
+        public boolean needsFrame() {
+            return needle.needsFrame();
+        }
+
+        @Override
+        public void onStepWithoutFrame(double timeS, RespiratoryPhase label, int breath) {
+            needle.onStepWithoutFrame(timeS, label, breath);
+        }
     }
 
     /** Composes the report in the background; it is never discarded. */

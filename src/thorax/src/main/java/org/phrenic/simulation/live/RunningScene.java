@@ -96,7 +96,7 @@ final class RunningScene implements AutoCloseable {
     boolean notifyStepListener(StepListener watch, StepListener.Trigger when) {
         boolean due = when.isDue(
                 simulation.steps(), simulation.time(), simulation.stepper().dt());
-        if (due) {
+        if (due && (watch.needsFrame() || isReaderWaiting())) {
             listenerFrame = listenerFrame == null ? surfaces.newFrame() : listenerFrame;
             surfaces.capture(listenerFrame);
             capturedStep = simulation.steps();
@@ -104,6 +104,10 @@ final class RunningScene implements AutoCloseable {
             if (isReaderWaiting()) {
                 publish();
             }
+        } else if (due) {
+            double time = simulation.time();
+            int breath = 1 + simulation.scene().drive().breathAt(time).breath;
+            watch.onStepWithoutFrame(time, simulation.breathLabel(), breath);
         }
         return due;
     }

@@ -35,4 +35,21 @@ public interface StepListener {
      * @param label respiratory phase
      */
     void onStep(Frame frame, RespiratoryPhase label);
+
+    /**
+     * Whether the next call needs the state of the body. Capturing it takes as long as ten steps; without it
+     * {@link #onStepWithoutFrame} is called, except where a frame is captured for display anyway.
+     */
+    default boolean needsFrame() {
+        return true;
+    }
+
+    /**
+     * Called at a selected step instead of {@link #onStep} while {@link #needsFrame} is false.
+     *
+     * @param timeS simulated time, s
+     * @param label respiratory phase
+     * @param breath number of the breath, from 1
+     */
+    default void onStepWithoutFrame(double timeS, RespiratoryPhase label, int breath) {}
 }
