@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.phrenic.access.ultrasound.BModeImage;
 import org.phrenic.access.ultrasound.ProbeOnSkin;
 import org.phrenic.access.ultrasound.SonatedNeedle;
@@ -140,8 +141,10 @@ final class UltrasoundCommand extends ReportingCommand {
             List<?> face = (List<?>) row.get("face_mm");
             table.row(
                     row.get("file").toString(),
-                    String.format(Locale.ROOT, "%.3f", row.get("time_s")),
-                    String.format(Locale.ROOT, "%.1f, %.1f, %.1f", face.toArray()));
+                    String.format(Locale.ROOT, "%.3f", (Double) row.get("time_s")),
+                    face.stream()
+                            .map(mm -> String.format(Locale.ROOT, "%.1f", (Double) mm))
+                            .collect(Collectors.joining(", ")));
         }
         return withDisclaimer(table.text());
     }

@@ -33,7 +33,7 @@ final class LineCrossings {
         }
         double[] d = depths[line];
         int at = n;
-        while (at > 0 && (d[at - 1] > depth || d[at - 1] == depth && codes[line][at - 1] > code)) {
+        while (at > 0 && (d[at - 1] > depth || (d[at - 1] == depth && codes[line][at - 1] > code))) {
             d[at] = d[at - 1];
             codes[line][at] = codes[line][at - 1];
             cosines[line][at] = cosines[line][at - 1];

@@ -83,7 +83,6 @@ final class SonatedSurface {
         double[] face = pose.face();
         double radius = grid.probe.radiusMm();
         double reach = REACH * grid.probe.elevationWidthMm(grid.depthMm) + REACH * grid.probe.elevationWidthMm(0);
-        boolean meets = false;
         double least = Double.POSITIVE_INFINITY;
         double greatest = Double.NEGATIVE_INFINITY;
         for (int v = 0; v < lateral.length; v++) {
@@ -96,7 +95,7 @@ final class SonatedSurface {
             least = Math.min(least, elevation[v]);
             greatest = Math.max(greatest, elevation[v]);
         }
-        meets = least <= reach && greatest >= -reach;
+        boolean meets = least <= reach && greatest >= -reach;
         near = new IntList();
         if (meets) {
             for (int v = 0; v < lateral.length; v++) {

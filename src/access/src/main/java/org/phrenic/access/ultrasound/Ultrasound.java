@@ -152,6 +152,6 @@ public final class Ultrasound {
     /** Logarithm of a number that is not negative, within 0.0002; very low for zero. */
     private static float log2(float value) {
         int bits = Float.floatToRawIntBits(value);
-        return (bits >>> 23) - 127 + LOG2[(bits & 0x7fffff) >>> 23 - LOG_BITS];
+        return (bits >>> 23) - 127 + LOG2[(bits & 0x7fffff) >>> (23 - LOG_BITS)];
     }
 }

@@ -85,7 +85,7 @@ public final class BudgetStudy {
                         default -> () -> implicit(body, breath, mesh);
                     };
             boolean everywhere = part == BudgetPart.TIME || part == BudgetPart.EQUILIBRIUM;
-            if (everywhere || first && mesh.equals(plan.meshes().get(0))) {
+            if (everywhere || (first && mesh.equals(plan.meshes().get(0)))) {
                 jobs.add(new Job(part, body, breath, mesh.name(), work));
             }
         }
