@@ -1,7 +1,9 @@
 package org.phrenic.engine.integrator;
 
 import java.util.Arrays;
+import java.util.Optional;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.SelectiveMass;
 import org.phrenic.engine.math.ConjugateGradient;
 import org.phrenic.engine.math.DenseVectors;
 import org.phrenic.engine.parallel.Workers;
@@ -16,8 +18,8 @@ import org.phrenic.engine.parallel.Workers;
  *
  * <p>The linear system is solved matrix-free (fields give K u) by conjugate gradients with a diagonal preconditioner,
  * starting from the current velocity. Order 1, stable for every h; frequencies that the step does not resolve are
- * damped. M is that of {@link org.phrenic.engine.SelectiveMass} where the system has one. Fields without K (pressure,
- * dead loads) and dashpots along springs are treated explicitly.
+ * damped. M is that of {@link SelectiveMass} where the system has one. Fields without K (pressure, dead loads) and
+ * dashpots along springs are treated explicitly.
  */
 final class BackwardEuler extends AbstractIntegrator {
     /** Relative residual of the linear solve, well below the scheme's own error at any usable step. */
@@ -66,7 +68,10 @@ final class BackwardEuler extends AbstractIntegrator {
                 right[i] = inverseMass[n] == 0 ? 0 : mass[n] * v[i] + h * force[i];
             }
         }
-        system.selectiveMass().ifPresent(group -> group.addInertia(1, v, right));
+        Optional<SelectiveMass> group = system.selectiveMass();
+        if (group.isPresent()) {
+            group.get().addInertia(1, v, right);
+        }
         solve();
         for (int i = 0; i < x.length; i++) {
             if (inverseMass[i / 3] != 0) {
@@ -113,7 +118,12 @@ final class BackwardEuler extends AbstractIntegrator {
             left = u;
             other = out;
             system.workers().run(partial.length, multiplyTask);
-            system.selectiveMass().ifPresent(group -> group.addInertia(1 + h * group.dampingRate(viscosity), u, out));
+            // Without a lambda, which would be an object a product.
+            Optional<SelectiveMass> group = system.selectiveMass();
+            if (group.isPresent()) {
+                double damped = 1 + h * group.get().dampingRate(viscosity);
+                group.get().addInertia(damped, u, out);
+            }
         }
 
         private void multiplyBlock(int block) {
