@@ -37,8 +37,8 @@ public final class BudgetChart {
                 points.stream().mapToDouble(p -> p.row().realTime()).min().orElse(1);
         double fastest =
                 points.stream().mapToDouble(p -> p.row().realTime()).max().orElse(1);
-        CombinedDomainXYPlot all = new CombinedDomainXYPlot(
-                new DecadeAxis("speed, simulated time over elapsed time, one thread", slowest / 1.5, 2.5 * fastest));
+        CombinedDomainXYPlot all = new CombinedDomainXYPlot(new DecadeAxis(
+                "speed, x real time: simulated time over processor time, one thread", slowest / 1.5, 2.5 * fastest));
         all.setGap(22);
         if (!compared.isEmpty()) {
             all.add(panel(compared, "every integrator: whole error, % of excursion", BudgetChart::compared));

@@ -50,7 +50,9 @@ public record BudgetPoint(
 
     /** Convergence of the excursion of a body's breath in space, if at least three meshes were measured. */
     static Optional<RichardsonFit> convergence(BudgetTable table, String body, String breath) {
-        List<BudgetRow> meshes = meshes(table, body, breath);
+        List<BudgetRow> meshes = meshes(table, body, breath).stream()
+                .filter(m -> !Double.isNaN(m.excursionMm()))
+                .toList();
         return meshes.size() < 3
                 ? Optional.empty()
                 : Optional.of(RichardsonFit.of(

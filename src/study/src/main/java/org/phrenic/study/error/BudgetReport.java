@@ -85,7 +85,8 @@ public final class BudgetReport {
         ReportDocument page = new ReportDocument(
                 "Speed against the whole error",
                 "Error of the default settings in time, in space and against quasi-static equilibrium, in per cent of"
-                        + " the excursion of the domes, and the speed on one thread.");
+                        + " the excursion of the domes, and the speed: simulated time over processor time on one"
+                        + " thread.");
         page.points(provenance.toArray(String[]::new));
         page.paragraph("How each part is measured is described in error.md of the documentation. The parts of the"
                 + " whole are added. \"Unresolved\": the error in time is below three times the uncertainty of its"
@@ -130,7 +131,7 @@ public final class BudgetReport {
                     m.breath(),
                     m.mesh(),
                     format("%.2f", m.edgeMm()),
-                    format("%.3f", m.excursionMm()),
+                    Double.isNaN(m.excursionMm()) ? "diverged" : format("%.3f", m.excursionMm()),
                     "",
                     "")));
             BudgetPoint.convergence(table, scene.get(0), scene.get(1))

@@ -20,7 +20,7 @@ import org.phrenic.document.CsvWriter;
  * @param maxMm maximum distance, mm
  * @param uncertaintyMm rms uncertainty of what the part compares with, mm
  * @param cpuS processor time, s
- * @param realTime simulated time over elapsed time
+ * @param realTime simulated time over processor time on one thread
  */
 public record BudgetRow(
         BudgetPart part,

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.mesh.MeshMeasure;
@@ -114,7 +115,7 @@ public final class BudgetStudy {
                         p.maxMm(),
                         study.referenceUncertainty()[0],
                         p.cpuS(),
-                        p.realTime()))
+                        study.simulatedS() / p.cpuS()))
                 .toList();
     }
 
@@ -123,11 +124,21 @@ public final class BudgetStudy {
         return BudgetRow.edgeMm(MeshMeasure.area(sheet), sheet.vertexCount());
     }
 
+    /** The excursion on a mesh; NaN if the simulation diverges. */
     private BudgetRow space(BudgetPlan.Body body, String breath, int vertices) {
         Scenario scenario = plan.refined(body, breath, vertices);
         try (BreathRunner runs =
                 new BreathRunner(scenario, SimulationRun.loadThorax(scenario), plan.untilS(scenario))) {
-            Trajectory run = runs.run(SolverSettings.of(scenario));
+            double edgeMm = edgeMm(runs);
+            double excursionMm = Double.NaN;
+            double cpuS = Double.NaN;
+            try {
+                Trajectory run = runs.run(SolverSettings.of(scenario));
+                excursionMm = runs.excursionMm(run);
+                cpuS = run.cpuS();
+            } catch (DivergenceException gone) {
+                progress.note(String.join(", ", body.name(), breath, Integer.toString(vertices), gone.getMessage()));
+            }
             return new BudgetRow(
                     BudgetPart.SPACE,
                     body.name(),
@@ -135,13 +146,13 @@ public final class BudgetStudy {
                     Integer.toString(vertices),
                     SolverSettings.of(scenario).label(),
                     false,
-                    edgeMm(runs),
-                    runs.excursionMm(run),
+                    edgeMm,
+                    excursionMm,
                     Double.NaN,
                     Double.NaN,
                     Double.NaN,
-                    run.cpuS(),
-                    runs.durationS() / run.wallS());
+                    cpuS,
+                    runs.durationS() / cpuS);
         }
     }
 

@@ -9,6 +9,7 @@ package org.phrenic.study.error;
  * @param maxMm maximum distance of the diaphragm's nodes, mm
  * @param allRmsMm rms distance of all nodes, including lungs and sternum, mm
  * @param allMaxMm maximum distance of all nodes, mm
+ * @param startRmsMm rms distance of the diaphragm's nodes over the first {@value ErrorStudy#START_S} s, mm
  * @param cpuS processor time, s
  * @param wallS elapsed time, s
  * @param realTime simulated time over {@code wallS}
@@ -22,6 +23,7 @@ public record ErrorPoint(
         double maxMm,
         double allRmsMm,
         double allMaxMm,
+        double startRmsMm,
         double cpuS,
         double wallS,
         double realTime,
@@ -29,6 +31,17 @@ public record ErrorPoint(
         boolean isDefault) {
     ErrorPoint withParetoOptimal(boolean optimal) {
         return new ErrorPoint(
-                settings, substeps, rmsMm, maxMm, allRmsMm, allMaxMm, cpuS, wallS, realTime, optimal, isDefault);
+                settings,
+                substeps,
+                rmsMm,
+                maxMm,
+                allRmsMm,
+                allMaxMm,
+                startRmsMm,
+                cpuS,
+                wallS,
+                realTime,
+                optimal,
+                isDefault);
     }
 }

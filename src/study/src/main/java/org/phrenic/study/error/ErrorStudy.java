@@ -48,6 +48,9 @@ public record ErrorStudy(
     /** Simulated time of a quick study, s: enough for the sheet to move. */
     private static final double QUICK_S = 0.2;
 
+    /** Time from the start within which each setting's error is also stated, s; it is cheap to measure again. */
+    static final double START_S = 0.2;
+
     /** Maximum number of force evaluations per simulated second; settings that need more are skipped. */
     private static final double MAX_EVALUATIONS_PER_S = 20_000;
 
@@ -149,8 +152,20 @@ public record ErrorStudy(
         double[] all = run.distanceFrom(exact);
         boolean own = settings.equals(SolverSettings.of(scenario));
         double speed = untilS / run.wallS();
+        double start = run.until(START_S).distanceFrom(exact.until(START_S), sheet)[0];
         return new ErrorPoint(
-                settings, run.substeps(), d[0], d[1], all[0], all[1], run.cpuS(), run.wallS(), speed, false, own);
+                settings,
+                run.substeps(),
+                d[0],
+                d[1],
+                all[0],
+                all[1],
+                start,
+                run.cpuS(),
+                run.wallS(),
+                speed,
+                false,
+                own);
     }
 
     /** Reason to skip a setting: null if it is run, empty if another setting of its scheme and step represents it. */
@@ -166,8 +181,9 @@ public record ErrorStudy(
         if (cost > MAX_EVALUATIONS_PER_S) {
             return format("some %.0f force evaluations a simulated second, more than any use is worth", cost);
         }
-        boolean finest = settings.sweeps() == Collections.max(grid.sweeps())
-                && settings.refreshS() == Collections.min(grid.refreshesS());
+        boolean finest = !grid.isCrossed()
+                || settings.sweeps() == Collections.max(grid.sweeps())
+                        && settings.refreshS() == Collections.min(grid.refreshesS());
         if (cost > COSTLY_EVALUATIONS_PER_S && !finest) {
             return "";
         }

@@ -26,10 +26,11 @@ import org.phrenic.study.ReportNumbers;
  */
 public record ErrorTable(String name, List<Row> rows) {
     private static final int DIGITS = 4;
-    private static final List<String> HEADER = List.of(("material preset resolution nodes integrator time_step_s"
-                    + " projection_sweeps refresh_s substeps rms_mm max_mm rms_percent max_percent all_rms_mm"
-                    + " all_max_mm cpu_s wall_s real_time front usual")
-            .split(" "));
+    private static final List<String> HEADER =
+            List.of(("material preset resolution nodes until_s uncertainty_mm integrator time_step_s"
+                            + " projection_sweeps refresh_s substeps rms_mm max_mm rms_percent max_percent all_rms_mm"
+                            + " all_max_mm start_rms_mm cpu_s wall_s real_time front usual")
+                    .split(" "));
     /** First measured column; values from here on are rounded in the file. */
     private static final int FIRST_MEASURED = HEADER.indexOf("rms_mm");
 
@@ -40,6 +41,8 @@ public record ErrorTable(String name, List<Row> rows) {
      * @param preset breathing preset
      * @param resolution label of the resolution
      * @param nodes number of nodes moved by springs
+     * @param untilS simulated time, s
+     * @param uncertaintyMm rms distance between the reference and the same with twice the step, mm
      * @param rmsPercent rms error of the diaphragm in per cent of the domes' excursion
      * @param maxPercent maximum error in per cent of the domes' excursion
      * @param point measured cost and error
@@ -49,11 +52,18 @@ public record ErrorTable(String name, List<Row> rows) {
             String preset,
             String resolution,
             int nodes,
+            double untilS,
+            double uncertaintyMm,
             double rmsPercent,
             double maxPercent,
             ErrorPoint point) {
-        private List<String> scene() {
+        List<String> scene() {
             return List.of(material, preset, resolution);
+        }
+
+        /** Upper bound of the error, mm: the rms distance from the reference and the reference's uncertainty. */
+        double boundMm() {
+            return point.rmsMm() + uncertaintyMm;
         }
 
         /** Setting, cost and error by column name. */
@@ -71,6 +81,7 @@ public record ErrorTable(String name, List<Row> rows) {
                 maxPercent,
                 point.allRmsMm(),
                 point.allMaxMm(),
+                point.startRmsMm(),
                 point.cpuS(),
                 point.wallS(),
                 point.realTime(),
@@ -86,7 +97,8 @@ public record ErrorTable(String name, List<Row> rows) {
         }
 
         private List<Object> cells() {
-            List<Object> cells = new ArrayList<>(List.of(material, preset, resolution, nodes));
+            List<Object> cells = new ArrayList<>(
+                    List.of(material, preset, resolution, nodes, untilS, CsvWriter.number(uncertaintyMm, DIGITS)));
             for (Object value : measurement().values()) {
                 boolean rounded = cells.size() >= FIRST_MEASURED && value instanceof Double;
                 cells.add(rounded ? CsvWriter.number((double) value, DIGITS) : value);
@@ -131,6 +143,8 @@ public record ErrorTable(String name, List<Row> rows) {
                         scenario.preset(),
                         ReportNumbers.label(scenario.resolution()),
                         study.nodes(),
+                        study.simulatedS(),
+                        study.referenceUncertainty()[0],
                         study.percent(point.rmsMm()),
                         study.percent(point.maxMm()),
                         point));
@@ -160,6 +174,7 @@ public record ErrorTable(String name, List<Row> rows) {
                 csv.numbers("max_mm")[i],
                 csv.numbers("all_rms_mm")[i],
                 csv.numbers("all_max_mm")[i],
+                csv.numbers("start_rms_mm")[i],
                 csv.numbers("cpu_s")[i],
                 csv.numbers("wall_s")[i],
                 csv.numbers("real_time")[i],
@@ -170,6 +185,8 @@ public record ErrorTable(String name, List<Row> rows) {
                 csv.texts("preset").get(i),
                 csv.texts("resolution").get(i),
                 (int) csv.numbers("nodes")[i],
+                csv.numbers("until_s")[i],
+                csv.numbers("uncertainty_mm")[i],
                 csv.numbers("rms_percent")[i],
                 csv.numbers("max_percent")[i],
                 point);
@@ -202,8 +219,9 @@ public record ErrorTable(String name, List<Row> rows) {
     }
 
     /**
-     * The cheapest setting whose rms error does not exceed a bound. For a preset without measurements the quiet preset
-     * is used, for such a resolution the finest measured one; the sentence names what was used.
+     * The cheapest setting whose rms error and the uncertainty of its reference together do not exceed a bound. For a
+     * preset without measurements the quiet preset is used, for such a resolution the finest measured one; the sentence
+     * names what was used.
      *
      * @param scenario material, resolution and breathing
      * @param maxErrorMm rms over the diaphragm's nodes and the whole breath, mm
@@ -222,12 +240,12 @@ public record ErrorTable(String name, List<Row> rows) {
         List<Row> candidates =
                 scene.stream().filter(r -> r.preset().equals(preset)).toList();
         double least = candidates.stream()
-                .mapToDouble(r -> r.point().rmsMm())
+                .mapToDouble(Row::boundMm)
                 .min()
                 .orElseThrow(() -> new BadInputException("--max-error: found no measurement of material " + material
                         + " in " + name + ", expected one (phrenic bench error --write)"));
         Row row = candidates.stream()
-                .filter(r -> r.point().rmsMm() <= maxErrorMm)
+                .filter(r -> r.boundMm() <= maxErrorMm)
                 .min(Comparator.comparingDouble(r -> r.point().cpuS()))
                 .orElseThrow(() -> new BadInputException(format(
                         "--max-error: found %s mm, expected at least %.3g mm, the least that was measured for material"

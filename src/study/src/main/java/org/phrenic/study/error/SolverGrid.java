@@ -9,15 +9,22 @@ import org.phrenic.model.material.Materials;
 import org.phrenic.scenario.Scenario;
 
 /**
- * Grid of solver settings to measure: all combinations of integrator, time step, sweeps and refresh interval.
+ * Grid of solver settings to measure. Crossed: all combinations of integrator, time step, sweeps and refresh interval.
+ * Otherwise all combinations of integrator and time step with the scenario's sweeps and refresh interval, and all
+ * combinations of sweeps and refresh interval with the scenario's integrator and time step.
  *
  * @param integrators schemes
  * @param timeStepsS time steps, s; each divides {@link BreathRunner#SAMPLE_S}
  * @param sweeps numbers of constraint sweeps per step
  * @param refreshesS refresh intervals of anchors and wall planes, s
+ * @param isCrossed whether all combinations are measured
  */
 public record SolverGrid(
-        List<IntegratorKind> integrators, List<Double> timeStepsS, List<Integer> sweeps, List<Double> refreshesS) {
+        List<IntegratorKind> integrators,
+        List<Double> timeStepsS,
+        List<Integer> sweeps,
+        List<Double> refreshesS,
+        boolean isCrossed) {
     /** Each sweep halves the constraint residual, so eight leave about 1/250. */
     private static final int REFERENCE_SWEEPS = 8;
 
@@ -34,37 +41,28 @@ public record SolverGrid(
 
     /** Nothing besides the scenario's own setting. */
     static SolverGrid own(Scenario scenario) {
-        return new SolverGrid(
-                List.of(),
-                integrators(scenario).timeStepsS(),
-                integrators(scenario).sweeps(),
-                integrators(scenario).refreshesS());
+        return ofIntegrators(List.of(), scenario);
     }
 
     /** Every integrator with the scenario's own step, sweeps and refresh interval. */
     static SolverGrid integrators(Scenario scenario) {
-        SolverSettings own = SolverSettings.of(scenario);
-        return new SolverGrid(
-                List.of(IntegratorKind.values()),
-                List.of(own.timeStepS()),
-                List.of(own.sweeps()),
-                List.of(own.refreshS()));
+        return ofIntegrators(List.of(IntegratorKind.values()), scenario);
     }
 
-    /** The full grid of a material. */
+    private static SolverGrid ofIntegrators(List<IntegratorKind> integrators, Scenario scenario) {
+        SolverSettings own = SolverSettings.of(scenario);
+        return new SolverGrid(
+                integrators, List.of(own.timeStepS()), List.of(own.sweeps()), List.of(own.refreshS()), true);
+    }
+
+    /** The settings of a material from which users choose. */
     public static SolverGrid of(TissueMaterial material) {
         List<IntegratorKind> all = List.of(IntegratorKind.values());
         return material == Materials.PHYSICAL
                 ? new SolverGrid(
-                        all,
-                        List.of(0.0005, 0.001, 0.00125, 0.002, 0.005, 0.01, 0.02),
-                        List.of(1, 2, 4, 8),
-                        List.of(0.02, 0.005, 0.002))
+                        all, List.of(0.000625, 0.00125, 0.0025, 0.02), List.of(1, 2, 3, 8), List.of(0.02, 0.005), false)
                 : new SolverGrid(
-                        all,
-                        List.of(0.0025, 0.005, 1.0 / 140, 0.01, 0.0125, 0.02, 0.05),
-                        List.of(1),
-                        List.of(0.04, 0.02, 0.005));
+                        all, List.of(0.0025, 0.005, 0.01, 0.0125, 0.02), List.of(1), List.of(0.04, 0.02, 0.005), false);
     }
 
     /** A small grid that runs in seconds. */
@@ -73,30 +71,37 @@ public record SolverGrid(
                 List.of(IntegratorKind.VERLET, IntegratorKind.SYMPLECTIC_EULER),
                 material == Materials.PHYSICAL ? List.of(0.00125) : List.of(0.005, 0.01),
                 List.of(1, 2),
-                List.of(0.02));
+                List.of(0.02),
+                true);
     }
 
-    /** All settings, grouped by refresh interval, including the scenario's own. */
+    /** All settings, including the scenario's own. */
     List<SolverSettings> settings(Scenario scenario) {
-        Set<SolverSettings> list = new LinkedHashSet<>();
         SolverSettings own = SolverSettings.of(scenario);
-        Set<Double> refreshes = new LinkedHashSet<>(refreshesS);
-        if (!refreshes.contains(own.refreshS())) {
-            list.add(own);
+        Set<SolverSettings> list = new LinkedHashSet<>();
+        if (!isCrossed) {
+            addCombinations(integrators, timeStepsS, List.of(own.sweeps()), List.of(own.refreshS()), list);
+            addCombinations(List.of(own.integrator()), List.of(own.timeStepS()), sweeps, refreshesS, list);
+        } else {
+            addCombinations(integrators, timeStepsS, sweeps, refreshesS, list);
         }
+        list.add(own);
+        return List.copyOf(list);
+    }
+
+    private static void addCombinations(
+            List<IntegratorKind> integrators,
+            List<Double> steps,
+            List<Integer> sweeps,
+            List<Double> refreshes,
+            Set<SolverSettings> list) {
         for (double refresh : refreshes) {
-            if (refresh == own.refreshS()) {
-                list.add(own);
-            }
             for (IntegratorKind integrator : integrators) {
-                for (double step : timeStepsS) {
-                    for (int sweep : sweeps) {
-                        list.add(new SolverSettings(integrator, step, sweep, refresh));
-                    }
+                for (double step : steps) {
+                    sweeps.forEach(sweep -> list.add(new SolverSettings(integrator, step, sweep, refresh)));
                 }
             }
         }
-        return List.copyOf(list);
     }
 
     /**

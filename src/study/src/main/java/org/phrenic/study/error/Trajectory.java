@@ -41,6 +41,12 @@ record Trajectory(double[][] positions, int substeps, double cpuS, double wallS)
         return new double[] {Math.sqrt(sum / count), Math.sqrt(most)};
     }
 
+    /** The first part of the trajectory, to the last sample at a time. */
+    Trajectory until(double timeS) {
+        int samples = Math.min(positions.length, Math.max(1, (int) Math.round(timeS / BreathRunner.SAMPLE_S)));
+        return new Trajectory(Arrays.copyOf(positions, samples), substeps, cpuS, wallS);
+    }
+
     /** Richardson extrapolation of a scheme of order 1 from two steps, the second half as long as the first. */
     static Trajectory extrapolated(Trajectory coarse, Trajectory fine) {
         double[][] positions = new double[fine.positions.length][];

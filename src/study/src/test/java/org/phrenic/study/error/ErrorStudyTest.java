@@ -25,7 +25,8 @@ class ErrorStudyTest {
                 List.of(IntegratorKind.VERLET, IntegratorKind.LAGGED),
                 List.of(0.0025, 0.005, 0.01),
                 List.of(1, 2),
-                List.of(0.0025));
+                List.of(0.0025),
+                true);
         study = ErrorStudy.of(SHEET, grid, true, (count, total, what) -> {});
     }
 

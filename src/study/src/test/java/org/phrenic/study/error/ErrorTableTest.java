@@ -25,9 +25,12 @@ class ErrorTableTest {
                 preset,
                 "low",
                 12_028,
+                4,
+                0,
                 10 * rmsMm,
                 20 * rmsMm,
-                new ErrorPoint(settings, 1, rmsMm, 2 * rmsMm, 3 * rmsMm, 4 * rmsMm, cpuS, cpuS, 4 / cpuS, true, false));
+                new ErrorPoint(
+                        settings, 1, rmsMm, 2 * rmsMm, 3 * rmsMm, 4 * rmsMm, rmsMm, cpuS, cpuS, 4 / cpuS, true, false));
     }
 
     private static ErrorTable table(ErrorTable.Row... rows) {
