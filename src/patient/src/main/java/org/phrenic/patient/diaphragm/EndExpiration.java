@@ -11,10 +11,6 @@ import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.anatomy.cage.RibAxisTable;
-import org.phrenic.anatomy.cage.RibCage;
-import org.phrenic.anatomy.cage.RibCagePose;
-import org.phrenic.anatomy.cage.SkinningWeights;
 import org.phrenic.engine.force.FallOff;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
@@ -30,15 +26,15 @@ import org.phrenic.patient.PatientStructure;
  * z' = z + d p(u, v) g(z),   x' = x + g(z) (X'(u, z') - X(u, z)),   y' = y + g(z) (Y'(v, z') - Y(v, z))
  * </pre>
  *
- * Above the domes the share 1 - g goes with the bones nearby ({@link SkinningWeights}). u and v are the place of a
- * point in the breadth and depth of the cage ({@link CageEnvelope}) at its height, -1 to 1; X and Y state that place,
- * X' and Y' the same place in the cage whose ribs have turned, at the height to which the point rises. p is the share
- * of the domes' descent over the plan of the cage, 1 at the domes, less in front and in the middle (physiology C3);
- * what stays behind the domes does so by {@code t tanh(d (1 - p) / t)}, at most the height t of a vertebra with its
- * disc, for at end-expiration the tendon stands no more than that below the domes. g is 1 about the domes and falls to
- * 0 at the apex of the lungs and in the pelvis. As d is at most {@value #GREATEST_SHARE} of the lungs' height, z'
- * increases with z. The horizontal part is not bounded in this way: it turns some triangles of lungs at full
- * inspiration over (0.3 % of lungs of 8 l).
+ * Above the domes the share 1 - g goes with the bones nearby ({@link BoneCarriage}). u and v are the place of a point
+ * in the breadth and depth of the cage ({@link CageEnvelope}) at its height, -1 to 1; X and Y state that place, X' and
+ * Y' the same place in the cage whose ribs have turned, at the height to which the point rises. p is the share of the
+ * domes' descent over the plan of the cage, 1 at the domes, less in front and in the middle (physiology C3); what stays
+ * behind the domes does so by {@code t tanh(d (1 - p) / t)}, at most the height t of a vertebra with its disc, for at
+ * end-expiration the tendon stands no more than that below the domes. g is 1 about the domes and falls to 0 at the apex
+ * of the lungs and in the pelvis. As d is at most {@value #GREATEST_SHARE} of the lungs' height, z' increases with z.
+ * The horizontal part is not bounded in this way: it turns some triangles of lungs at full inspiration over (0.3 % of
+ * lungs of 8 l).
  */
 public final class EndExpiration {
     /** Share of the descent in the midline, where the pericardium holds the tendon (2 of 5 to 10 cm). */
@@ -57,10 +53,6 @@ public final class EndExpiration {
     private static final double WITH_DOMES_MM = 100;
 
     private static final double FADE_MM = 200;
-    /** Distance up to which a bone carries lung along wholly, and over which that fades, mm. */
-    private static final double NEAR_BONE_MM = 10;
-
-    private static final double FAR_FROM_BONE_MM = 50;
     /** Greatest descent of a dome in a deep breath, mm: 5 to 10 cm. */
     private static final double GREATEST_MM = 100;
     /** Greatest descent as a share of the height of the lungs above their bases. */
@@ -86,8 +78,7 @@ public final class EndExpiration {
     /** Organs that keep their volume, besides the liver. */
     private static final Set<String> SOLID = Set.of("heart", "spleen", "kidney");
 
-    private final RibCagePose pose;
-    private final SkinningWeights skinning;
+    private final BoneCarriage bones;
     private final CageEnvelope before;
     private final CageEnvelope after;
     private final double share;
@@ -102,16 +93,13 @@ public final class EndExpiration {
     private EndExpiration(Thorax completed, BreathLevel level) {
         share = Math.min(1, level.share());
         vertebra = level.descentMm() / level.descent();
-        RibCage cage = RibCage.of(completed, RibAxisTable.preset(RibAxisTable.WILSON_CT), true);
-        pose = new RibCagePose(cage, (time, amplitude) -> amplitude[0] = -share);
-        pose.update(0);
-        skinning = SkinningWeights.of(completed, cage);
-        List<Structure> bones = completed.structures().stream()
+        bones = new BoneCarriage(completed, share);
+        List<Structure> skeleton = completed.structures().stream()
                 .filter(s -> isCage(s.kind()) || s.kind() == StructureKind.VERTEBRA || s.kind() == StructureKind.DISC)
                 .toList();
-        before = new CageEnvelope(new Thorax(completed.name(), bones, List.of()));
+        before = new CageEnvelope(new Thorax(completed.name(), skeleton, List.of()));
         after = before.about(
-                new Thorax(completed.name(), bones.stream().map(this::turned).toList(), List.of()));
+                new Thorax(completed.name(), skeleton.stream().map(this::turned).toList(), List.of()));
         List<Structure> lungs = completed.structuresOf(StructureKind.LUNG);
         domes = LungBase.of(completed).stream()
                 .mapToDouble(LungBase::top)
@@ -196,41 +184,12 @@ public final class EndExpiration {
 
     private Structure turned(Structure s) {
         if (s.kind() == StructureKind.COSTAL_CARTILAGE) {
-            return s.withMesh(s.mesh().withPositions(carried(s.mesh().positions())));
+            return s.withMesh(s.mesh().withPositions(bones.carried(s.mesh().positions())));
         }
         int body = s.kind() == StructureKind.RIB
-                ? pose.cage().rib(s.level(), s.side())
-                : pose.cage().sternum();
-        return !isCage(s.kind()) || body < 0 ? s : withPoints(s, p -> at(pose.pose(body), p));
-    }
-
-    /** Points carried by the bones near them. */
-    private double[] carried(double[] p) {
-        SkinningWeights.Weights weights = skinning.weightsAt(p);
-        double[] out = new double[p.length];
-        for (int i = 0; i < p.length / 3; i++) {
-            double[] point = {p[3 * i], p[3 * i + 1], p[3 * i + 2]};
-            for (int k = i * SkinningWeights.MAX_BODIES; k < (i + 1) * SkinningWeights.MAX_BODIES; k++) {
-                double[] moved = weights.weight()[k] == 0 ? point : at(pose.pose(weights.body()[k]), point);
-                for (int axis = 0; axis < 3; axis++) {
-                    out[3 * i + axis] += weights.weight()[k] * moved[axis];
-                }
-            }
-            // Half way between sternum and spine the nearest bone changes from one to the other.
-            double near = FallOff.at(Math.max(0, weights.distance()[i] - NEAR_BONE_MM), FAR_FROM_BONE_MM);
-            for (int axis = 0; axis < 3; axis++) {
-                out[3 * i + axis] = point[axis] + near * (out[3 * i + axis] - point[axis]);
-            }
-        }
-        return out;
-    }
-
-    private static double[] at(double[] t, double[] p) {
-        return new double[] {
-            t[0] * p[0] + t[1] * p[1] + t[2] * p[2] + t[3],
-            t[4] * p[0] + t[5] * p[1] + t[6] * p[2] + t[7],
-            t[8] * p[0] + t[9] * p[1] + t[10] * p[2] + t[11]
-        };
+                ? bones.cage().rib(s.level(), s.side())
+                : bones.cage().sternum();
+        return !isCage(s.kind()) || body < 0 ? s : withPoints(s, p -> bones.carried(body, p));
     }
 
     private static Structure withPoints(Structure s, UnaryOperator<double[]> map) {
@@ -245,13 +204,13 @@ public final class EndExpiration {
     /** A soft organ at end-expiration. */
     private Structure raised(Structure s) {
         double[] p = s.mesh().positions();
-        double[] carried = carried(p);
+        double[] displacement = bones.displacement(s.mesh());
         double[] out = new double[p.length];
         for (int i = 0; i < p.length; i += 3) {
             double above = p[i + 2] > domes ? 1 - heightShare(p[i + 2]) : 0;
             double[] q = raised(new double[] {p[i], p[i + 1], p[i + 2]});
             for (int axis = 0; axis < 3; axis++) {
-                out[i + axis] = q[axis] + above * (carried[i + axis] - p[i + axis]);
+                out[i + axis] = q[axis] + above * displacement[i + axis];
             }
         }
         boolean solid = s.kind() == StructureKind.LIVER || SOLID.contains(OrganNames.words(s.name()));

@@ -1,0 +1,54 @@
+package org.phrenic.patient.diaphragm;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.cage.SkinningWeights;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
+import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.TriangleMesh;
+
+class BoneCarriageTest {
+    private static final Thorax MAN =
+            VirtualThorax.generate(VirtualThoraxParameters.preset("adult-male"), Resolution.LOW);
+    private static final TriangleMesh LUNG = MAN.find("lung_R").orElseThrow().mesh();
+    private static final BoneCarriage FULL = new BoneCarriage(MAN, 1);
+
+    /**
+     * Greatest difference of the displacements of two neighbouring vertices farther than 30 mm from bone, per mm of
+     * their distance.
+     */
+    private static double greatestStrain(double[] u) {
+        double[] p = LUNG.positions();
+        double[] far = SkinningWeights.of(MAN, FULL.cage()).distances(p);
+        int[] edges = new MeshTopology(LUNG).edges();
+        double greatest = 0;
+        for (int e = 0; e < edges.length; e += 2) {
+            double du = 0;
+            double dp = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                int a = 3 * edges[e] + axis;
+                int b = 3 * edges[e + 1] + axis;
+                du += (u[a] - u[b]) * (u[a] - u[b]);
+                dp += (p[a] - p[b]) * (p[a] - p[b]);
+            }
+            if (far[edges[e]] > 30 && far[edges[e + 1]] > 30) {
+                greatest = Math.max(greatest, Math.sqrt(du / dp));
+            }
+        }
+        return greatest;
+    }
+
+    @Test
+    void theMediastinalSideOfALungDoesNotFoldWhereItsNearestBoneChanges() {
+        double[] ofBone = FULL.carried(LUNG.positions());
+        for (int i = 0; i < ofBone.length; i++) {
+            ofBone[i] -= LUNG.positions()[i];
+        }
+        assertThat(greatestStrain(ofBone)).isGreaterThan(1);
+        assertThat(greatestStrain(FULL.displacement(LUNG))).isLessThan(0.8);
+    }
+}
