@@ -11,6 +11,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.cli.option.CoarseResolutionOption;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
@@ -96,8 +97,8 @@ final class BenchBodiesCommand extends ReportingCommand {
                     + "virtual/adult-female).")
     private String complete;
 
-    @Option(names = "--resolution", paramLabel = "NAME", description = "low (default), medium or high.")
-    private String resolution = "low";
+    @Mixin
+    private CoarseResolutionOption resolution;
 
     @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Any key of a scenario; may be repeated.")
     private List<String> settings = new ArrayList<>();
@@ -175,14 +176,14 @@ final class BenchBodiesCommand extends ReportingCommand {
         if (complete != null) {
             given.addAll(List.of("--complete", complete));
         }
-        given.addAll(List.of("--resolution", resolution));
+        given.addAll(List.of("--resolution", resolution.name()));
         settings.forEach(s -> given.addAll(List.of("--set", s)));
         return given;
     }
 
     private Scenario scenario() {
         List<Assignment> list = new ArrayList<>();
-        list.add(Assignment.read("--resolution " + resolution, "resolution", resolution));
+        list.add(resolution.assignment());
         settings.forEach(text -> list.add(Assignment.parse(text)));
         return Scenario.defaults().with(list);
     }

@@ -5,6 +5,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.phrenic.cli.option.CoarseResolutionOption;
+import org.phrenic.cli.option.FitSearchOptions;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
@@ -54,17 +56,11 @@ final class BenchFitsCommand extends ReportingCommand {
     @Option(names = "--seed", paramLabel = "N", description = "Seed of bodies and searches (default ${DEFAULT-VALUE}).")
     private String seed = "1";
 
-    @Option(names = "--resolution", paramLabel = "NAME", description = "low (default), medium or high.")
-    private String resolution = "low";
+    @Mixin
+    private CoarseResolutionOption resolution;
 
-    @Option(
-            names = "--evaluations",
-            paramLabel = "N",
-            description = "At most so many breaths a fit (default ${DEFAULT-VALUE}).")
-    private String evaluations = "62";
-
-    @Option(names = "--threads", paramLabel = "N", description = "Breaths side by side (default ${DEFAULT-VALUE}).")
-    private String threads = "2";
+    @Mixin
+    private final FitSearchOptions length = new FitSearchOptions(62);
 
     @Mixin
     private ProvenanceOption provenance;
@@ -80,10 +76,9 @@ final class BenchFitsCommand extends ReportingCommand {
             throw new ParameterException(commandLine(), "found neither --patients nor --random, expected one of them");
         }
         int start = OptionValues.integer("--seed", seed, 0, Integer.MAX_VALUE);
-        FitSearch.Settings search =
-                new FitSearch.Settings(start, OptionValues.integer("--evaluations", evaluations, 1, 1_000_000));
-        Scenario base = Scenario.defaults().with("preset=deep", "resolution=" + resolution);
-        int atATime = OptionValues.threads(threads, 1);
+        FitSearch.Settings search = new FitSearch.Settings(start, length.evaluations());
+        Scenario base = Scenario.defaults().with("preset=deep").with(List.of(resolution.assignment()));
+        int atATime = length.threads();
         Path journals = out.resolve("journals");
         ConsoleProgress progress = progress();
         List<PatientFit> fitted = new ArrayList<>();
@@ -113,7 +108,7 @@ final class BenchFitsCommand extends ReportingCommand {
 
     private String arguments() {
         String bodies = random.equals("0") ? "" : " --random " + random + " --seed " + seed;
-        return "bench fits" + (patients == null ? "" : " --patients FOLDER") + bodies + " --resolution " + resolution
-                + " --evaluations " + evaluations;
+        return "bench fits" + (patients == null ? "" : " --patients FOLDER") + bodies + " --resolution "
+                + resolution.name() + " --evaluations " + length.evaluations();
     }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.cli.option.FitSearchOptions;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.ConsoleProgress;
@@ -32,6 +33,7 @@ import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -114,14 +116,8 @@ final class FitCommand extends ReportingCommand {
     @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Any other key of a scenario; may be repeated.")
     private List<String> settings = new ArrayList<>();
 
-    @Option(names = "--threads", paramLabel = "N", description = "Breaths side by side (default ${DEFAULT-VALUE}).")
-    private String threads = "2";
-
-    @Option(
-            names = "--evaluations",
-            paramLabel = "N",
-            description = "At most so many breaths (default ${DEFAULT-VALUE}).")
-    private String evaluations = "400";
+    @Mixin
+    private final FitSearchOptions length = new FitSearchOptions(400);
 
     @Option(names = "--minutes", paramLabel = "M", description = "Begin no generation after so many minutes.")
     private String minutes;
@@ -157,13 +153,13 @@ final class FitCommand extends ReportingCommand {
         double limitS = minutes == null
                 ? Double.POSITIVE_INFINITY
                 : MINUTE_S * OptionValues.number("--minutes", minutes, 0, 1e5);
-        FitSearch.Settings search = new FitSearch.Settings(seed(), size, evaluations(), limitS);
+        FitSearch.Settings search = new FitSearch.Settings(seed(), size, length.evaluations(), limitS);
         TargetAlignment alignment = TargetAlignment.beside(targets.stream()
                 .map(t -> Path.of(t.substring(t.indexOf('=') + 1)))
                 .toList());
         Optional<Landmarks> inside = Optional.ofNullable(landmarks).map(file -> Landmarks.read(file, alignment));
         FitSetup.Options options =
-                new FitSetup.Options(half(), alignment.sentence(), search, threads(), !noSensitivity, inside);
+                new FitSetup.Options(half(), alignment.sentence(), search, length.threads(), !noSensitivity, inside);
         FitSetup setup = new FitSetup(base, body, read, parameters, options);
         body.notes().forEach(printer::note);
         FitResult result = Fit.run(setup, out.resolve("journal.csv"), printer);
@@ -195,8 +191,8 @@ final class FitCommand extends ReportingCommand {
         int count = OptionValues.integer(
                 "--synthetic", synthetic, 1, SyntheticPatient.five().size());
         Resolution meshes = Scenario.defaults().with("resolution=" + resolution).resolution();
-        FitSearch.Settings search = new FitSearch.Settings(seed(), evaluations());
-        SyntheticStudy study = SyntheticStudy.run(count, meshes, threads(), search, out, printer);
+        FitSearch.Settings search = new FitSearch.Settings(seed(), length.evaluations());
+        SyntheticStudy study = SyntheticStudy.run(count, meshes, length.threads(), search, out, printer);
         printer.end();
         JsonWriter.write(out.resolve("synthetic.json"), study.values());
         writePages(out, "synthetic", study.document());
@@ -209,14 +205,6 @@ final class FitCommand extends ReportingCommand {
             throw new BadInputException("--hold-out: found " + HALF + " and " + OTHER_HALF + ", expected one of them");
         }
         return heldOut.contains(HALF) ? FitHalf.EVEN : heldOut.contains(OTHER_HALF) ? FitHalf.ODD : FitHalf.ALL;
-    }
-
-    private int threads() {
-        return OptionValues.threads(threads, 1);
-    }
-
-    private int evaluations() {
-        return OptionValues.integer("--evaluations", evaluations, 1, 1_000_000);
     }
 
     private int seed() {

@@ -4,6 +4,7 @@ import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.List;
 import java.util.stream.Stream;
+import org.phrenic.document.report.MachineLine;
 import picocli.CommandLine.Option;
 
 /** The first lines of a results page: what made it, by which command, on which machine and when. */
@@ -16,8 +17,7 @@ public final class ProvenanceOption {
 
     /** @param command the command and its arguments, without the name of the program */
     public List<String> lines(String command) {
-        String machine = "Machine: " + System.getProperty("os.name") + " " + System.getProperty("os.arch") + ", Java "
-                + System.getProperty("java.version") + ". Date: " + LocalDate.now(ZoneOffset.UTC) + ".";
+        String machine = MachineLine.text() + " Date: " + LocalDate.now(ZoneOffset.UTC) + ".";
         return Stream.of(madeBy, "With: phrenic " + command, machine)
                 .filter(line -> !line.isEmpty())
                 .toList();

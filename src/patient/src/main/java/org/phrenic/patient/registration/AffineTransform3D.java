@@ -7,19 +7,8 @@ final class AffineTransform3D implements PointTransform {
     /** The 3 x 4 matrix [A t] in row-major order. */
     private final double[] m;
 
-    AffineTransform3D(double[] rows) {
-        m = rows.clone();
-    }
-
-    /** Maps one box to another by translating the centre and scaling each axis. */
-    static AffineTransform3D betweenBoxes(double[] from, double[] to) {
-        double[] rows = new double[12];
-        for (int k = 0; k < 3; k++) {
-            double scale = (to[3 + k] - to[k]) / (from[3 + k] - from[k]);
-            rows[5 * k] = scale;
-            rows[4 * k + 3] = (to[k] + to[3 + k]) / 2 - scale * (from[k] + from[3 + k]) / 2;
-        }
-        return new AffineTransform3D(rows);
+    private AffineTransform3D(double[] rows) {
+        m = rows;
     }
 
     /**
@@ -49,30 +38,6 @@ final class AffineTransform3D implements PointTransform {
                 rows[4 * row + k] = scale * turn.rotation(row, k);
                 rows[4 * row + 3] -= rows[4 * row + k] * p[k];
             }
-        }
-        return new AffineTransform3D(rows);
-    }
-
-    /**
-     * Best fitting scaling in the transverse plane with a translation, {@code x' = diag(s1, s2, 1) x + t}. The height
-     * is not scaled because nearest points along a wall contain little information about it. Shear is excluded because
-     * lungs hardly distinguish the slope of the ribs from the slope of their own anterior surface.
-     */
-    static AffineTransform3D horizontalScaling(double[] from, double[] to) {
-        double[] p = centroid(from);
-        double[] q = centroid(to);
-        double[] along = new double[3];
-        double[] square = new double[3];
-        for (int i = 0; i < from.length; i++) {
-            int k = i % 3;
-            along[k] += (from[i] - p[k]) * (to[i] - q[k]);
-            square[k] += (from[i] - p[k]) * (from[i] - p[k]);
-        }
-        double[] rows = new double[12];
-        for (int k = 0; k < 3; k++) {
-            double scale = k < 2 && square[k] > 0 ? along[k] / square[k] : 1;
-            rows[5 * k] = scale;
-            rows[4 * k + 3] = q[k] - scale * p[k];
         }
         return new AffineTransform3D(rows);
     }

@@ -17,6 +17,9 @@ import org.phrenic.mesh.voxel.MeshVoxelizer;
 /** The label volume that a scan of a body would give, with the label numbers of TotalSegmentator. */
 final class CutScan {
     private static final int MARGIN = 3;
+    /** Most voxels along an axis: their product is within the length of an array. */
+    private static final int MAX_VOXELS = 1200;
+
     private static final long SEED = 5;
     private static final double ABOVE_LIVER_MM = 25;
     private static final double BEYOND_MIDLINE_MM = 10;
@@ -61,7 +64,7 @@ final class CutScan {
         double[] toMm = new double[12];
         double[] toVoxel = new double[12];
         for (int axis = 0; axis < 3; axis++) {
-            size[axis] = (int) Math.ceil((box[axis + 3] - box[axis]) / step[axis]);
+            size[axis] = voxels(axis, box, step[axis]);
             for (int row = 0; row < 3; row++) {
                 toMm[4 * row + axis] = axes[axis][row] * step[axis];
                 toMm[4 * row + 3] += axes[axis][row] * (box[axis] + step[axis] / 2);
@@ -75,6 +78,16 @@ final class CutScan {
         LabelGrid grid = LabelGrid.of(size[0], size[1], size[2], labels, toMm);
         damage(grid, labels);
         return grid;
+    }
+
+    /** Number of voxels along an axis of the field of view. */
+    private int voxels(int axis, double[] box, double step) {
+        double count = Math.ceil((box[axis + 3] - box[axis]) / step);
+        if (!(count >= 1 && count <= MAX_VOXELS)) {
+            throw new IllegalArgumentException(body.name() + ": found a field of view of " + count
+                    + " voxels along an axis of the cut " + cut.label() + ", expected 1 to " + MAX_VOXELS);
+        }
+        return (int) count;
     }
 
     /** Label of a structure; 0 if the scan does not show it. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.phrenic.breathing.pattern.BreathingPreset;
+import org.phrenic.document.report.MachineLine;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.model.material.Materials;
@@ -126,8 +127,6 @@ public record ReproductionReport(
         report.points(
                 "By " + madeBy + ", with: phrenic reproduce --out DIR" + (reproduction.quick() ? " --quick" : ""),
                 PaperTexts.text("breaths", resolution, vertices),
-                "Machine: " + System.getProperty("os.name") + " " + System.getProperty("os.arch") + ", "
-                        + Runtime.getRuntime().availableProcessors() + " processors, Java "
-                        + System.getProperty("java.version") + ". Speeds are of this machine at this moment.");
+                MachineLine.text() + " Speeds are of this machine at this moment.");
     }
 }

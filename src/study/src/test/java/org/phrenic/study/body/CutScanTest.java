@@ -1,10 +1,13 @@
 package org.phrenic.study.body;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
@@ -33,6 +36,14 @@ class CutScanTest {
         LabelGrid oblique = CutScan.of(MAN, BodyCut.OBLIQUE);
         assertThat((double) count(oblique, LEFT_RIB_7) / count(WHOLE, LEFT_RIB_7))
                 .isCloseTo(1, within(0.03));
+    }
+
+    @Test
+    void aFieldOfViewThatHoldsNothingIsRefused() {
+        Thorax skinAlone = new Thorax("skin alone", MAN.structuresOf(StructureKind.SKIN), List.of());
+        assertThatThrownBy(() -> CutScan.of(skinAlone, BodyCut.WHOLE))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("skin alone: found a field of view");
     }
 
     @Test

@@ -1,0 +1,19 @@
+package org.phrenic.cli.option;
+
+import org.phrenic.scenario.Assignment;
+import picocli.CommandLine.Option;
+
+/** The resolution of the bodies of a bench, low by default. */
+public final class CoarseResolutionOption {
+    @Option(names = "--resolution", paramLabel = "NAME", description = "low (default), medium or high.")
+    private String resolution = "low";
+
+    /** The text of the option. */
+    public String name() {
+        return resolution;
+    }
+
+    public Assignment assignment() {
+        return Assignment.read("--resolution " + resolution, "resolution", resolution);
+    }
+}
