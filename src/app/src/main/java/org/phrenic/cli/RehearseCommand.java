@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.phrenic.access.attempt.NeedleSnapshot;
+import org.phrenic.access.attempt.NeedleSnapshots;
 import org.phrenic.access.plan.Goals;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
@@ -20,6 +21,7 @@ import org.phrenic.document.report.HtmlPage;
 import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.scene.NeedlePictures;
+import org.phrenic.scene.UltrasoundPicture;
 import org.phrenic.scene.gl.NoGraphicsException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -64,6 +66,7 @@ final class RehearseCommand extends ReportingCommand {
         if (!noPictures) {
             draw(rehearsal, needle, map, err);
         }
+        report.images().forEach(image -> UltrasoundPicture.write(out.resolve(image.file()), image.image()));
         AtomicFile.write(out.resolve("report.html"), HtmlPage.format(report.document(needle, map)));
         JsonWriter.write(out.resolve("report.json"), values);
         print(values, () -> text(rehearsal));
@@ -74,6 +77,9 @@ final class RehearseCommand extends ReportingCommand {
         String title = rehearsal.plan().title();
         try (NeedlePictures pictures = NeedlePictures.open(rehearsal.surfaces())) {
             for (NeedleSnapshot view : rehearsal.snapshots()) {
+                if (view.name().startsWith(NeedleSnapshots.IMAGE_PREFIX)) {
+                    continue;
+                }
                 for (String file : pictures.writeNeedleViews(out, view, title)) {
                     if (view.name().startsWith("sample")) {
                         needle.add(new Picture(file, "Needle and target in the body, " + file, ""));

@@ -74,7 +74,7 @@ final class UltrasoundCommand extends ReportingCommand {
             ProbeOnSkin place = probeOptions.place(player.surfaces());
             Ultrasound ultrasound = new Ultrasound(player.surfaces(), probeOptions.probe(), scenario.threads());
             for (String name : ultrasound.leftOut()) {
-                progress.note(name + " is not closed and is not in the images.");
+                progress.note(name + " is open and is not in the images.");
             }
             for (double time : times) {
                 Frame frame = player.advanceTo(time);

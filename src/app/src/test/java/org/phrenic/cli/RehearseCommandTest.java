@@ -29,6 +29,7 @@ class RehearseCommandTest {
             + "  - wait: end-expiration of breath 1\n"
             + "  - place: {entry: best-at-end-expiration, aim: target}\n"
             + "  - advance: {speed_mm_per_s: 300}\n"
+            + "  - image: {skin: right-intercostal, tilt_deg: 5}\n"
             + "  - sample: now\n";
 
     @TempDir
@@ -56,6 +57,9 @@ class RehearseCommandTest {
         assertThat(two.out()).contains("not done");
         String first = Files.readString(folder.resolve("one/report.json"));
         String second = Files.readString(folder.resolve("two/report.json"));
+        assertThat(first).contains("\"ultrasound\": [", "\"needle_in_beam_mm\"");
+        assertThat(Files.readAllBytes(folder.resolve("one/ultrasound_0001.png")))
+                .isEqualTo(Files.readAllBytes(folder.resolve("two/ultrasound_0001.png")));
         assertThat(first).contains("\"done\": true", "capsule_puncture", "not validated", "Not for clinical use");
         assertThat(second).contains("\"done\": false");
         assertThat(attempt(first.replace("\"threads\": 1", "\"threads\": 2"))).isEqualTo(attempt(second));

@@ -8,6 +8,7 @@ import org.phrenic.simulation.observe.Frame;
  *
  * @param name name such as "sample"
  * @param frame private copy of the frame of the body
+ * @param placed whether the needle is on or in the body; else its position means nothing
  * @param hub hub of the needle
  * @param target centre of the target
  */
@@ -15,6 +16,7 @@ public record NeedleSnapshot(
         String name,
         Frame frame,
         RespiratoryPhase label,
+        boolean placed,
         double[] hub,
         double[] tip,
         double[] target,

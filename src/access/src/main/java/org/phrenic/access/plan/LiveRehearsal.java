@@ -135,7 +135,7 @@ public final class LiveRehearsal implements StepListener {
         int breath = 1 + (int) frame.values()[BREATH];
         needle.update(frame, phase);
         boolean done = player == null ? runRequests(breath) : play(breath);
-        snapshots.observe(needle, frame, phase);
+        snapshots.observe(needle, frame, phase, player == null ? 0 : player.images());
         before = phase;
         breathBefore = breath;
         if (done) {

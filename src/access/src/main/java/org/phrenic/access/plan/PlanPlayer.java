@@ -21,6 +21,7 @@ public final class PlanPlayer {
     private final Breathing breathing;
     private int next;
     private boolean begun;
+    private int images;
     private double aimedMm;
     private double sinceS;
     private RespiratoryPhase before = RespiratoryPhase.PAUSE;
@@ -50,6 +51,11 @@ public final class PlanPlayer {
         before = phase;
         breathBefore = breath;
         return next == steps.size();
+    }
+
+    /** Number of images that the steps have asked for. */
+    public int images() {
+        return images;
     }
 
     private boolean isDone(PlanStep step, RespiratoryPhase phase, int breath) {
@@ -97,6 +103,8 @@ public final class PlanPlayer {
                 needle.advance(advance.depthMm().orElse(aimedMm), advance.speedMmPerS());
             }
             return !advance.awaited() || !needle.isMoving();
+        } else if (step instanceof PlanStep.Image) {
+            images++;
         } else {
             needle.sample();
         }

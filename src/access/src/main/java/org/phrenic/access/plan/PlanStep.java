@@ -38,6 +38,9 @@ public sealed interface PlanStep {
     /** Takes a sample. */
     record Sample(String place) implements PlanStep {}
 
+    /** Takes an ultrasound image. */
+    record Image(String place, ProbeHold probe) implements PlanStep {}
+
     /**
      * The position that a needle is pointed at.
      *

@@ -11,7 +11,7 @@ import org.phrenic.file.BadInputException;
 /** YAML format of plan steps: a list of mappings, each with a single key that gives the kind of the step. */
 final class PlanStepYaml {
     private static final List<String> KINDS =
-            List.of("wait", "hold_breath", "place", "redirect", "advance", "sample", "withdraw");
+            List.of("wait", "hold_breath", "place", "redirect", "advance", "sample", "withdraw", "image");
     private static final List<String> MOVE_KEYS = List.of("depth_mm", "speed_mm_per_s", "wait");
     private static final double SPEED_MM_PER_S = 50;
     private static final String AIM = "target";
@@ -55,6 +55,7 @@ final class PlanStepYaml {
                 YamlMap map = map(step, kind, MOVE_KEYS);
                 yield advance(place, Optional.of(map.number("depth_mm", 0)), map);
             }
+            case "image" -> new PlanStep.Image(place, ProbeHold.read(step.map(kind)));
             default -> {
                 if (!step.text(kind).equals("now")) {
                     throw step.bad(kind, "found '" + step.text(kind) + "', expected 'now'");
@@ -151,7 +152,9 @@ final class PlanStepYaml {
             }
             return Map.of("advance", map);
         }
-        return Map.of("sample", "now");
+        return step instanceof PlanStep.Image image
+                ? Map.of("image", image.probe().toPlain())
+                : Map.of("sample", "now");
     }
 
     private static Object toPlain(PlanStep.Aim aim) {

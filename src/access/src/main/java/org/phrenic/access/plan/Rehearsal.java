@@ -115,7 +115,7 @@ public record Rehearsal(
             RespiratoryPhase phase = simulation.breathLabel();
             needle.update(frame, phase);
             done = player.update(phase, 1 + (int) frame.values()[BREATH]);
-            snapshots.observe(needle, frame, phase);
+            snapshots.observe(needle, frame, phase, player.images());
             for (long i = 0; !done && i < stepsPerFrame; i++) {
                 simulation.step();
             }
@@ -128,6 +128,9 @@ public record Rehearsal(
     /** Checks that entry points lie on the skin and within reach, before a breath is simulated. */
     private static void requireEntries(RehearsalPlan plan, MovingAnatomy anatomy, TargetLesion target) {
         for (PlanStep step : plan.steps()) {
+            if (step instanceof PlanStep.Image image) {
+                RehearsalImage.requirePlace(image, anatomy);
+            }
             if (step instanceof PlanStep.Place place && place.entryRest().isPresent()) {
                 double[] entry = place.entryRest().get();
                 try {

@@ -35,10 +35,17 @@ public final class RehearsalReport {
 
     private final Rehearsal rehearsal;
     private final AttemptRecord record;
+    private final List<RehearsalImage> images;
 
     public RehearsalReport(Rehearsal rehearsal) {
         this.rehearsal = rehearsal;
         record = rehearsal.record();
+        images = RehearsalImage.of(rehearsal);
+    }
+
+    /** The ultrasound images that the plan asked for; the report names the files of their pictures. */
+    public List<RehearsalImage> images() {
+        return List.copyOf(images);
     }
 
     /** All values in a fixed order. The same plan gives the same values. */
@@ -50,6 +57,9 @@ public final class RehearsalReport {
                 .with("goals", maps(plan.goals().evaluate(record), Goals.GoalResult::toMap))
                 .with("attempt", record.toMap());
         rehearsal.path().ifPresent(path -> map.put("path", path.toMap()));
+        if (!images.isEmpty()) {
+            map.put("ultrasound", maps(images, RehearsalImage::toMap));
+        }
         return map.with("access", access())
                 .with("scenario", plan.scenario().toMap())
                 .with("definitions", definitions())
@@ -110,6 +120,12 @@ public final class RehearsalReport {
         goals(document);
         attempt(document);
         figure(document, "The needle (blue) and the target (yellow) at the sample.", needlePictures);
+        figure(
+                document,
+                "Ultrasound, the probe's marker on the left.",
+                images.stream()
+                        .map(i -> new Picture(i.file(), "Ultrasound image " + i.file(), ""))
+                        .toList());
         rehearsal.path().ifPresent(path -> path(document, path));
         accessTable(document);
         String caption = "Where on the skin the target can be reached by a straight path, in per cent of a breath.";

@@ -101,7 +101,7 @@ final class LineWalk {
             int first = k;
             boolean sheet = false;
             while (k < count && crossings.depth(line, k) <= depth + SAME_DEPTH_MM) {
-                sheet |= crossings.code(line, k) == 0;
+                sheet |= isSheet(crossings.code(line, k));
                 pass(crossings.code(line, k++));
             }
             if (k > first) {
@@ -112,6 +112,11 @@ final class LineWalk {
                 now = then;
             }
         }
+    }
+
+    /** Whether a crossing is one with the diaphragm, open or closed. */
+    private boolean isSheet(int code) {
+        return code == 0 || surfaces.get(Math.abs(code) - 1).surface.kind() == StructureKind.DIAPHRAGM;
     }
 
     private void pass(int code) {

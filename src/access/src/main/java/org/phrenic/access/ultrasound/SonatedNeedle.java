@@ -9,7 +9,7 @@ import org.phrenic.mesh.Vectors;
  * thickness that its diameter covers. It is brightest at a right angle to the beam and none where the beam does not
  * reach. The bevel of the tip scatters in all directions.
  *
- * @param entry where the needle enters the skin, LPS, mm
+ * @param entry where the needle enters the skin, or a point of the shaft farther out, LPS, mm
  * @param tip LPS, mm
  * @param needle gives the diameter
  */

@@ -79,7 +79,7 @@ public final class Ultrasound {
         return table;
     }
 
-    /** Names of surfaces that are not closed and therefore not seen. The sheet of the diaphragm is. */
+    /** Names of surfaces that are so open that they have no inside and are not seen. The diaphragm always is. */
     public List<String> leftOut() {
         return List.copyOf(leftOut);
     }

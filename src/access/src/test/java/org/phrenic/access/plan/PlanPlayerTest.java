@@ -103,6 +103,8 @@ class PlanPlayerTest {
     @Test
     void whatCannotBeDoneNamesItsStep() {
         assertThatThrownBy(() -> play("steps: [{advance: {depth_mm: 20}}]")).hasMessageContaining("step 1, advance");
+        assertThatThrownBy(() -> play("steps: [{image: {skin: back}}]")).hasMessageContaining("right-intercostal");
+        assertThatThrownBy(() -> play("steps: [{image: {depth_mm: 9}}]")).hasMessageContaining("40.0 to 300.0");
         assertThatThrownBy(() -> play("steps: [{place: {entry: [0, 0, 0], aim: [150, 0, 0]}}]"))
                 .hasMessageContaining("step 1, place")
                 .hasMessageContaining("longer needle");

@@ -3,13 +3,19 @@ package org.phrenic.access.ultrasound;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.access.imaging.Tissue;
+import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.Shapes;
+import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
@@ -129,6 +135,31 @@ class UltrasoundTest {
         double again = image.intensity(MIDDLE, 60);
         assertThat(again).isLessThan(line).isGreaterThan(100 * image.intensity(MIDDLE, 50));
         assertThat(image.intensity(MIDDLE, 90)).isLessThan(again);
+    }
+
+    /** A hole leaves an organ its inside; half a sphere has none. */
+    @Test
+    void surfacesWithHolesAreSeenAndOpenOnesAreNamed() {
+        TriangleMesh ball = Shapes.sphere(40, 3);
+        int[] t = ball.triangles();
+        Surface holed = surface("liver", new TriangleMesh(ball.positions(), Arrays.copyOf(t, t.length - 30)));
+        int[] upper = IntStream.range(0, t.length)
+                .filter(i -> ball.z(t[i / 3 * 3]) > 0)
+                .map(i -> t[i])
+                .toArray();
+        Surface half = surface("spleen", new TriangleMesh(ball.positions(), upper));
+        List<Surface> surfaces = List.of(holed, half);
+        Ultrasound ultrasound = new Ultrasound(surfaces, CurvilinearProbe.abdominal(), 1);
+        assertThat(ultrasound.leftOut()).containsExactly("spleen");
+        ProbePose pose = ProbePose.onSkin(new double[] {-60, 0, 0}, new double[] {-1, 0, 0}, ProbePose.Angles.ZERO, 0);
+        BModeImage image = ultrasound.take(Frame.still(surfaces), pose, SonatedScene.SETTINGS, Optional.empty());
+        double inside = SonatedScene.mean(image, MIDDLE - 10, MIDDLE + 10, 40, 80);
+        assertThat(SonatedScene.db(inside)).isGreaterThan(Tissue.LIVER.echogenicityDb() - 20);
+    }
+
+    private static Surface surface(String name, TriangleMesh mesh) {
+        StructureKind kind = name.equals("liver") ? StructureKind.LIVER : StructureKind.ORGAN;
+        return new Surface(name, kind, 0, Side.MIDLINE, mesh, Surface.Motion.STILL, new boolean[0]);
     }
 
     /** The bits do not depend on the number of threads, nor on what the same object took before. */

@@ -8,6 +8,7 @@ import java.util.concurrent.Executors;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.phrenic.access.attempt.NeedleSnapshot;
+import org.phrenic.access.attempt.NeedleSnapshots;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RehearsalReport;
@@ -17,6 +18,7 @@ import org.phrenic.document.report.HtmlPage;
 import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.scene.NeedlePictures;
+import org.phrenic.scene.UltrasoundPicture;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.view.SceneViewport;
 
@@ -46,6 +48,9 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize) {
         String title = rehearsal.plan().title();
         if (!view.isUnavailable()) {
             for (NeedleSnapshot moment : rehearsal.snapshots()) {
+                if (moment.name().startsWith(NeedleSnapshots.IMAGE_PREFIX)) {
+                    continue;
+                }
                 for (String file : render(rehearsal, pictures -> pictures.writeNeedleViews(folder, moment, title))) {
                     if (moment.name().startsWith("sample")) {
                         needle.add(new Picture(file, "Needle and target in the body, " + file, ""));
@@ -56,6 +61,7 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize) {
                     .forEach(file -> map.add(new Picture(file, "Access map on the skin, " + file, "")));
         }
         RehearsalReport report = new RehearsalReport(rehearsal);
+        report.images().forEach(image -> UltrasoundPicture.write(folder.resolve(image.file()), image.image()));
         RehearsalPlan plan = rehearsal.plan();
         YamlWriter.write(folder.resolve("scenario.yaml"), plan.scenario().toMap());
         YamlWriter.write(folder.resolve("plan.yaml"), plan.toMap("scenario.yaml"));

@@ -1,0 +1,89 @@
+package org.phrenic.access.plan;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.MovingStructure;
+import org.phrenic.access.attempt.NeedleSnapshot;
+import org.phrenic.access.attempt.NeedleSnapshots;
+import org.phrenic.access.ultrasound.BModeImage;
+import org.phrenic.access.ultrasound.CurvilinearProbe;
+import org.phrenic.access.ultrasound.SonatedNeedle;
+import org.phrenic.access.ultrasound.Ultrasound;
+import org.phrenic.document.OrderedValues;
+import org.phrenic.file.BadInputException;
+import org.phrenic.simulation.observe.Surface;
+
+/**
+ * An ultrasound image that a plan took, with the needle as it was.
+ *
+ * @param file name of its picture in the folder of the report
+ * @param timeS simulated time, s
+ * @param probe how the probe was held
+ * @param needle empty if it was not on or in the body
+ */
+public record RehearsalImage(
+        String file, double timeS, ProbeHold probe, BModeImage image, Optional<SonatedNeedle> needle) {
+    /** Takes the images that the steps of a plan asked for, in their order. */
+    public static List<RehearsalImage> of(Rehearsal rehearsal) {
+        List<PlanStep.Image> steps = rehearsal.plan().steps().stream()
+                .filter(PlanStep.Image.class::isInstance)
+                .map(PlanStep.Image.class::cast)
+                .toList();
+        List<NeedleSnapshot> moments = rehearsal.snapshots().stream()
+                .filter(moment -> moment.name().startsWith(NeedleSnapshots.IMAGE_PREFIX))
+                .toList();
+        List<RehearsalImage> images = new ArrayList<>();
+        if (moments.isEmpty()) {
+            return images;
+        }
+        List<Surface> surfaces = rehearsal.surfaces();
+        Ultrasound ultrasound = new Ultrasound(
+                surfaces,
+                CurvilinearProbe.abdominal(),
+                rehearsal.plan().scenario().threads());
+        for (NeedleSnapshot moment : moments) {
+            ProbeHold probe = steps.get(images.size()).probe();
+            Optional<SonatedNeedle> needle = moment.placed()
+                    ? Optional.of(new SonatedNeedle(
+                            moment.hub(), moment.tip(), rehearsal.plan().needle()))
+                    : Optional.empty();
+            BModeImage image = ultrasound.take(
+                    moment.frame(), probe.on(surfaces).pose(moment.frame(), probe.angles()), probe.settings(), needle);
+            String file = String.format(Locale.ROOT, "ultrasound_%04d.png", images.size() + 1);
+            images.add(new RehearsalImage(file, moment.frame().timeS(), probe, image, needle));
+        }
+        return images;
+    }
+
+    /** Checks that the probe of a step is on the skin. */
+    static void requirePlace(PlanStep.Image step, MovingAnatomy anatomy) {
+        try {
+            step.probe()
+                    .on(anatomy.structures().stream()
+                            .map(MovingStructure::surface)
+                            .toList());
+        } catch (BadInputException bad) {
+            throw new BadInputException(step.place() + ": " + bad.getMessage(), bad);
+        }
+    }
+
+    /** The values in a fixed order. */
+    Map<String, Object> toMap() {
+        double depth = image.settings().depthMm();
+        OrderedValues map = new OrderedValues()
+                .with("file", file)
+                .with("time_s", timeS)
+                .with("probe", probe.toPlain())
+                .with("face_mm", image.pose().face())
+                .with("axial", image.pose().axial())
+                .with("lateral", image.pose().lateral())
+                .with("mm_per_pixel", image.mmPerPixel());
+        needle.ifPresent(n -> map.with("needle_in_beam_mm", n.lengthInBeamMm(image.probe(), image.pose(), depth))
+                .with("tip_in_beam", n.isTipInBeam(image.probe(), image.pose(), depth)));
+        return map;
+    }
+}
