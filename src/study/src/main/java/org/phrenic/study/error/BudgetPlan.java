@@ -26,8 +26,10 @@ public record BudgetPlan(
     /** Part of a breath until the domes stand lowest: inspiration, a pause, and what they lag behind. */
     private static final double INSPIRATION_SHARE = 0.6;
 
-    /** The diaphragm's vertices at medium resolution, and meshes with edges 1.5 and 1.5² times as short and long. */
-    private static final List<Integer> SHEET_VERTICES = List.of(1720, 3870, 8705, 19_586, 44_068);
+    /**
+     * The diaphragm's vertices at medium resolution, and meshes with edges 1.5 times as long, 1.5 and 1.5² as short.
+     */
+    private static final List<Integer> SHEET_VERTICES = List.of(3870, 8705, 19_586, 44_068);
 
     /** A body and its name in reports. */
     public record Body(String name, String anatomy) {}

@@ -91,8 +91,10 @@ public final class BudgetReport {
         page.paragraph("How each part is measured is described in error.md of the documentation. The parts of the"
                 + " whole are added. \"Unresolved\": the error in time is below three times the uncertainty of its"
                 + " reference; the sum of both is given.");
-        page.section("The defaults");
-        page.table("", COLUMNS, cells(true));
+        if (!points.isEmpty()) {
+            page.section("The defaults");
+            page.table("", COLUMNS, cells(true));
+        }
         if (!picture.isEmpty()) {
             String caption = "Whole error against speed: every integrator on the first body's quiet breath, and the"
                     + " defaults of all scenes.";

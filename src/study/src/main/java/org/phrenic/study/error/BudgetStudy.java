@@ -24,6 +24,9 @@ public final class BudgetStudy {
 
     /** Mass per area of muscle of 1,050 kg/m³ and 3 mm, kg/m². */
     private static final double MUSCLE_KG_PER_M2 = 3.15;
+    /** Part of the window in which the order of convergence is measured. */
+    private static final double ORDER_SHARE = 1.0 / 6;
+
     /** Halvings of the step of the order part. */
     private static final int HALVINGS = 3;
     /** Steps of the implicit part, as multiples of the scenario's own. */
@@ -196,8 +199,8 @@ public final class BudgetStudy {
         List<BudgetRow> rows = new ArrayList<>();
         for (boolean contact : new boolean[] {true, false}) {
             Scenario scenario = plan.scenario(body, breath, mesh).with("contact=" + contact);
-            try (BreathRunner runs =
-                    new BreathRunner(scenario, SimulationRun.loadThorax(scenario), plan.untilS(scenario) / 2)) {
+            try (BreathRunner runs = new BreathRunner(
+                    scenario, SimulationRun.loadThorax(scenario), plan.untilS(scenario) * ORDER_SHARE)) {
                 for (IntegratorKind scheme : ORDER_SCHEMES) {
                     addOrder(runs, scenario, scheme, List.of(body.name(), breath, mesh.name()), rows);
                 }
