@@ -27,6 +27,9 @@ public final class Session implements AutoCloseable {
         /** A scene is being built. */
         default void onLoading(String what, double share) {}
 
+        /** The body of the first scene is there; it can be shown at rest until the scene runs. */
+        default void onBody(LiveScene atRest) {}
+
         /** A new scene runs: other surfaces, other nodes, step 0. */
         default void onScene(LiveScene scene) {}
 
@@ -63,6 +66,7 @@ public final class Session implements AutoCloseable {
     private final LiveRun live;
     private final Timer tickTimer;
     private LiveScene scene;
+    private LiveScene bodyAtRest;
     private Scenario requested;
     private int historyFrame = -1;
     private boolean resumeAfterHistory;
@@ -76,11 +80,13 @@ public final class Session implements AutoCloseable {
         tickTimer.start();
     }
 
-    /** Adds a listener; it gets the present scene at once. */
+    /** Adds a listener; it gets the present scene, or the body of the one that loads first, at once. */
     public void addListener(Listener listener) {
         listeners.add(listener);
         if (scene != null) {
             listener.onScene(scene);
+        } else if (bodyAtRest != null) {
+            listener.onBody(bodyAtRest);
         }
     }
 
@@ -263,6 +269,16 @@ public final class Session implements AutoCloseable {
         @Override
         public void loading(String what, double share) {
             later(l -> l.onLoading(what, share));
+        }
+
+        @Override
+        public void body(LiveScene atRest) {
+            SwingUtilities.invokeLater(() -> {
+                if (scene == null) {
+                    bodyAtRest = atRest;
+                    fire(l -> l.onBody(atRest));
+                }
+            });
         }
 
         @Override

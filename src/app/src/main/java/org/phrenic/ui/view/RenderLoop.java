@@ -294,7 +294,7 @@ public final class RenderLoop implements AutoCloseable {
             renderer.readPixels(context, canvas);
         });
         String phase = historyFrame < 0 ? live.status().phaseLabel() : "recorded";
-        String time = Annotations.timestamp(frame.timeS(), phase);
+        String time = scene.id() == LiveScene.AT_REST ? "" : Annotations.timestamp(frame.timeS(), phase);
         listener.onFrame(new RenderedFrame(
                 canvas, wanted, frame.step(), time, shownMarks, renderer.statistics(), drawnResolution));
         return true;

@@ -70,6 +70,11 @@ public final class SceneViewport extends JPanel implements Session.Listener {
     }
 
     @Override
+    public void onBody(LiveScene atRest) {
+        onScene(atRest);
+    }
+
+    @Override
     public void onScene(LiveScene now) {
         boolean otherBody = scene == null
                 || !scene.scenario().anatomy().equals(now.scenario().anatomy());

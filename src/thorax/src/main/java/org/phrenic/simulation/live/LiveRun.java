@@ -18,6 +18,9 @@ public final class LiveRun implements AutoCloseable {
         /** Loading progress: the stage (body, scene, surfaces, done) and the completed share, 0 to 1. */
         void loading(String what, double share);
 
+        /** The body of the scene that loads is there and can be shown at rest; the scene is still to settle. */
+        default void body(LiveScene atRest) {}
+
         /** A new scene has started. */
         void ready(LiveScene scene);
 

@@ -28,4 +28,16 @@ public record LiveScene(
         int nodes,
         int springs,
         Thorax body,
-        long id) {}
+        long id) {
+    /** Id of a body that is shown before its scene runs; running scenes count from 1. */
+    public static final long AT_REST = 0;
+
+    /** A body at rest, all of whose surfaces stand still, to be shown while its scene is assembled. */
+    public static LiveScene atRest(Scenario scenario, Thorax body) {
+        List<Surface> surfaces = body.structures().stream()
+                .map(s -> new Surface(
+                        s.name(), s.kind(), s.level(), s.side(), s.mesh(), Surface.Motion.STILL, new boolean[0]))
+                .toList();
+        return new LiveScene(scenario, surfaces, List.of(), () -> Frame.still(surfaces), 0, 0, body, AT_REST);
+    }
+}

@@ -77,6 +77,7 @@ final class SceneLoader {
         enterStage("body", 0);
         Thorax thorax = SimulationRun.loadThorax(scenario);
         enterStage("scene", BODY_SHARE);
+        listener.body(LiveScene.atRest(scenario, thorax));
         Simulation simulation = Simulation.of(scenario, thorax);
         try {
             enterStage("surfaces", SCENE_SHARE);

@@ -19,6 +19,7 @@ import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
+import org.phrenic.simulation.observe.Surface;
 
 /** A run on a thread of its own, as a window drives it. The sheet alone is stepped, for it is quick. */
 @Isolated("measures the memory and the threads of the process")
@@ -30,6 +31,7 @@ class LiveRunTest {
     private final BlockingQueue<String> failures = new LinkedBlockingQueue<>();
     private final BlockingQueue<String> divergences = new LinkedBlockingQueue<>();
     private final List<String> stages = Collections.synchronizedList(new ArrayList<>());
+    private final BlockingQueue<LiveScene> bodies = new LinkedBlockingQueue<>();
     private LiveRun run;
 
     private LiveRun start(String... more) {
@@ -37,6 +39,11 @@ class LiveRunTest {
             @Override
             public void loading(String what, double share) {
                 stages.add(what);
+            }
+
+            @Override
+            public void body(LiveScene atRest) {
+                bodies.add(atRest);
             }
 
             @Override
@@ -99,6 +106,11 @@ class LiveRunTest {
         start();
         LiveScene scene = next(scenes);
         assertThat(stages).containsExactly("body", "scene", "surfaces", "done");
+        LiveScene body = bodies.remove();
+        assertThat(body.id()).isEqualTo(LiveScene.AT_REST).isNotEqualTo(scene.id());
+        assertThat(body.surfaces().stream().map(Surface::name))
+                .containsExactlyInAnyOrderElementsOf(
+                        scene.surfaces().stream().map(Surface::name).toList());
         Frame frame = scene.newFrame().get();
         assertThat(run.isPlaying()).isFalse();
         String atStart = run.commandHash();
