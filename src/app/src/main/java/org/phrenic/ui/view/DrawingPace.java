@@ -28,6 +28,9 @@ final class DrawingPace {
     /** Time between frames over the cost of one, so that drawing leaves time for other work. */
     private static final double REST = 3;
 
+    /** Cost that counts of a single frame at most; a longer one tells of other programs. */
+    private static final double MAX_COST_MS = 60;
+
     private static final double SLOW_DOWN_MS = 4;
     private static final double SPEED_UP_MS = 0.5;
     private static final double PRESSED_S = 0.6;
@@ -65,7 +68,8 @@ final class DrawingPace {
      */
     void drawn(double tookMs, Demand demand, boolean onProcessor, double nowS) {
         software = onProcessor;
-        costMs = costMs == 0 ? tookMs : costMs + (tookMs - costMs) / 5;
+        double counted = Math.min(tookMs, MAX_COST_MS);
+        costMs = costMs == 0 ? counted : costMs + (counted - costMs) / 5;
         if (!software) {
             step = 0;
             return;

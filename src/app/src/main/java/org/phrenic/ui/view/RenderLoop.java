@@ -121,6 +121,7 @@ public final class RenderLoop implements AutoCloseable {
     private final DrawingPace pace = new DrawingPace();
     private double drawnResolution = 1;
     private long drawnNs;
+    private long countedScene = -1;
 
     RenderLoop(LiveRun live, Listener listener) {
         this.live = live;
@@ -223,17 +224,26 @@ public final class RenderLoop implements AutoCloseable {
             if (wanted != null && wanted.width() > 0 && wanted.height() > 0) {
                 Optional<BufferedImage> canvas = imagePool.acquire(wanted.width(), wanted.height());
                 if (canvas.isPresent()) {
+                    long drawingNs = System.nanoTime();
                     boolean drawn = draw(gl, wanted, now != drawnVersion, canvas.get());
                     busy |= drawn;
                     drawnVersion = now;
                     if (drawn) {
-                        drawnNs = System.nanoTime();
-                        pace.drawn((drawnNs - begun) * 1e-6, demand(), gl.info().software(), drawnNs * 1e-9);
+                        noteCost(drawingNs, gl.info().software());
                     }
                 }
             }
             LockSupport.parkNanos(busy ? Math.max(0, pace.intervalNs() - (System.nanoTime() - begun)) : POLL_NS);
         }
+    }
+
+    /** The first frame of a scene is not counted: it also uploads the scene and compiles shaders. */
+    private void noteCost(long begunNs, boolean software) {
+        drawnNs = System.nanoTime();
+        if (scene.id() == countedScene) {
+            pace.drawn((drawnNs - begunNs) * 1e-6, demand(), software, drawnNs * 1e-9);
+        }
+        countedScene = scene.id();
     }
 
     private DrawingPace.Demand demand() {
