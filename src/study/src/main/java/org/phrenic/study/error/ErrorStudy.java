@@ -182,8 +182,8 @@ public record ErrorStudy(
             return format("some %.0f force evaluations a simulated second, more than any use is worth", cost);
         }
         boolean finest = !grid.isCrossed()
-                || settings.sweeps() == Collections.max(grid.sweeps())
-                        && settings.refreshS() == Collections.min(grid.refreshesS());
+                || (settings.sweeps() == Collections.max(grid.sweeps())
+                        && settings.refreshS() == Collections.min(grid.refreshesS()));
         if (cost > COSTLY_EVALUATIONS_PER_S && !finest) {
             return "";
         }
