@@ -33,8 +33,6 @@ import org.phrenic.patient.PatientStructure;
  * behind the domes does so by {@code t tanh(d (1 - p) / t)}, at most the height t of a vertebra with its disc, for at
  * end-expiration the tendon stands no more than that below the domes. g is 1 about the domes and falls to 0 at the apex
  * of the lungs and in the pelvis. As d is at most {@value #GREATEST_SHARE} of the lungs' height, z' increases with z.
- * The horizontal part is not bounded in this way: it turns some triangles of lungs at full inspiration over (0.3 % of
- * lungs of 8 l).
  */
 public final class EndExpiration {
     /** Share of the descent in the midline, where the pericardium holds the tendon (2 of 5 to 10 cm). */
