@@ -3,7 +3,6 @@ package org.phrenic.access.ultrasound;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Predicate;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
@@ -127,7 +126,7 @@ public final class Ultrasound {
     private void cut(int level) {
         crossings[level].clear();
         surfaces.stream()
-                .filter((Predicate<SonatedSurface>) SonatedSurface::isSeen)
+                .filter(SonatedSurface::isSeen)
                 .forEach(s -> s.crossings(depth.grid, LineWalk.LEVELS[level], crossings[level]));
     }
 
