@@ -4,6 +4,7 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.geom.Ellipse2D;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.List;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.annotations.XYTextAnnotation;
@@ -101,15 +102,21 @@ public final class BudgetChart {
         renderer.setSeriesOutlineStroke(last, new BasicStroke(2f));
         plot.setDataset(data);
         plot.setRenderer(renderer);
-        points.forEach(p -> annotate(plot, p, label));
+        List<BudgetPoint> bySpeed = points.stream()
+                .sorted(Comparator.comparingDouble(p -> p.row().realTime()))
+                .toList();
+        for (int i = 0; i < bySpeed.size(); i++) {
+            // Neighbours have their labels above and below, so that they do not overlap.
+            annotate(plot, bySpeed.get(i), label, i % 2 == 0 ? TextAnchor.BOTTOM_LEFT : TextAnchor.TOP_LEFT);
+        }
         return plot;
     }
 
-    private static void annotate(XYPlot plot, BudgetPoint p, Label label) {
+    private static void annotate(XYPlot plot, BudgetPoint p, Label label, TextAnchor anchor) {
         String text = "    " + label.of(p) + (p.row().usual() ? " (default)" : "");
         XYTextAnnotation note = new XYTextAnnotation(text, p.row().realTime(), p.wholePercent());
         note.setFont(ChartStyle.font(12));
-        note.setTextAnchor(TextAnchor.CENTER_LEFT);
+        note.setTextAnchor(anchor);
         plot.addAnnotation(note);
     }
 }
