@@ -3,9 +3,9 @@ package org.phrenic.access.imaging;
 import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.anatomy.StructureKind;
-import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.Vectors;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
@@ -16,11 +16,14 @@ import org.phrenic.simulation.observe.Surface;
  *
  * <p>The skin encloses soft tissue. A structure within it replaces soft tissue, and a lesion replaces liver, so it
  * counts with the difference of the coefficients. The lungs keep their mass: their coefficient goes with one over their
- * volume. Surfaces that are not closed have no inside and are left out.
+ * volume. Surfaces with small holes keep their inside; an open sheet has none and is left out.
  */
 public final class Fluoroscope {
     /** Photon energy of a beam of 80 to 90 kV, about, keV. */
     public static final double ENERGY_KEV = 60;
+
+    /** Area vector over area from which a surface has no inside; 0 if it is closed, 1 for a flat sheet. */
+    private static final double MOST_OPEN = 0.2;
 
     private record Part(int index, Surface surface, double orientation, double restVolume) {}
 
@@ -39,7 +42,7 @@ public final class Fluoroscope {
         this.threads = threads;
         for (int i = 0; i < surfaces.size(); i++) {
             Surface surface = surfaces.get(i);
-            if (new EdgeTable(surface.rest()).isClosed()) {
+            if (openness(surface.rest()) < MOST_OPEN) {
                 double volume = MeshMeasure.signedVolume(surface.rest());
                 parts.add(new Part(i, surface, Math.signum(volume), Math.abs(volume)));
             } else {
@@ -47,6 +50,26 @@ public final class Fluoroscope {
             }
         }
         skin = parts.stream().anyMatch(part -> part.surface().kind() == StructureKind.SKIN);
+    }
+
+    /** Length of the sum of the area vectors over the area. */
+    private static double openness(TriangleMesh mesh) {
+        double[] sum = new double[3];
+        for (int t = 0; t < mesh.triangleCount(); t++) {
+            double[] a = areaVector(mesh, t);
+            sum = Vectors.addScaled(sum, a, 1);
+        }
+        return Vectors.length(sum) / MeshMeasure.area(mesh);
+    }
+
+    private static double[] areaVector(TriangleMesh mesh, int triangle) {
+        double[][] corner = new double[3][];
+        for (int k = 0; k < 3; k++) {
+            int v = mesh.triangles()[3 * triangle + k];
+            corner[k] = Vectors.of(mesh.x(v), mesh.y(v), mesh.z(v));
+        }
+        double[] cross = Vectors.cross(Vectors.subtract(corner[1], corner[0]), Vectors.subtract(corner[2], corner[0]));
+        return Vectors.addScaled(new double[3], cross, 0.5);
     }
 
     /** Names of surfaces that are not closed. */
