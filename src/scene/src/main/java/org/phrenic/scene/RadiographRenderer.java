@@ -27,7 +27,7 @@ public final class RadiographRenderer implements AutoCloseable {
     /** Share of the body's pixels that are black. */
     private static final double BLACK_SHARE = 0.005;
 
-    /** White over the greatest attenuation of the first picture, as tissue moves together in a breath. */
+    /** White over the attenuation that all but a thousandth of the body has, as tissue moves together in a breath. */
     private static final double HEADROOM = 1.05;
 
     /**
@@ -136,7 +136,7 @@ public final class RadiographRenderer implements AutoCloseable {
             return new double[] {0, 1};
         }
         Arrays.sort(body, 0, count);
-        return new double[] {body[(int) (BLACK_SHARE * count)], HEADROOM * body[count - 1]};
+        return new double[] {body[(int) (BLACK_SHARE * count)], HEADROOM * body[(int) (0.999 * (count - 1))]};
     }
 
     @Override

@@ -16,7 +16,7 @@ import org.phrenic.simulation.observe.Surface;
  *
  * <p>The skin encloses soft tissue. A structure within it replaces soft tissue, and a lesion replaces liver, so it
  * counts with the difference of the coefficients. The lungs keep their mass: their coefficient goes with one over their
- * volume. Surfaces with small holes keep their inside; an open sheet has none and is left out.
+ * volume. Holes are closed ({@link CappedSurface}); an open sheet has no inside and is left out.
  */
 public final class Fluoroscope {
     /** Photon energy of a beam of 80 to 90 kV, about, keV. */
@@ -25,7 +25,7 @@ public final class Fluoroscope {
     /** Area vector over area from which a surface has no inside; 0 if it is closed, 1 for a flat sheet. */
     private static final double MOST_OPEN = 0.2;
 
-    private record Part(int index, Surface surface, double orientation, double restVolume) {}
+    private record Part(int index, Surface surface, CappedSurface capped, double orientation, double restVolume) {}
 
     private final List<Surface> surfaces;
     private final List<Part> parts = new ArrayList<>();
@@ -43,8 +43,10 @@ public final class Fluoroscope {
         for (int i = 0; i < surfaces.size(); i++) {
             Surface surface = surfaces.get(i);
             if (openness(surface.rest()) < MOST_OPEN) {
-                double volume = MeshMeasure.signedVolume(surface.rest());
-                parts.add(new Part(i, surface, Math.signum(volume), Math.abs(volume)));
+                CappedSurface capped = new CappedSurface(surface.rest());
+                double volume =
+                        MeshMeasure.signedVolume(capped.at(surface.rest().positions()));
+                parts.add(new Part(i, surface, capped, Math.signum(volume), Math.abs(volume)));
             } else {
                 leftOut.add(surface.name());
             }
@@ -89,7 +91,7 @@ public final class Fluoroscope {
             Surface surface = surfaces.get(part.index());
             double[] p = new double[surface.rest().positions().length];
             frame.writePositions(surface, part.index(), p);
-            TriangleMesh mesh = surface.rest().withPositions(p);
+            TriangleMesh mesh = part.capped().at(p);
             lengths.add(mesh, part.orientation() * coefficient(part, mesh, energyKev));
         }
         return new Radiograph(arm, lengths.values());

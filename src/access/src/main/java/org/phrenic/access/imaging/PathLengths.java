@@ -18,11 +18,6 @@ final class PathLengths {
     private final CArm arm;
     private final double[] source;
     private final double[] sums;
-    /** Signed distances of the surface that is added. */
-    private final double[] surface;
-    /** Exits less entries of each ray of the surface that is added. */
-    private final int[] balance;
-
     private final int threads;
 
     /** @param threads number of bands of rows that are computed concurrently */
@@ -31,8 +26,6 @@ final class PathLengths {
         this.threads = Math.max(1, Math.min(threads, arm.rows()));
         source = arm.source();
         sums = new double[arm.columns() * arm.rows()];
-        surface = new double[sums.length];
-        balance = new int[sums.length];
     }
 
     /** A surface as the source sees it. */
@@ -68,9 +61,8 @@ final class PathLengths {
         (threads > 1 ? bands.parallel() : bands).forEach(i -> {
             Band rows = new Band(i * band, Math.min(arm.rows(), (i + 1) * band));
             for (int t = 0; t < mesh.triangles().length; t += 3) {
-                rows.add(seen, t);
+                rows.add(seen, t, weight);
             }
-            rows.merge(weight);
         });
     }
 
@@ -87,7 +79,7 @@ final class PathLengths {
             this.end = end;
         }
 
-        void add(Projected seen, int triangle) {
+        void add(Projected seen, int triangle, double weight) {
             int[] t = seen.mesh.triangles();
             int a = t[triangle];
             int b = t[triangle + 1];
@@ -123,36 +115,7 @@ final class PathLengths {
                     entry = ca > 0 ? at : entry;
                     exit = ca < 0 ? at : exit;
                 }
-                plane.fill(row, entry, exit);
-            }
-        }
-
-        /**
-         * Adds the surface's lengths to the sums and clears them. A ray through a hole leaves the surface more or less
-         * often than it enters; its length is interpolated along the row between the nearest rays that balance.
-         */
-        void merge(double weight) {
-            for (int row = first; row < end; row++) {
-                int at = row * arm.columns();
-                double before = 0;
-                int x = 0;
-                while (x < arm.columns()) {
-                    int next = x;
-                    while (next < arm.columns() && balance[at + next] != 0) {
-                        next++;
-                    }
-                    double after = next < arm.columns() ? surface[at + next] : 0;
-                    for (int k = x; k < next; k++) {
-                        sums[at + k] += weight * (before + (after - before) * (k - x + 1) / (next - x + 1));
-                    }
-                    if (next < arm.columns()) {
-                        sums[at + next] += weight * after;
-                    }
-                    before = after;
-                    x = next + 1;
-                }
-                Arrays.fill(surface, at, at + arm.columns(), 0);
-                Arrays.fill(balance, at, at + arm.columns(), 0);
+                plane.fill(row, entry, exit, weight);
             }
         }
 
@@ -201,16 +164,15 @@ final class PathLengths {
             }
 
             /** Adds the signed distances of a row between two crossings. */
-            void fill(int row, int entry, int exit) {
+            void fill(int row, int entry, int exit, double weight) {
                 int from = Math.max(0, Math.min(entry, exit));
                 int to = Math.min(arm.columns(), Math.max(entry, exit));
-                int signed = entry < exit ? 1 : -1;
+                double signed = entry < exit ? weight : -weight;
                 double base = start + row * step;
                 int at = row * arm.columns();
                 for (int x = from; x < to; x++) {
                     double t = offset / (base + x * column);
-                    surface[at + x] += signed * (t > nearest ? Math.min(t, farthest) : nearest);
-                    balance[at + x] += signed;
+                    sums[at + x] += signed * (t > nearest ? Math.min(t, farthest) : nearest);
                 }
             }
         }
