@@ -102,6 +102,8 @@ public final class SheetContact {
         private final PointClusters clusters;
         /** Nearest triangle of each point when last searched for. */
         private final int[] nearest;
+        /** Whether the point that was last searched lay beyond the face of the organ's side. */
+        private boolean beyond;
 
         private Organ(double[] rest, boolean above) {
             this.above = above;
@@ -136,7 +138,7 @@ public final class SheetContact {
             if (!pushBack(points, k, CLUSTER_REACH_MM)) {
                 return CLUSTER_REACH_MM;
             }
-            return isOnBorder() || isBeyond(points, k, above) ? 0 : Math.sqrt(hit.distanceSquared);
+            return beyond || isOnBorder() ? 0 : Math.sqrt(hit.distanceSquared);
         }
 
         /** Moves a point if it lies beyond; returns whether the sheet is within a distance, of which the hit tells. */
@@ -146,9 +148,9 @@ public final class SheetContact {
             double z = points[k + 2];
             boolean near = sheet.closest(x, y, z, reachMm, nearest[k / 3], null, hit);
             nearest[k / 3] = hit.triangle;
-            if (near
+            beyond = near && isBeyond(points, k, above);
+            if (beyond
                     && hit.distanceSquared <= REACH_MM * REACH_MM
-                    && isBeyond(points, k, above)
                     && sheet.closest(x, y, z, REACH_MM, -1, above ? thoracicFace : abdominalFace, onFace)) {
                 yieldTo(points, k);
             }
