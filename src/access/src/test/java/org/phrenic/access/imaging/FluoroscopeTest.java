@@ -61,7 +61,7 @@ class FluoroscopeTest {
         int[] holed = java.util.Arrays.copyOf(whole.triangles(), whole.triangles().length - 3);
         List<Surface> closed = List.of(surface("skin", StructureKind.SKIN, whole));
         List<Surface> open = List.of(surface("skin", StructureKind.SKIN, new TriangleMesh(whole.positions(), holed)));
-        for (double angle = 0; angle < 360; angle += 30) {
+        for (double angle = 0; angle < 360; angle += 90) {
             CArm arm = new CArm(new double[3], angle, 20, 1000, 700, new CArm.Detector(300, 65, 65));
             Radiograph one = new Fluoroscope(closed, 1).take(Frame.still(closed), arm, Fluoroscope.ENERGY_KEV);
             Radiograph other = new Fluoroscope(open, 1).take(Frame.still(open), arm, Fluoroscope.ENERGY_KEV);
