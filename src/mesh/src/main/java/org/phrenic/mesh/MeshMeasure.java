@@ -5,6 +5,9 @@ import org.phrenic.engine.math.Triangles;
 
 /** Measures of a {@link TriangleMesh}: area, volume, normals, triangle quality, edge lengths. */
 public final class MeshMeasure {
+    /** Openness of a surface from which it has no inside. */
+    private static final double MAX_OPENNESS = 0.2;
+
     private MeshMeasure() {}
 
     /**
@@ -35,6 +38,28 @@ public final class MeshMeasure {
             sum += sixfoldVolume(mesh, triangles[t], triangles[t + 1], triangles[t + 2], centre);
         }
         return sum / 6;
+    }
+
+    /**
+     * Length of the sum of the triangles' area vectors relative to their area: 0 for a closed surface, the area of the
+     * cut end for an organ that the border of a scan cuts, 0.5 for a hemisphere, 1 for a flat or empty one.
+     */
+    public static double openness(TriangleMesh mesh) {
+        double[] normal = new double[3];
+        double[] sum = new double[3];
+        double area = 0;
+        for (int t = 0; t < mesh.triangleCount(); t++) {
+            area += triangleCrossProduct(mesh, t, normal);
+            for (int axis = 0; axis < 3; axis++) {
+                sum[axis] += normal[axis];
+            }
+        }
+        return area > 0 ? Vectors.length(sum) / area : 1;
+    }
+
+    /** Whether a surface, which may have holes, encloses a space: whether it is at most a fifth open. */
+    public static boolean hasInside(TriangleMesh mesh) {
+        return openness(mesh) <= MAX_OPENNESS;
     }
 
     /** A third of the area of the triangles at each vertex, mm^2; sums to {@link #area}. */

@@ -69,4 +69,19 @@ class MeshMeasureTest {
         assertThat(lengths.maximum()).isEqualTo(5);
         assertThat(lengths.mean()).isCloseTo((3 + 3 + 4 + 4 + 5) / 5.0, within(ROUNDING));
     }
+
+    /** Of a cube without a face, the five area vectors that are left sum to one face. */
+    @Test
+    void opennessIsTheAreaOfTheHoleOverThatOfTheSurface() {
+        TriangleMesh cube = Shapes.box(2, 2, 2);
+        assertThat(MeshMeasure.openness(cube)).isCloseTo(0, within(ROUNDING));
+        int[] t = java.util.Arrays.copyOfRange(cube.triangles(), 6, cube.triangles().length);
+        assertThat(MeshMeasure.openness(new TriangleMesh(cube.positions(), t))).isCloseTo(0.2, within(ROUNDING));
+        int[] face = java.util.Arrays.copyOf(cube.triangles(), 6);
+        assertThat(MeshMeasure.openness(new TriangleMesh(cube.positions(), face)))
+                .isCloseTo(1, within(ROUNDING));
+        assertThat(MeshMeasure.hasInside(cube)).isTrue();
+        assertThat(MeshMeasure.hasInside(new TriangleMesh(cube.positions(), face)))
+                .isFalse();
+    }
 }

@@ -5,7 +5,6 @@ import java.util.List;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.mesh.Vectors;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
@@ -22,12 +21,8 @@ public final class Fluoroscope {
     /** Photon energy of a beam of 80 to 90 kV, about, keV. */
     public static final double ENERGY_KEV = 60;
 
-    /** Area vector over area from which a surface has no inside; 0 if it is closed, 1 for a flat sheet. */
-    private static final double MOST_OPEN = 0.2;
-
     private record Part(int index, Surface surface, CappedSurface capped, double orientation, double restVolume) {}
 
-    private final List<Surface> surfaces;
     private final List<Part> parts = new ArrayList<>();
     private final List<String> leftOut = new ArrayList<>();
     private final boolean skin;
@@ -38,11 +33,10 @@ public final class Fluoroscope {
      * @param threads number of threads; the bits of radiographs do not depend on it
      */
     public Fluoroscope(List<Surface> surfaces, int threads) {
-        this.surfaces = List.copyOf(surfaces);
         this.threads = threads;
         for (int i = 0; i < surfaces.size(); i++) {
             Surface surface = surfaces.get(i);
-            if (openness(surface.rest()) < MOST_OPEN) {
+            if (MeshMeasure.hasInside(surface.rest())) {
                 CappedSurface capped = new CappedSurface(surface.rest());
                 double volume =
                         MeshMeasure.signedVolume(capped.at(surface.rest().positions()));
@@ -54,27 +48,7 @@ public final class Fluoroscope {
         skin = parts.stream().anyMatch(part -> part.surface().kind() == StructureKind.SKIN);
     }
 
-    /** Length of the sum of the area vectors over the area. */
-    private static double openness(TriangleMesh mesh) {
-        double[] sum = new double[3];
-        for (int t = 0; t < mesh.triangleCount(); t++) {
-            double[] a = areaVector(mesh, t);
-            sum = Vectors.addScaled(sum, a, 1);
-        }
-        return Vectors.length(sum) / MeshMeasure.area(mesh);
-    }
-
-    private static double[] areaVector(TriangleMesh mesh, int triangle) {
-        double[][] corner = new double[3][];
-        for (int k = 0; k < 3; k++) {
-            int v = mesh.triangles()[3 * triangle + k];
-            corner[k] = Vectors.of(mesh.x(v), mesh.y(v), mesh.z(v));
-        }
-        double[] cross = Vectors.cross(Vectors.subtract(corner[1], corner[0]), Vectors.subtract(corner[2], corner[0]));
-        return Vectors.addScaled(new double[3], cross, 0.5);
-    }
-
-    /** Names of surfaces that are not closed. */
+    /** Names of surfaces without an inside. */
     public List<String> leftOut() {
         return List.copyOf(leftOut);
     }
@@ -88,7 +62,7 @@ public final class Fluoroscope {
     public Radiograph take(Frame frame, CArm arm, double energyKev) {
         PathLengths lengths = new PathLengths(arm, threads);
         for (Part part : parts) {
-            Surface surface = surfaces.get(part.index());
+            Surface surface = part.surface();
             double[] p = new double[surface.rest().positions().length];
             frame.writePositions(surface, part.index(), p);
             TriangleMesh mesh = part.capped().at(p);

@@ -4,8 +4,6 @@ import org.phrenic.access.imaging.Tissue;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.MeshMeasure;
-import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.mesh.Vectors;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
@@ -19,8 +17,6 @@ final class SonatedSurface {
     static final double REACH = 0.7;
     /** Distance beyond the beam within which triangles count for the normals of vertices, mm. */
     private static final double NORMAL_MARGIN_MM = 15;
-    /** A surface more open than this has no inside. */
-    private static final double OPEN = 0.2;
 
     final int index;
     final Surface surface;
@@ -42,7 +38,7 @@ final class SonatedSurface {
         this.surface = surface;
         tissue = Tissue.of(surface);
         orientation =
-                openness(surface.rest()) <= OPEN ? (int) Math.signum(MeshMeasure.signedVolume(surface.rest())) : 0;
+                MeshMeasure.hasInside(surface.rest()) ? (int) Math.signum(MeshMeasure.signedVolume(surface.rest())) : 0;
         rank = rank(surface.kind());
         int n = surface.rest().vertexCount();
         world = new double[3 * n];
@@ -51,25 +47,6 @@ final class SonatedSurface {
         elevation = new double[n];
         relative = new double[n];
         normals = new float[3 * n];
-    }
-
-    /**
-     * Length of the sum of the triangles' area vectors relative to their area: 0 for a closed surface, the area of the
-     * cut end for an organ that the border of a scan cuts, 0.5 for a hemisphere.
-     */
-    private static double openness(TriangleMesh mesh) {
-        double[] sum = new double[3];
-        double area = 0;
-        int[] t = mesh.triangles();
-        for (int k = 0; k < t.length; k += 3) {
-            double[] a = Vectors.of(mesh.x(t[k]), mesh.y(t[k]), mesh.z(t[k]));
-            double[] b = Vectors.of(mesh.x(t[k + 1]), mesh.y(t[k + 1]), mesh.z(t[k + 1]));
-            double[] c = Vectors.of(mesh.x(t[k + 2]), mesh.y(t[k + 2]), mesh.z(t[k + 2]));
-            double[] normal = Vectors.cross(Vectors.subtract(b, a), Vectors.subtract(c, a));
-            sum = Vectors.addScaled(sum, normal, 0.5);
-            area += 0.5 * Vectors.length(normal);
-        }
-        return area > 0 ? Vectors.length(sum) / area : 1;
     }
 
     /** Where surfaces overlap, that of the highest rank says which tissue is there. */
