@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.phrenic.access.attempt.NeedleSnapshot;
-import org.phrenic.access.attempt.NeedleSnapshots;
 import org.phrenic.access.plan.Goals;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
@@ -76,10 +75,7 @@ final class RehearseCommand extends ReportingCommand {
     private void draw(Rehearsal rehearsal, List<Picture> needle, List<Picture> map, PrintWriter err) {
         String title = rehearsal.plan().title();
         try (NeedlePictures pictures = NeedlePictures.open(rehearsal.surfaces())) {
-            for (NeedleSnapshot view : rehearsal.snapshots()) {
-                if (view.name().startsWith(NeedleSnapshots.IMAGE_PREFIX)) {
-                    continue;
-                }
+            for (NeedleSnapshot view : rehearsal.needleViews()) {
                 for (String file : pictures.writeNeedleViews(out, view, title)) {
                     if (view.name().startsWith("sample")) {
                         needle.add(new Picture(file, "Needle and target in the body, " + file, ""));

@@ -20,4 +20,9 @@ public record NeedleSnapshot(
         double[] hub,
         double[] tip,
         double[] target,
-        double targetRadiusMm) {}
+        double targetRadiusMm) {
+    /** Whether it was taken for an ultrasound image instead of for views of the needle. */
+    public boolean isForUltrasound() {
+        return name.startsWith(NeedleSnapshots.IMAGE_PREFIX);
+    }
+}

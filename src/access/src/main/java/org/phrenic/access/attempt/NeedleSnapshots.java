@@ -8,7 +8,7 @@ import org.phrenic.simulation.observe.Frame;
 /** Takes the snapshots shown in a report: one at each placement on the skin, each sample and each image. */
 public final class NeedleSnapshots {
     /** Prefix for the names of the moments of ultrasound images, before their number. */
-    public static final String IMAGE_PREFIX = "ultrasound_";
+    static final String IMAGE_PREFIX = "ultrasound_";
 
     private final List<NeedleSnapshot> snapshots = new ArrayList<>();
     private boolean wasPlaced;

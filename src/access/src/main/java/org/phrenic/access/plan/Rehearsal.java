@@ -161,6 +161,11 @@ public record Rehearsal(
         return targetAccess.map();
     }
 
+    /** Moments of which the needle is drawn in the body. */
+    public List<NeedleSnapshot> needleViews() {
+        return snapshots.stream().filter(s -> !s.isForUltrasound()).toList();
+    }
+
     public boolean goalsReached() {
         return plan.goals().reached(record);
     }

@@ -8,7 +8,6 @@ import java.util.Optional;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.MovingStructure;
 import org.phrenic.access.attempt.NeedleSnapshot;
-import org.phrenic.access.attempt.NeedleSnapshots;
 import org.phrenic.access.ultrasound.BModeImage;
 import org.phrenic.access.ultrasound.CurvilinearProbe;
 import org.phrenic.access.ultrasound.SonatedNeedle;
@@ -34,7 +33,7 @@ public record RehearsalImage(
                 .map(PlanStep.Image.class::cast)
                 .toList();
         List<NeedleSnapshot> moments = rehearsal.snapshots().stream()
-                .filter(moment -> moment.name().startsWith(NeedleSnapshots.IMAGE_PREFIX))
+                .filter(NeedleSnapshot::isForUltrasound)
                 .toList();
         List<RehearsalImage> images = new ArrayList<>();
         if (moments.isEmpty()) {

@@ -8,7 +8,6 @@ import java.util.concurrent.Executors;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.phrenic.access.attempt.NeedleSnapshot;
-import org.phrenic.access.attempt.NeedleSnapshots;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RehearsalReport;
@@ -47,10 +46,7 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize) {
         List<Picture> map = new ArrayList<>();
         String title = rehearsal.plan().title();
         if (!view.isUnavailable()) {
-            for (NeedleSnapshot moment : rehearsal.snapshots()) {
-                if (moment.name().startsWith(NeedleSnapshots.IMAGE_PREFIX)) {
-                    continue;
-                }
+            for (NeedleSnapshot moment : rehearsal.needleViews()) {
                 for (String file : render(rehearsal, pictures -> pictures.writeNeedleViews(folder, moment, title))) {
                     if (moment.name().startsWith("sample")) {
                         needle.add(new Picture(file, "Needle and target in the body, " + file, ""));
