@@ -28,7 +28,7 @@ import picocli.CommandLine.Option;
             "  phrenic run --preset deep --resolution low --set depth=0.8 --json",
             "",
             "DIR gets summary.json, observables.csv, scenario.yaml and, with --meshes, scene.pvd for ParaView.",
-            "Keys of --set are those of a scenario file: docs/usage.md and docs/parameters.md.",
+            "Keys of --set are those of a scenario file: docs/usage/run.md and docs/parameters.md.",
             "",
             Disclaimer.TEXT
         })

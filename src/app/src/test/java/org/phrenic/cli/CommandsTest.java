@@ -7,9 +7,9 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -162,30 +162,40 @@ class CommandsTest {
     }
 
     @Test
-    void theUsageDocumentNamesEveryKeyAndEveryCommand() throws IOException {
-        String usage = Files.readString(Path.of("docs/usage.md"));
+    void theUsageDocumentsNameEveryKeyAndEveryCommand() throws IOException {
+        String scenario = Files.readString(Path.of("docs/usage/run.md"));
         String parameters = Files.readString(Path.of("docs/parameters.md"));
         assertThat(Settings.keys())
-                .allMatch(key -> usage.contains("`" + key + "`") || parameters.contains("`" + key + "`"));
-        assertThat(usage).contains("phrenic run", "phrenic info", "phrenic bench");
+                .allMatch(key -> scenario.contains("`" + key + "`") || parameters.contains("`" + key + "`"));
+        String index = Files.readString(Path.of("docs/usage.md"));
+        assertThat(SubCommands.commandLine(new Phrenic()).getSubcommands().keySet())
+                .allMatch(command -> index.contains("`phrenic " + command));
     }
 
     static Stream<String> documentedLines() throws IOException {
-        return Stream.of("README.md", "docs/usage.md")
-                .flatMap(document -> {
-                    try {
-                        return Files.readAllLines(Path.of(document)).stream();
-                    } catch (IOException e) {
-                        throw new UncheckedIOException(e);
-                    }
-                })
-                .filter(line -> line.startsWith("phrenic "));
+        List<String> lines = new ArrayList<>();
+        try (Stream<Path> docs = Files.walk(Path.of("docs"))) {
+            for (Path document : docs.filter(p -> p.toString().endsWith(".md")).toList()) {
+                lines.addAll(commandsOf(document));
+            }
+        }
+        lines.addAll(commandsOf(Path.of("README.md")));
+        return lines.stream().distinct();
+    }
+
+    /** Lines of code blocks that start the program, without what the shell adds. */
+    private static List<String> commandsOf(Path document) throws IOException {
+        return Files.readAllLines(document).stream()
+                .map(line -> line.replace("java -jar target/phrenic.jar ", "phrenic "))
+                .filter(line -> line.startsWith("phrenic "))
+                .map(line -> line.replaceAll(" +[#|>].*", "").strip())
+                .toList();
     }
 
     @ParameterizedTest
     @MethodSource("documentedLines")
     void everyDocumentedLineIsUnderstood(String line) {
-        String[] args = line.substring("phrenic ".length()).split(" ");
+        String[] args = line.substring("phrenic ".length()).split(" +");
         assertThat(SubCommands.commandLine(new Phrenic(), args).parseArgs(args).errors())
                 .isEmpty();
         for (String arg : args) {

@@ -52,7 +52,7 @@ class SettingsTest {
     @ParameterizedTest
     @MethodSource("others")
     void everySettingStandsInTheTableOfTheDocumentation(Setting<?> setting) throws IOException {
-        String row = Files.readString(Path.of("docs/usage.md"))
+        String row = Files.readString(Path.of("docs/usage/run.md"))
                 .lines()
                 .filter(line -> line.startsWith("| `" + setting.key() + "` |"))
                 .findFirst()
