@@ -20,6 +20,11 @@ public final class SheetContact {
     private static final double REACH_MM = 25;
     /** Distance up to which the first point of a cluster is searched for. */
     private static final double CLUSTER_REACH_MM = 60;
+    /**
+     * Where the sheet passes through itself, a point that it has not crossed may lie between its faces: about as near
+     * to it as it is thick.
+     */
+    private static final double FOLD_REACH_MM = 5;
     /** Weight of corners within a face below which a nearest point lies on the border. */
     private static final double AT_BORDER = 1e-3;
     /** Weight of a corner below which a nearest point lies on the opposite side of its triangle. */
@@ -94,8 +99,9 @@ public final class SheetContact {
     }
 
     /**
-     * An organ on one side of the sheet. Its points are searched in clusters: a point that is nearer to the first of
-     * its cluster than the sheet is lies on the same side, and needs no search of its own.
+     * An organ on one side of the sheet. Its points are searched in clusters: no sheet lies between the first of a
+     * cluster and a point that is nearer to it than the sheet is. Such a point lies on the same side, and is searched
+     * only if a fold of the sheet may be as near to it as {@value #FOLD_REACH_MM} mm.
      */
     public final class Organ {
         private final boolean above;
@@ -126,8 +132,9 @@ public final class SheetContact {
                     double dx = points[m] - x;
                     double dy = points[m + 1] - y;
                     double dz = points[m + 2] - z;
-                    if (dx * dx + dy * dy + dz * dz >= free * free) {
-                        pushBack(points, m, REACH_MM);
+                    double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
+                    if (distance + FOLD_REACH_MM > free) {
+                        pushBack(points, m, distance < free ? FOLD_REACH_MM : REACH_MM);
                     }
                 }
             }
