@@ -1,8 +1,10 @@
 package org.phrenic.cli;
 
+import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.study.speed.SpeedReport;
 import org.phrenic.study.speed.SpeedStudy;
 import picocli.CommandLine.Command;
@@ -32,6 +34,9 @@ final class BenchSpeedCommand extends ReportingCommand {
     private boolean quick;
 
     @Mixin
+    private ProvenanceOption provenance;
+
+    @Mixin
     private ReportFolder out;
 
     @Override
@@ -39,7 +44,8 @@ final class BenchSpeedCommand extends ReportingCommand {
         out.check();
         SpeedStudy.Settings settings = quick ? SpeedStudy.Settings.QUICK : SpeedStudy.Settings.FULL;
         SpeedReport report = new SpeedReport(SpeedStudy.of(settings, progress("done")));
-        out.write("speed.md", report.markdown());
+        String command = "bench speed" + (quick ? " --quick" : "");
+        out.write("speed.md", MarkdownPage.format(report.document(provenance.lines(command))));
         out.write("speed.csv", report.csv());
         out.write("speed.json", report.values());
         print(report.values(), () -> {

@@ -2,8 +2,10 @@ package org.phrenic.cli;
 
 import java.util.List;
 import org.phrenic.cli.option.OptionValues;
+import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.TextTable;
+import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.stability.StabilityReport;
@@ -52,6 +54,9 @@ final class BenchStabilityCommand extends ReportingCommand {
     private String threads;
 
     @Mixin
+    private ProvenanceOption provenance;
+
+    @Mixin
     private ReportFolder out;
 
     @Override
@@ -63,13 +68,22 @@ final class BenchStabilityCommand extends ReportingCommand {
         }
         StabilityStudy study = StabilityStudy.of(settings, progress("cells done"));
         StabilityReport report = new StabilityReport(study);
-        out.write("stability.md", report.markdown());
+        out.write("stability.md", MarkdownPage.format(report.document(provenance.lines(command()))));
         out.write("stability.csv", report.csv());
         out.write("stability.json", report.values());
         boolean[] leftAligned = new boolean[report.table().get(0).size()];
         TextTable table = new TextTable(leftAligned).rows(report.table());
         print(report.values(), () -> table.text() + "\n" + report.summary() + "\n");
         return study.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
+    }
+
+    private String command() {
+        return "bench stability" + (quick ? " --quick" : "") + given("--only", only)
+                + given("--integrator", integrators) + given("--spend", spend);
+    }
+
+    private static String given(String option, String value) {
+        return value == null ? "" : " " + option + " " + value;
     }
 
     private StabilityStudy.Settings settings() {

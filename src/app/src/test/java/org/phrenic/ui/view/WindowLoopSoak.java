@@ -19,7 +19,7 @@ import org.phrenic.simulation.observe.Frame;
 /**
  * The window's loop for a long time without a window: a scene runs in real time, each new frame is drawn, the camera
  * turns, sliders move every few seconds, the scene is loaded anew now and then. Prints, each minute, the heap that is
- * in use after a collection, what lives of OpenGL, and threads; see docs/benchmarks.md. Argument: minutes.
+ * in use after a collection, what lives of OpenGL, and threads; see docs/speed.md. Argument: minutes.
  */
 public final class WindowLoopSoak implements LiveRun.Listener {
     private static final int WIDTH = 1280;

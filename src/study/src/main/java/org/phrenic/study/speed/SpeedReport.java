@@ -10,7 +10,6 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
-import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.study.ReportNumbers;
@@ -122,21 +121,26 @@ public record SpeedReport(SpeedStudy study) {
                 study.scaling().exponent());
     }
 
-    /** The whole report as Markdown. */
-    public String markdown() {
+    /**
+     * The whole report.
+     *
+     * @param provenance how it was made: commit, command, machine, date
+     */
+    public ReportDocument document(List<String> provenance) {
         ReportDocument report = new ReportDocument(
                 "Speed",
                 "Table 1 of Villard, Bourne and Bello 2009 (a dual-core processor of 2.4 GHz, Java 1.6, 2008; their"
                         + " scheme evaluates forces twice a step) and the same scenes here: their material and step of"
                         + " 0.01 s, velocity Verlet. Median of the trials; processor time on one thread, the clock on"
                         + " several.");
+        report.points(provenance.toArray(String[]::new));
         add(report, table());
         add(report, ribMotionOverhead());
         report.section("Against the number of nodes");
         report.paragraph("The bare workload (springs with dashpots, loads, no links) on the virtual body's diaphragm.");
         add(report, scaling());
         report.paragraph(exponent());
-        return MarkdownPage.format(report);
+        return report;
     }
 
     private static void add(ReportDocument report, List<List<String>> rows) {

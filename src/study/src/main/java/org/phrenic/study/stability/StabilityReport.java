@@ -12,7 +12,6 @@ import java.util.stream.Stream;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
-import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.engine.integrator.IntegratorKind;
@@ -64,13 +63,18 @@ public record StabilityReport(StabilityStudy study) {
                 .toList();
     }
 
-    /** The whole report as Markdown. */
-    public String markdown() {
+    /**
+     * The whole report.
+     *
+     * @param provenance how it was made: commit, command, machine, date
+     */
+    public ReportDocument document(List<String> provenance) {
         ReportDocument report = new ReportDocument("Stability on hard cases", summary() + ".");
+        report.points(provenance.toArray(String[]::new));
         report.paragraph("A time in brackets: the cell spent the evaluations it may and ended there.");
         List<List<String>> table = table();
         report.table("", header().stream().map(Column::text).toList(), table.subList(1, table.size()));
-        report.section("What was seen");
+        report.section("Cells");
         report.table(
                 "",
                 List.of(Column.text("case"), Column.text("what is hard"), Column.number("s")),
@@ -83,7 +87,7 @@ public record StabilityReport(StabilityStudy study) {
         columns.add(Column.text("sentence"));
         report.table(
                 "", columns, study.cells().stream().map(StabilityReport::row).toList());
-        return MarkdownPage.format(report);
+        return report;
     }
 
     private String requestedS(String key) {

@@ -9,6 +9,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.document.JsonWriter;
+import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.study.bare.BareScene;
 
@@ -52,7 +53,8 @@ class SpeedStudyTest {
         assertThat(report.table())
                 .contains(List.of(
                         "heterogeneous, all forces", "high", "20909", "1", "8.13", "813", "100", "8.1", "58.8"));
-        assertThat(report.markdown()).contains("| 8.13 | 813 | 100 |", "power of 1.000", "Not for clinical use");
+        assertThat(MarkdownPage.format(report.document(List.of("Commit 1"))))
+                .contains("| 8.13 | 813 | 100 |", "power of 1.000", "Not for clinical use");
         assertThat(report.csv())
                 .startsWith("scene,threads,nodes,steps_per_s")
                 .contains("bare sheet,1,10000,100.0,1000.0,,");

@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.stability.CaseResult.Outcome;
@@ -135,7 +136,7 @@ class StabilityStudyTest {
         assertThat(cell.sentence()).contains("speed of a node").contains("expected at most 1.000");
         StabilityStudy study = new StabilityStudy(Map.of("strict", ""), List.of(IntegratorKind.VERLET), List.of(cell));
         assertThat(study.passes()).isFalse();
-        assertThat(new StabilityReport(study).markdown())
+        assertThat(MarkdownPage.format(new StabilityReport(study).document(List.of("Commit 1"))))
                 .contains("1 FAILED SILENTLY")
                 .contains("| strict | FAILED SILENTLY |");
     }
@@ -144,7 +145,8 @@ class StabilityStudyTest {
     void reportsSayTheSameInEveryForm() {
         StabilityStudy study = run(List.of("damping-0"), SPENT, IntegratorKind.VERLET, IntegratorKind.RK2);
         StabilityReport report = new StabilityReport(study);
-        assertThat(report.markdown()).contains("| damping-0 | stable | refused |");
+        assertThat(MarkdownPage.format(report.document(List.of("Commit 1"))))
+                .contains("| damping-0 | stable | refused |");
         assertThat(report.csv())
                 .startsWith("case,integrator,verdict,simulated_s")
                 .contains("damping-0,rk2,refused");
