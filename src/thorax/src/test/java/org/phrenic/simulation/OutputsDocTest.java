@@ -10,8 +10,8 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.phrenic.simulation.observe.Observation;
 
-/** docs/formats.md names what a run really writes. */
-class FormatsDocTest {
+/** docs/outputs.md names what a run really writes. */
+class OutputsDocTest {
     private static final Pattern ROW = Pattern.compile("(?m)^\\| `(\\w+)` \\|");
 
     @Test
@@ -29,7 +29,7 @@ class FormatsDocTest {
     }
 
     private static String section(String heading) throws IOException {
-        String text = Files.readString(Path.of("docs/formats.md"));
+        String text = Files.readString(Path.of("docs/outputs.md"));
         int start = text.indexOf("### " + heading);
         assertThat(start).as("heading of %s", heading).isNotNegative();
         int end = text.indexOf("\n### ", start + 1);
