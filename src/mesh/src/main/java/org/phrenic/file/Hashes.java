@@ -56,6 +56,18 @@ public final class Hashes {
         return HexFormat.of().formatHex(digest.digest());
     }
 
+    /** The hash of numbers (big endian). */
+    public static String sha256(int[] numbers) {
+        ByteBuffer bytes = ByteBuffer.allocate(Integer.BYTES * numbers.length);
+        bytes.asIntBuffer().put(numbers);
+        return sha256(bytes.array());
+    }
+
+    /** The hash of bytes. */
+    public static String sha256(byte[] bytes) {
+        return HexFormat.of().formatHex(digest().digest(bytes));
+    }
+
     private static MessageDigest digest() {
         try {
             return MessageDigest.getInstance("SHA-256");

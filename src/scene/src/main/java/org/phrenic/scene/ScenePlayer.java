@@ -3,6 +3,7 @@ package org.phrenic.scene;
 import java.util.List;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.UserCache;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
@@ -32,7 +33,7 @@ public final class ScenePlayer implements AutoCloseable {
         Thorax thorax = SimulationRun.loadThorax(scenario);
         notInScan = thorax.notInScanSummary();
         thorax.notes().forEach(progress::note);
-        simulation = Simulation.of(scenario, thorax);
+        simulation = Simulation.of(scenario, thorax, UserCache.ofUser());
         if (!simulation.stabilityMessage().isEmpty()) {
             progress.note(simulation.stabilityMessage());
         }

@@ -9,13 +9,11 @@ import org.phrenic.anatomy.cage.RibAxisTable;
 import org.phrenic.anatomy.cage.RibCage;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.engine.ParticleSystem;
-import org.phrenic.engine.force.SlowMotionRelease;
-import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.integrator.StabilityLimit;
-import org.phrenic.engine.integrator.StepPolicy;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.file.Hashes;
+import org.phrenic.file.UserCache;
 import org.phrenic.model.assembly.BreathDrive;
 import org.phrenic.model.assembly.LiveBreathing;
 import org.phrenic.model.assembly.Scene;
@@ -34,27 +32,6 @@ import org.phrenic.scenario.ScheduledChange;
  * Positions include all nodes with springs, in the order diaphragm, sternum and cartilages, lungs.
  */
 public final class Simulation implements AutoCloseable {
-    /**
-     * Settling time under strong damping. It removes the residual of the prestress; the settled shape is the rest
-     * shape.
-     */
-    private static final double SETTLE_S = 0.5;
-
-    /** Settling time of a diaphragm of more than usual size, whose modes are slower. */
-    private static final double LARGE_SETTLE_S = 2;
-
-    /**
-     * Settling steps of the paper's scene, which is in equilibrium from the start. They verify this and warm up the JIT
-     * compiler before the run is timed.
-     */
-    private static final long MIN_SETTLING_STEPS = 300;
-
-    /**
-     * Settling damping rate, 1/s. Of 2.5 to 20 1/s it leaves the least creep in later breaths, because the softest
-     * folds are then about critically damped.
-     */
-    private static final double SETTLE_DAMPING = 6;
-
     private final Scene scene;
     private final Stepper stepper;
     private final Workers workers;
@@ -90,6 +67,14 @@ public final class Simulation implements AutoCloseable {
      * @param thorax the loaded body
      */
     public static Simulation of(Scenario scenario, Thorax thorax) {
+        return of(scenario, thorax, UserCache.off());
+    }
+
+    /**
+     * Assembles a simulation whose settled shape is read from a cache or kept there; the results are the same bit for
+     * bit.
+     */
+    public static Simulation of(Scenario scenario, Thorax thorax, UserCache cache) {
         SceneAssembly.requireBreathing(thorax);
         BreathDrive drive = new BreathDrive(new LiveBreathing(scenario));
         RibCage cage = RibCage.of(
@@ -100,7 +85,7 @@ public final class Simulation implements AutoCloseable {
         try {
             Scene scene = SceneAssembly.assemble(scenario, thorax, new RampedValues(scenario), drive, cage, workers);
             StabilityLimit limit = StabilityLimit.of(scene.system());
-            double moved = settle(scenario, scene, limit);
+            double moved = new Settling(scenario, scene, limit).settle(cache);
             Stepper stepper = new Stepper(
                     scenario.integrator().create(scene.system()),
                     scenario.timeStepS(),
@@ -116,34 +101,6 @@ public final class Simulation implements AutoCloseable {
             workers.close();
             throw e;
         }
-    }
-
-    /** Settles the scene at end-expiration and makes the result its rest shape; returns the displacement, rms mm. */
-    private static double settle(Scenario scenario, Scene scene, StabilityLimit limit) {
-        ParticleSystem system = scene.system();
-        double[] viscosity = system.viscosities().clone();
-        system.setViscosityPerMass(SETTLE_DAMPING);
-        SlowMotionRelease.setActive(system, false);
-        scene.drive().holdAtExpiration(true);
-        Stepper stepper =
-                new Stepper(IntegratorKind.VERLET.create(system), scenario.timeStepS(), StepPolicy.SUBSTEP, limit);
-        stepper.nameNodes(node -> NodeNames.of(scene, node));
-        double settleS = scene.diaphragm().relativeSize() > 1 ? LARGE_SETTLE_S : SETTLE_S;
-        long steps = Math.max(MIN_SETTLING_STEPS, Math.round(settleS / scenario.timeStepS()));
-        for (long i = 0; i < steps; i++) {
-            stepper.step();
-        }
-        scene.drive().holdAtExpiration(false);
-        SlowMotionRelease.setActive(system, true);
-        System.arraycopy(viscosity, 0, system.viscosities(), 0, viscosity.length);
-        Arrays.fill(system.velocities(), 0);
-        double[] before = scene.restPositions().clone();
-        system.layout().toCaller(system.positions(), scene.restPositions());
-        double sum = 0;
-        for (int i = 0; i < before.length; i++) {
-            sum += (scene.restPositions()[i] - before[i]) * (scene.restPositions()[i] - before[i]);
-        }
-        return Math.sqrt(3 * sum / before.length);
     }
 
     /** Applies the changes that the scenario schedules for this step, then advances by one time step. */

@@ -9,6 +9,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.file.UserCache;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.scenario.RunSettings;
@@ -34,7 +35,7 @@ public final class SimulationRun {
     public static Thorax loadThorax(Scenario scenario) {
         if (scenario.isVirtual()) {
             String preset = scenario.anatomy().substring("virtual/".length());
-            return VirtualThorax.ofPreset(preset, OrganSettings.budget(scenario));
+            return VirtualThorax.ofPreset(preset, OrganSettings.budget(scenario), UserCache.ofUser());
         }
         return ThoraxFolder.load(Path.of(scenario.anatomy()));
     }
@@ -59,7 +60,8 @@ public final class SimulationRun {
         long begun = System.nanoTime();
         Thorax thorax = loadThorax(scenario);
         thorax.notes().forEach(progress::note);
-        try (Simulation simulation = Simulation.of(scenario, thorax)) {
+        try (Simulation simulation = Simulation.of(scenario, thorax, UserCache.ofUser())) {
+            UserCache.ofUser().takeNotes().forEach(progress::note);
             Stepper stepper = simulation.stepper();
             if (stepper.substeps() > 1) {
                 progress.note(simulation.stabilityMessage());

@@ -31,7 +31,7 @@ public record Goals(boolean hit, Map<String, Double> limits) {
         add("redirections_at_most", "redirections", r -> r.count(AttemptEvent.Kind.REDIRECTION));
         add("bone_contacts_at_most", "contacts with bone", r -> r.count(AttemptEvent.Kind.BONE_CONTACT));
         add("lung_s_at_most", "seconds in lung", r -> r.secondsIn().getOrDefault(NoGoZone.LUNG, 0.0));
-        add("no_go_s_at_most", "seconds in what is to be avoided", AttemptRecord::inNoGoS);
+        add("no_go_s_at_most", "seconds in structures at risk", AttemptRecord::inNoGoS);
         add("inside_s_at_most", "seconds in the body", AttemptRecord::insideS);
         add("capsule_pull_mm_at_most", "capsule pulled aside, mm", AttemptRecord::capsulePullMm);
         add("lateral_mm_at_most", "lateral error, mm", r -> r.samples().stream()

@@ -19,6 +19,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.UserCache;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.simulation.SceneSurfaces;
@@ -62,7 +63,7 @@ public record Rehearsal(
 
     /** Like {@link #play(RehearsalPlan, SimulationRun.Progress)}, with the body of the plan already loaded. */
     public static Rehearsal play(RehearsalPlan plan, Thorax thorax, SimulationRun.Progress progress) {
-        try (Simulation simulation = Simulation.of(plan.scenario(), thorax);
+        try (Simulation simulation = Simulation.of(plan.scenario(), thorax, UserCache.ofUser());
                 Workers workers = Workers.of(plan.scenario().threads())) {
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
             MovingAnatomy anatomy = new MovingAnatomy(surfaces.surfaces());

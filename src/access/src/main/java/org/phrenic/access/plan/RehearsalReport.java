@@ -103,7 +103,7 @@ public final class RehearsalReport {
                 "Vessels below a rib: within " + mm(CostalGroove.NEUROVASCULAR_ZONE_MM)
                         + " mm of the rib's lower border.",
                 "Capsule pulled: distance between the needle and where it went through the capsule, which moves with"
-                        + " the liver. No force is worked out.",
+                        + " the liver. Forces are not computed.",
                 "The body has no organs but those listed in its scene: bowel, gall bladder, kidney and large vessels"
                         + " count only where the body has them.",
                 AttemptRecord.NOT_VALIDATED));
@@ -181,10 +181,10 @@ public final class RehearsalReport {
         rows.add(List.of("Attempts, redirections, contacts with the skin", counts));
         rows.add(List.of("Time from the first contact, s", number(record.timeS())));
         rows.add(List.of("Time in the body, s", number(record.insideS())));
-        rows.add(List.of("Way of the tip by hand, mm", number(record.tipTravelMm())));
-        rows.add(List.of("Time in what is to be avoided, s", number(record.inNoGoS())));
+        rows.add(List.of("Path length of the tip, mm", number(record.tipTravelMm())));
+        rows.add(List.of("Time in structures at risk, s", number(record.inNoGoS())));
         record.secondsIn().forEach((zone, s) -> {
-            String note = record.avoided().contains(zone) ? "" : " (not to be avoided here)";
+            String note = record.avoided().contains(zone) ? "" : " (permitted by the plan)";
             rows.add(List.of("Time in " + zone.label() + ", s" + note, number(s)));
         });
         rows.add(List.of("Contacts with bone", "" + record.count(AttemptEvent.Kind.BONE_CONTACT)));

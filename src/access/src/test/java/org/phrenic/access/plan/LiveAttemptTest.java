@@ -101,7 +101,7 @@ class LiveAttemptTest {
     }
 
     /**
-     * As the window does: one breath looked at, the map worked out, the run at its start again, and then by plan or by
+     * As the window does: one breath looked at, the map computed, the run at its start again, and then by plan or by
      * hand.
      */
     private static Rehearsal live(RehearsalPlan plan, boolean played, Consumer<LiveRehearsal> hand) throws Exception {

@@ -11,9 +11,11 @@ import java.awt.event.WindowEvent;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.file.UserCache;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.style.SceneBackground;
@@ -296,7 +298,8 @@ public final class PhrenicWindow {
             statusBar.show(scene);
             loading.setVisible(false);
             frame.setTitle(scene.scenario().name() + " - Phrenic");
-            scene.body().notes().forEach(note -> LOG.log(System.Logger.Level.INFO, note));
+            Stream.concat(scene.body().notes().stream(), UserCache.ofUser().takeNotes().stream())
+                    .forEach(note -> LOG.log(System.Logger.Level.INFO, note));
         }
 
         @Override

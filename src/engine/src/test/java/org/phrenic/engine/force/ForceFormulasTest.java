@@ -17,7 +17,7 @@ import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
 
-/** Each field against numbers worked out by hand. */
+/** Each field against numbers calculated by hand. */
 class ForceFormulasTest {
     private static final double ROUNDING = 1e-12;
     /** Two nodes 5 mm apart along (3, 4, 0). */

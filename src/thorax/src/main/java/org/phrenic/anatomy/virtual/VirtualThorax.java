@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ForkJoinTask;
@@ -18,6 +19,7 @@ import org.phrenic.anatomy.virtual.shape.MarchingTetrahedra;
 import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.anatomy.virtual.shape.SurfaceRelaxation;
 import org.phrenic.anatomy.virtual.shape.Tube;
+import org.phrenic.file.UserCache;
 import org.phrenic.mesh.Polyline;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
@@ -78,16 +80,30 @@ public final class VirtualThorax {
 
     /** The thorax of a preset with a number of vertices. */
     public static Thorax ofPreset(String preset, MeshBudget budget) {
+        return ofPreset(preset, budget, UserCache.off());
+    }
+
+    /** The thorax of a preset with a number of vertices, read from a cache or kept there. */
+    public static Thorax ofPreset(String preset, MeshBudget budget, UserCache cache) {
         Thorax[] found = new Thorax[1];
-        PRESETS.compute(preset + " " + budget.vertices(), (key, known) -> {
+        PRESETS.compute(key(preset, budget), (key, known) -> {
             found[0] = known == null ? null : known.get();
             if (found[0] != null) {
                 return known;
             }
-            found[0] = generate(VirtualThoraxParameters.preset(preset), budget);
+            found[0] = CachedBody.in(cache, key, () -> generate(VirtualThoraxParameters.preset(preset), budget));
             return new SoftReference<>(found[0]);
         });
         return found[0];
+    }
+
+    /** The thorax of a preset as a cache holds it; empty if it does not. */
+    public static Optional<Thorax> read(UserCache cache, String preset, MeshBudget budget) {
+        return CachedBody.read(cache, key(preset, budget));
+    }
+
+    private static String key(String preset, MeshBudget budget) {
+        return preset + " " + budget.vertices();
     }
 
     /** Generates the parts in parallel and lists them in the order bones, spine, organs. */

@@ -2,6 +2,7 @@ package org.phrenic.simulation.live;
 
 import java.util.concurrent.CancellationException;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.file.UserCache;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
@@ -78,7 +79,7 @@ final class SceneLoader {
         Thorax thorax = SimulationRun.loadThorax(scenario);
         enterStage("scene", BODY_SHARE);
         listener.body(LiveScene.atRest(scenario, thorax));
-        Simulation simulation = Simulation.of(scenario, thorax);
+        Simulation simulation = Simulation.of(scenario, thorax, UserCache.ofUser());
         try {
             enterStage("surfaces", SCENE_SHARE);
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
