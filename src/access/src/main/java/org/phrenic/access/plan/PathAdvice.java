@@ -63,7 +63,7 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
     /** Text such as "8.3 mm from right lung". */
     private static String margin(double marginMm, PathAnalysis path) {
         if (marginMm >= PathAnalyzer.MAX_DISTANCE_MM) {
-            return "nothing to be avoided within " + Math.round(PathAnalyzer.MAX_DISTANCE_MM) + " mm";
+            return "no structure at risk within " + Math.round(PathAnalyzer.MAX_DISTANCE_MM) + " mm";
         }
         Approach first = path.approaches().isEmpty() ? null : path.approaches().get(0);
         double grooveMm = path.costalGrooveMm() - CostalGroove.NEUROVASCULAR_ZONE_MM;
