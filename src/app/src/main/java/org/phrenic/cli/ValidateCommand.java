@@ -9,9 +9,11 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.phrenic.breathing.pattern.BreathingPreset;
 import org.phrenic.cli.option.OptionValues;
+import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
@@ -80,6 +82,9 @@ final class ValidateCommand extends ReportingCommand {
     private boolean liver;
 
     @Mixin
+    private ProvenanceOption made;
+
+    @Mixin
     private ReportFolder out;
 
     @Option(names = "--threads", paramLabel = "N", description = "Runs at a time; the numbers do not depend on it.")
@@ -101,14 +106,28 @@ final class ValidateCommand extends ReportingCommand {
         SensitivityReport effects = sensitivity
                 ? new SensitivityReport(Sensitivity.of(scenario.with("resolution=low"), atATime, progress))
                 : null;
-        out.write("validation.md", report.markdown());
+        List<String> provenance = made.lines("validate" + arguments());
+        out.write("validation.md", MarkdownPage.format(report.document(provenance)));
         out.write("validation.json", report.values());
         if (effects != null) {
-            out.write("sensitivity.md", effects.markdown());
+            out.write("sensitivity.md", MarkdownPage.format(effects.document(provenance)));
             out.write("sensitivity.json", effects.values());
         }
         print(validation, report, effects);
         return validation.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
+    }
+
+    private String arguments() {
+        StringBuilder text = new StringBuilder();
+        anatomies.forEach(body -> text.append(" --anatomy ").append(body));
+        settings.forEach(setting -> text.append(" --set ").append(setting));
+        if (resolution != null) {
+            text.append(" --resolution ").append(resolution);
+        }
+        if (presets != null) {
+            text.append(" --preset ").append(presets);
+        }
+        return text.append(sensitivity ? " --sensitivity" : "").toString();
     }
 
     private int liver(LiverMotion motion) {

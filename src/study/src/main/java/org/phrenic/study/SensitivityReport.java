@@ -7,7 +7,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.phrenic.document.report.Disclaimer;
-import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 
@@ -35,18 +34,23 @@ public record SensitivityReport(Sensitivity sensitivity) {
         return text.endsWith("0.00") ? "0.00" : text;
     }
 
-    /** The table as Markdown. */
-    public String markdown() {
+    /**
+     * The table as a document.
+     *
+     * @param provenance how it was made: commit, command, machine, date
+     */
+    public ReportDocument document(List<String> provenance) {
         ReportDocument report = new ReportDocument(
                 "Which parameter moves which observable",
                 "Change of the observable in per cent for one per cent of the parameter, each parameter alone between"
                         + " nine and eleven tenths of its value (or to the end of its range); preset "
                         + sensitivity.preset() + ", " + sensitivity.anatomy() + ".");
+        report.points(provenance.toArray(String[]::new));
         List<List<String>> cells = cells();
         List<Column> columns =
                 new ArrayList<>(cells.get(0).stream().map(Column::number).toList());
         columns.set(0, Column.text("parameter"));
-        return MarkdownPage.format(report.table("", columns, cells.subList(1, cells.size())));
+        return report.table("", columns, cells.subList(1, cells.size()));
     }
 
     /** The study as values for JSON. */

@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.stream.Stream;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
-import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.study.ReportNumbers;
@@ -60,14 +59,19 @@ public record ValidationReport(Validation validation) {
                 + body.count(Verdict.NOT_MEASURABLE) + " not measurable here";
     }
 
-    /** The whole report as Markdown. */
-    public String markdown() {
+    /**
+     * The whole report.
+     *
+     * @param provenance how it was made: commit, command, machine, date
+     */
+    public ReportDocument document(List<String> provenance) {
         ReportDocument report = new ReportDocument(
                 "Validation against physiology",
                 "Table " + validation.table().name() + ", "
                         + ReportNumbers.label(validation.settings().resolution()) + " resolution. Verdict: "
                         + (validation.passes() ? "passed" : "failed")
                         + " (a range of confidence S or R+ that is missed fails).");
+        report.points(provenance.toArray(String[]::new));
         List<Column> totals = Stream.concat(
                         Stream.of(Column.text("confidence")),
                         Arrays.stream(Verdict.values()).map(v -> Column.number(v.label())))
@@ -84,7 +88,7 @@ public record ValidationReport(Validation validation) {
                     totals,
                     Arrays.stream(Confidence.values()).map(c -> cells(body, c)).toList());
         }
-        return MarkdownPage.format(report);
+        return report;
     }
 
     private static List<String> cells(Validation.Body body, Confidence confidence) {
