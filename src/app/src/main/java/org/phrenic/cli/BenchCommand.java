@@ -1,6 +1,7 @@
 package org.phrenic.cli;
 
 import java.nio.file.Path;
+import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.engine.integrator.IntegratorKind;

@@ -10,6 +10,7 @@ import org.phrenic.cli.option.FitSearchOptions;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.ConsoleProgress;
+import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.FitPictures;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;

@@ -10,6 +10,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ReportFolder;
+import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.NameRanges;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;

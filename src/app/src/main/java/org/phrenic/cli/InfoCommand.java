@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.FileInfo;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;

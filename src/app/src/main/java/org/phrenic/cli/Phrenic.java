@@ -6,6 +6,8 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.phrenic.cli.option.VersionProvider;
+import org.phrenic.cli.report.ExitCode;
+import org.phrenic.cli.report.FailureHandler;
 import org.phrenic.cli.report.HeadlessRun;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.ui.window.PhrenicWindow;
@@ -41,6 +43,7 @@ import picocli.CommandLine.Spec;
             "  phrenic validate                          breaths held against a table of physiology",
             "  phrenic reproduce --out reproduction      the published model, as printed and as found here",
             "  phrenic rehearse plan.yaml --out report   a needle attempt to a target in the liver",
+            "  phrenic sweep study.yaml --out study      many runs: which parameter decides what",
             "  phrenic ultrasound --out images           ultrasound images from a probe on the skin",
             "",
             "Exit codes: 0 done, 1 failure, 2 usage or bad input, 3 out of range, 4 nothing here can draw. "

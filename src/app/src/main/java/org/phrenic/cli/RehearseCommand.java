@@ -12,6 +12,7 @@ import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RehearsalReport;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.ConsoleProgress;
+import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.QuantityKey;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;

@@ -12,6 +12,7 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.option.VersionProvider;
 import org.phrenic.cli.report.ConsoleProgress;
+import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.PatientPictures;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.HtmlPage;

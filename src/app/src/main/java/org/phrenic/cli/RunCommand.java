@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ScenarioOptions;
+import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.RunReport;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.BadInputException;

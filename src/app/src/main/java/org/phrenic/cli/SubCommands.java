@@ -22,6 +22,7 @@ final class SubCommands {
             "regress",
             "reproduce",
             "rehearse",
+            "sweep",
             "ultrasound");
 
     private SubCommands() {}
@@ -48,6 +49,7 @@ final class SubCommands {
             case "regress" -> RegressCommand.class;
             case "reproduce" -> ReproduceCommand.class;
             case "rehearse" -> RehearseCommand.class;
+            case "sweep" -> SweepCommand.class;
             case "ultrasound" -> UltrasoundCommand.class;
             default -> throw new IllegalArgumentException(name + " is no command");
         };

@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.phrenic.cli.report.ExitCode;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.ui.window.PhrenicWindow;
 import picocli.CommandLine.Command;

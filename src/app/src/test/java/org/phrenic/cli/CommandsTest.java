@@ -20,6 +20,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.cli.report.ExitCode;
+import org.phrenic.cli.report.FailureHandler;
 import org.phrenic.cli.report.RunReport;
 import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.scenario.Settings;

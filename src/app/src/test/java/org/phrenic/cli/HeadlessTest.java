@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.cli.report.ExitCode;
 import org.phrenic.document.report.Disclaimer;
 
 /** Commands as a machine without a screen starts them: where that counts, in a Java process of their own. */

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.cli.report.ExitCode;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.patient.ScanSamples;
 

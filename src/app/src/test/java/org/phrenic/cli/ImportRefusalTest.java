@@ -17,6 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.phrenic.cli.report.ExitCode;
 import org.phrenic.mesh.io.volume.VolumeSamples;
 import org.phrenic.patient.ScanSamples;
 

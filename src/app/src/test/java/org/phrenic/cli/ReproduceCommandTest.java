@@ -11,6 +11,7 @@ import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.cli.report.ExitCode;
 import org.phrenic.document.report.Disclaimer;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;

@@ -27,34 +27,39 @@ public final class PresetRun {
      */
     public static BreathSeries of(Scenario scenario, Thorax thorax, double sampleS, Collection<String> wanted) {
         try (Simulation simulation = Simulation.of(scenario, thorax)) {
-            SceneSurfaces surfaces = new SceneSurfaces(simulation);
-            Frame frame = surfaces.newFrame();
-            SceneObservables measures = new SceneObservables(surfaces, frame, wanted);
-            List<String> columns = new ArrayList<>(Observation.COLUMNS);
-            columns.addAll(measures.columns());
-            List<double[]> rows = new ArrayList<>();
-            List<RespiratoryPhase> labels = new ArrayList<>();
-            boolean periodic = !Double.isInfinite(scenario.breathing().pattern().periodS());
-            int breath = Observation.COLUMNS.indexOf("breath");
-            double endS = simulation.durationS();
-            boolean over = false;
-            while (true) {
-                rows.add(row(frame, measures, columns.size()));
-                labels.add(simulation.breathLabel());
-                if (over) {
-                    return new BreathSeries(columns, rows, labels);
-                }
-                long steps =
-                        Math.max(1, Math.round(sampleS / simulation.stepper().dt()));
-                for (long i = 0; i < steps; i++) {
-                    simulation.step();
-                }
-                surfaces.capture(frame);
-                boolean released =
-                        labels.contains(RespiratoryPhase.HOLD) && simulation.breathLabel() != RespiratoryPhase.HOLD;
-                boolean whole = periodic && frame.values()[breath] > rows.get(0)[breath];
-                over = released || whole || simulation.time() >= endS;
+            return of(simulation, sampleS, wanted);
+        }
+    }
+
+    /** Runs a simulation that is at rest, which the caller closes. */
+    public static BreathSeries of(Simulation simulation, double sampleS, Collection<String> wanted) {
+        SceneSurfaces surfaces = new SceneSurfaces(simulation);
+        Frame frame = surfaces.newFrame();
+        SceneObservables measures = new SceneObservables(surfaces, frame, wanted);
+        List<String> columns = new ArrayList<>(Observation.COLUMNS);
+        columns.addAll(measures.columns());
+        List<double[]> rows = new ArrayList<>();
+        List<RespiratoryPhase> labels = new ArrayList<>();
+        boolean periodic =
+                !Double.isInfinite(simulation.settings().breathing().pattern().periodS());
+        int breath = Observation.COLUMNS.indexOf("breath");
+        double endS = simulation.durationS();
+        boolean over = false;
+        while (true) {
+            rows.add(row(frame, measures, columns.size()));
+            labels.add(simulation.breathLabel());
+            if (over) {
+                return new BreathSeries(columns, rows, labels);
             }
+            long steps = Math.max(1, Math.round(sampleS / simulation.stepper().dt()));
+            for (long i = 0; i < steps; i++) {
+                simulation.step();
+            }
+            surfaces.capture(frame);
+            boolean released =
+                    labels.contains(RespiratoryPhase.HOLD) && simulation.breathLabel() != RespiratoryPhase.HOLD;
+            boolean whole = periodic && frame.values()[breath] > rows.get(0)[breath];
+            over = released || whole || simulation.time() >= endS;
         }
     }
 

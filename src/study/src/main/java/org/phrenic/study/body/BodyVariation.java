@@ -33,14 +33,19 @@ import org.phrenic.patient.diaphragm.CageEnvelope;
  */
 public record BodyVariation(
         double scaleX, double scaleY, double scaleZ, double kyphosisDeg, double barrel, double domeLiftMm) {
-    /** Least and greatest factor of an axis. */
-    private static final double LEAST_SCALE = 0.8;
+    /** Least factor of an axis. */
+    public static final double LEAST_SCALE = 0.8;
+    /** Greatest factor of an axis. */
+    public static final double MOST_SCALE = 1.25;
+    /** Greatest additional bend of the spine, degrees. */
+    public static final double MOST_KYPHOSIS_DEG = 25;
+    /** Greatest relative increase of the depth of the chest. */
+    public static final double MOST_BARREL = 0.25;
+    /** Greatest lowering of the domes, mm, negative. */
+    public static final double LOWEST_DOMES_MM = -15;
+    /** Greatest rise of the domes, mm. */
+    public static final double HIGHEST_DOMES_MM = 30;
 
-    private static final double MOST_SCALE = 1.25;
-    private static final double MOST_KYPHOSIS_DEG = 25;
-    private static final double MOST_BARREL = 0.25;
-    private static final double LOWEST_DOMES_MM = -15;
-    private static final double HIGHEST_DOMES_MM = 30;
     /** Rise of the sternum of a barrel chest, as a fraction of its distance from the spine and of the increase. */
     private static final double RISE = 0.5;
     /** Distance from the middle of the sheet, relative to its half-axes, from which on its domes are not raised. */

@@ -1,4 +1,4 @@
-package org.phrenic.cli;
+package org.phrenic.cli.report;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -21,7 +21,7 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Reports an exception as one sentence on stderr and maps it to an exit code. */
-record FailureHandler(BooleanSupplier debug) implements IParameterExceptionHandler, IExecutionExceptionHandler {
+public record FailureHandler(BooleanSupplier debug) implements IParameterExceptionHandler, IExecutionExceptionHandler {
     private static final String DIVERGENCE_ADVICE =
             "; a shorter time_step_s, less depth or a body without faults in its diaphragm may help";
 

@@ -1,0 +1,156 @@
+package org.phrenic.study.sweep;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.phrenic.document.CsvTable;
+import org.phrenic.document.Key;
+import org.phrenic.study.sweep.design.FullGrid;
+import org.phrenic.study.sweep.design.LatinHypercube;
+import org.phrenic.study.sweep.design.MorrisDesign;
+import org.phrenic.study.sweep.design.SaltelliDesign;
+import org.phrenic.study.sweep.design.SweepDesign;
+
+/**
+ * The design of a study file.
+ *
+ * @param kind of design
+ * @param samples points of a Latin hypercube, rows of matrix A of Saltelli's sampling, trajectories of Morris
+ * @param seed of all random numbers
+ * @param levels of a Morris grid
+ * @param file CSV file of a list, one column a factor
+ * @param columns factors of {@code points}
+ * @param points of a list, in place of a file
+ */
+public record DesignSpec(
+        Kind kind,
+        @Key(absent = "64", min = 1, max = 1_000_000) int samples,
+        @Key(absent = "1") long seed,
+        @Key(absent = "4", min = 2, max = 1000) int levels,
+        Optional<String> file,
+        @Key(absent = "") List<String> columns,
+        @Key(absent = "") List<List<String>> points) {
+    /** Kinds of designs. */
+    public enum Kind {
+        /** All combinations of levels. */
+        GRID,
+        /** Latin hypercube. */
+        LATIN_HYPERCUBE,
+        /** Sobol' sequence with Saltelli's sampling. */
+        SOBOL,
+        /** Morris trajectories. */
+        MORRIS,
+        /** A table of points. */
+        LIST;
+
+        /** Name in files. */
+        public String label() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    /** @throws IllegalArgumentException with one sentence, if a list lacks its points or another design has some */
+    public DesignSpec {
+        columns = List.copyOf(columns);
+        points = List.copyOf(points);
+        boolean given = file.isPresent() || !points.isEmpty();
+        if (given != (kind == Kind.LIST)) {
+            throw new IllegalArgumentException("found " + (given ? "points" : "neither file nor points")
+                    + " in a design of kind " + kind.label() + ", expected points in a list and only there");
+        }
+        for (List<String> point : points) {
+            if (point.size() != columns.size()) {
+                throw new IllegalArgumentException("found a point of " + point.size() + " values, expected "
+                        + columns.size() + ", as many as columns");
+            }
+        }
+        if (kind == Kind.MORRIS && levels % 2 != 0) {
+            throw new IllegalArgumentException("found " + levels + " levels, expected an even number");
+        }
+    }
+
+    /** The design with the points of its file in place of the file. */
+    DesignSpec withPointsOf(Path folder) {
+        if (file.isEmpty()) {
+            return this;
+        }
+        CsvTable table = CsvTable.read(folder.resolve(file.get()));
+        List<String> names = List.copyOf(table.columnNames());
+        List<List<String>> cells = names.stream().map(table::texts).toList();
+        List<List<String>> rows = new ArrayList<>();
+        for (int r = 0; r < table.rowCount(); r++) {
+            int row = r;
+            rows.add(cells.stream().map(column -> column.get(row)).toList());
+        }
+        return new DesignSpec(kind, samples, seed, levels, Optional.empty(), names, rows);
+    }
+
+    /** Factors of a list: its columns with their values. */
+    List<Factor> listedFactors() {
+        List<Factor> factors = new ArrayList<>();
+        for (int c = 0; c < columns.size(); c++) {
+            int column = c;
+            factors.add(Factor.listed(
+                    columns.get(c),
+                    points.stream().map(point -> point.get(column)).distinct().toList()));
+        }
+        return factors;
+    }
+
+    /** Number of points, without making them. */
+    long size(List<Factor> factors) {
+        return switch (kind) {
+            case LIST -> points.size();
+            case LATIN_HYPERCUBE -> samples;
+            case SOBOL -> (long) samples * SaltelliDesign.blockSize(factors.size());
+            case MORRIS -> (long) samples * MorrisDesign.blockSize(factors.size());
+            case GRID -> factors.stream().mapToLong(DesignSpec::levels).reduce(1, (a, b) -> Math.min(a * b, 1L << 40));
+        };
+    }
+
+    private static int levels(Factor factor) {
+        return factor.isListed() ? factor.values().size() : factor.levels();
+    }
+
+    /** The design in the unit cube; empty for a list. */
+    Optional<SweepDesign> design(List<Factor> factors) {
+        int k = factors.size();
+        return switch (kind) {
+            case LIST -> Optional.empty();
+            case LATIN_HYPERCUBE -> Optional.of(new LatinHypercube(k, samples, seed));
+            case SOBOL -> Optional.of(new SaltelliDesign(k, samples, seed));
+            case MORRIS -> Optional.of(new MorrisDesign(k, samples, levels, seed));
+            case GRID -> {
+                boolean[] inner = new boolean[k];
+                for (int f = 0; f < k; f++) {
+                    inner[f] = factors.get(f).isListed();
+                }
+                yield Optional.of(new FullGrid(
+                        factors.stream().mapToInt(DesignSpec::levels).toArray(), inner));
+            }
+        };
+    }
+
+    /** The design as in a study file. */
+    Map<String, Object> toMap() {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("kind", kind.label());
+        if (kind == Kind.LIST) {
+            map.put("columns", columns);
+            map.put("points", points);
+            return map;
+        }
+        if (kind != Kind.GRID) {
+            map.put("samples", samples);
+            map.put("seed", seed);
+        }
+        if (kind == Kind.MORRIS) {
+            map.put("levels", levels);
+        }
+        return map;
+    }
+}

@@ -1,0 +1,92 @@
+package org.phrenic.study.sweep;
+
+import java.util.List;
+import org.apache.commons.math3.distribution.NormalDistribution;
+import org.phrenic.document.CsvWriter;
+import org.phrenic.file.Numbers;
+
+/**
+ * Conversion between a coordinate of the unit cube and a value of a factor: the quantile function of its distribution.
+ * Numbers have nine significant digits, so that a table of runs states exactly what was computed.
+ */
+public final class FactorScale {
+    private static final int DIGITS = 9;
+
+    private final Factor factor;
+    private final double low;
+    private final double high;
+    private final boolean numeric;
+
+    private FactorScale(Factor factor, double low, double high) {
+        this.factor = factor;
+        this.low = low;
+        this.high = high;
+        numeric = !factor.isListed()
+                || factor.values().stream().allMatch(v -> Numbers.parse(v).isPresent());
+    }
+
+    /**
+     * The scale of a factor of a model.
+     *
+     * @throws IllegalArgumentException with one sentence, if the model has no such factor or cannot take its values
+     */
+    static FactorScale of(Factor factor, SweepModel model) {
+        if (factor.isListed()) {
+            factor.values().forEach(value -> model.check(factor.key(), value));
+            return new FactorScale(factor, 0, 0);
+        }
+        double[] limits = model.limits(factor.key());
+        if (limits.length == 0) {
+            throw new IllegalArgumentException(
+                    "factor '" + factor.key() + "': found a range, expected values: it is no number with limits");
+        }
+        double[] range = factor.range().orElse(limits);
+        for (double end : range) {
+            if (!(end >= limits[0] && end <= limits[1])) {
+                throw new IllegalArgumentException(
+                        "factor '" + factor.key() + "': found " + end + ", expected " + limits[0] + " to " + limits[1]);
+            }
+        }
+        return new FactorScale(factor, range[0], range[1]);
+    }
+
+    public Factor factor() {
+        return factor;
+    }
+
+    /** Whether all values are numbers. */
+    public boolean isNumeric() {
+        return numeric;
+    }
+
+    /** The value at a coordinate, as text. */
+    String text(double u) {
+        if (factor.isListed()) {
+            List<String> values = factor.values();
+            return values.get(Math.min(values.size() - 1, (int) (u * values.size())));
+        }
+        return CsvWriter.number(quantile(u), DIGITS);
+    }
+
+    private double quantile(double u) {
+        if (factor.normal().isPresent()) {
+            double[] n = factor.normal().get();
+            NormalDistribution normal = new NormalDistribution(null, n[0], n[1]);
+            double from = normal.cumulativeProbability(low);
+            double to = normal.cumulativeProbability(high);
+            double value = normal.inverseCumulativeProbability(from + u * (to - from));
+            return Math.max(low, Math.min(high, value));
+        }
+        if (factor.log()) {
+            return low * StrictMath.pow(high / low, u);
+        }
+        return low + u * (high - low);
+    }
+
+    /** The value as a number for statistics: itself, or its place in the list, from 0. */
+    public double number(String text) {
+        return numeric
+                ? Numbers.parse(text).orElse(Double.NaN)
+                : factor.values().indexOf(text);
+    }
+}

@@ -1,0 +1,74 @@
+package org.phrenic.study.sweep;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.phrenic.document.Key;
+import org.phrenic.study.BreathSeries;
+import org.phrenic.study.validation.Reduction;
+
+/**
+ * A response of a simulated breath: a reduction of one or more observables to a number.
+ *
+ * @param name column of the table of runs; by default observable and reduction
+ * @param observable column of {@code observables.csv} or an observable of {@code validate}
+ * @param observables for a reduction of several observables, in place of {@code observable}
+ * @param reduction of the time series
+ * @param against second observable, where the reduction needs one
+ * @param share for {@link Reduction#AT_SHARE}
+ * @param factor that converts the number to the unit of the response
+ */
+public record ResponseSpec(
+        @Key(absent = "") String name,
+        @Key(absent = "") String observable,
+        @Key(absent = "") List<String> observables,
+        Reduction reduction,
+        @Key(absent = "") String against,
+        @Key(absent = "1") double share,
+        @Key(absent = "1") double factor) {
+    /** @throws IllegalArgumentException with one sentence, if observables are missing or superfluous */
+    public ResponseSpec {
+        if (observable.isEmpty() == observables.isEmpty()) {
+            throw new IllegalArgumentException("found " + (observable.isEmpty() ? "no observable" : "two statements")
+                    + ", expected either observable or observables");
+        }
+        if (reduction.needsSecondObservable() == against.isEmpty()) {
+            throw new IllegalArgumentException("found the reduction " + reduction.label()
+                    + (against.isEmpty() ? " without a second observable, expected against" : " with against"));
+        }
+        if (reduction == Reduction.ORDER && observables.size() < 2) {
+            throw new IllegalArgumentException("found one observable, expected at least two for order");
+        }
+        observables = observables.isEmpty() ? List.of(observable) : List.copyOf(observables);
+        observable = "";
+        name = name.isEmpty() ? String.join("_", observables) + "_" + reduction.label() : name;
+    }
+
+    /** All observables that are needed. */
+    List<String> needed() {
+        List<String> all = new ArrayList<>(observables);
+        if (!against.isEmpty()) {
+            all.add(against);
+        }
+        return all;
+    }
+
+    double of(BreathSeries series) {
+        return factor * reduction.of(series, series, observables, against, share);
+    }
+
+    /** The response as in a study file. */
+    Map<String, Object> toMap() {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("name", name);
+        map.put("observables", observables);
+        map.put("reduction", reduction.label());
+        if (!against.isEmpty()) {
+            map.put("against", against);
+        }
+        map.put("share", share);
+        map.put("factor", factor);
+        return map;
+    }
+}

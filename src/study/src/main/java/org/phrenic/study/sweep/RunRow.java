@@ -1,0 +1,50 @@
+package org.phrenic.study.sweep;
+
+import java.io.Serializable;
+import java.util.Arrays;
+
+/**
+ * A completed run.
+ *
+ * @param index of its point
+ * @param outcome what it gave; NaN responses if it failed
+ * @param failure why it failed; empty if it did not
+ * @param wallS time that it took, s
+ * @param machine where it was computed
+ */
+public record RunRow(int index, SweepOutcome outcome, String failure, double wallS, String machine)
+        implements Serializable {
+    /** Evaluates a point. A run that fails is a row with its reason. */
+    public static RunRow of(SweepModel model, SweepPoint point) {
+        long begun = System.nanoTime();
+        SweepOutcome outcome;
+        String failure = "";
+        try {
+            outcome = model.evaluate(point);
+        } catch (RuntimeException reason) {
+            outcome = failed(model);
+            failure = sentence(reason);
+        }
+        return new RunRow(point.index(), outcome, failure, (System.nanoTime() - begun) * 1e-9, RunMachine.text());
+    }
+
+    private static SweepOutcome failed(SweepModel model) {
+        double[] responses = new double[model.responses().size()];
+        Arrays.fill(responses, Double.NaN);
+        double[][] series = new double[model.series().size()][SweepOutcome.SERIES_POINTS];
+        for (double[] values : series) {
+            Arrays.fill(values, Double.NaN);
+        }
+        return new SweepOutcome(responses, "", series);
+    }
+
+    private static String sentence(RuntimeException reason) {
+        String message = reason.getMessage() == null ? "" : reason.getMessage();
+        String plain = message.replaceAll("\\s+", " ").strip();
+        return plain.isEmpty() ? reason.getClass().getSimpleName() : plain;
+    }
+
+    public boolean isFailed() {
+        return !failure.isEmpty();
+    }
+}

@@ -1,0 +1,199 @@
+package org.phrenic.study.sweep;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.phrenic.document.YamlDocument;
+import org.phrenic.document.YamlMap;
+import org.phrenic.document.YamlWriter;
+import org.phrenic.file.BadInputException;
+import org.phrenic.parameter.Setting;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.Settings;
+
+/**
+ * A study as its file states it. Immutable.
+ *
+ * @param title of the report
+ * @param model {@code breath} or {@code ishigami}
+ * @param scenario of all runs, apart from the factors
+ * @param factors that are varied
+ * @param design of the points
+ * @param responses of a breath; empty for a model that has its own
+ * @param series observables that are recorded over time
+ */
+public record SweepStudy(
+        String title,
+        String model,
+        Scenario scenario,
+        List<Factor> factors,
+        DesignSpec design,
+        List<ResponseSpec> responses,
+        List<String> series) {
+    private static final List<String> KEYS =
+            List.of("title", "model", "scenario", "settings", "factors", "design", "responses", "series");
+    private static final List<String> MODELS = List.of(BreathModel.NAME, IshigamiModel.NAME);
+    private static final int MOST_POINTS = 1_000_000;
+    private static final Set<String> PATHS = Set.of("anatomy", "trace");
+
+    public SweepStudy {
+        factors = List.copyOf(factors);
+        responses = List.copyOf(responses);
+        series = List.copyOf(series);
+    }
+
+    /**
+     * Reads a study file. Relative paths in it are resolved against its folder.
+     *
+     * @throws BadInputException with one sentence that names file, line and key
+     */
+    public static SweepStudy read(Path file) {
+        return of(YamlDocument.read(file), file.toAbsolutePath().getParent(), title(file));
+    }
+
+    private static String title(Path file) {
+        return file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+    }
+
+    /** Reads the text of a study whose paths are absolute, such as {@link #resolved}. */
+    public static SweepStudy parse(String name, String text) {
+        return of(YamlDocument.parse(name, text), Path.of("").toAbsolutePath(), name);
+    }
+
+    private static SweepStudy of(YamlMap yaml, Path folder, String title) {
+        yaml.requireOnly(KEYS);
+        String model = yaml.text("model", BreathModel.NAME);
+        if (!MODELS.contains(model)) {
+            throw yaml.bad("model", "found '" + model + "', expected " + String.join(" or ", MODELS));
+        }
+        DesignSpec design = yaml.map("design").bind(DesignSpec.class).withPointsOf(folder);
+        SweepStudy study = new SweepStudy(
+                yaml.text("title", title),
+                model,
+                scenario(yaml, folder),
+                factors(yaml, design, folder),
+                design,
+                yaml.has("responses") ? bound(yaml, "responses", ResponseSpec.class) : List.of(),
+                yaml.has("series") ? yaml.texts("series") : List.of());
+        study.check(yaml);
+        return study;
+    }
+
+    private static <T> List<T> bound(YamlMap yaml, String key, Class<T> type) {
+        return yaml.maps(key).stream().map(map -> map.bind(type)).toList();
+    }
+
+    private static Scenario scenario(YamlMap yaml, Path folder) {
+        Scenario base =
+                yaml.has("scenario") ? Scenario.read(folder.resolve(yaml.text("scenario"))) : Scenario.defaults();
+        YamlMap settings = yaml.mapOrEmpty("settings");
+        settings.requireOnly(Settings.keys());
+        List<Assignment> assignments = new ArrayList<>();
+        for (Setting<?> setting : Settings.all()) {
+            if (settings.has(setting.key())) {
+                assignments.add(new Assignment("settings", setting, setting.read(settings, folder)));
+            }
+        }
+        try {
+            return base.with(assignments);
+        } catch (BadInputException refused) {
+            throw new BadInputException(
+                    yaml.bad("settings", refused.getMessage()).getMessage(), refused);
+        }
+    }
+
+    private static List<Factor> factors(YamlMap yaml, DesignSpec design, Path folder) {
+        if (design.kind() != DesignSpec.Kind.LIST) {
+            return bound(yaml, "factors", Factor.class).stream()
+                    .map(factor -> resolved(factor, folder))
+                    .toList();
+        }
+        if (yaml.has("factors")) {
+            throw yaml.bad("factors", "found factors besides a list, whose columns are the factors, expected none");
+        }
+        return design.listedFactors();
+    }
+
+    /** The factor with absolute paths, if it lists files or folders. */
+    private static Factor resolved(Factor factor, Path folder) {
+        return !PATHS.contains(factor.key()) || !factor.isListed()
+                ? factor
+                : Factor.listed(
+                        factor.key(),
+                        factor.values().stream().map(v -> absolute(v, folder)).toList());
+    }
+
+    private static String absolute(String value, Path folder) {
+        Path path = folder.resolve(value).normalize();
+        return Files.exists(path) ? path.toString() : value;
+    }
+
+    private void check(YamlMap yaml) {
+        SweepModel made;
+        try {
+            made = newModel();
+        } catch (IllegalArgumentException refused) {
+            throw new BadInputException(
+                    yaml.bad("responses", refused.getMessage()).getMessage(), refused);
+        }
+        if (factors.isEmpty()) {
+            throw yaml.bad("factors", "found no factor, expected at least one");
+        }
+        boolean list = design.kind() == DesignSpec.Kind.LIST;
+        Set<String> columns = new HashSet<>(made.responses());
+        if (columns.size() != made.responses().size()) {
+            throw yaml.bad("responses", "found two of the same name, expected each name once");
+        }
+        for (int f = 0; f < factors.size(); f++) {
+            Factor factor = factors.get(f);
+            YamlMap place = list ? yaml.map("design") : yaml.maps("factors").get(f);
+            if (!columns.add(factor.key())) {
+                throw place.bad("found '" + factor.key() + "' a second time, expected each name once");
+            }
+            try {
+                FactorScale.of(factor, made);
+            } catch (IllegalArgumentException | BadInputException refused) {
+                throw new BadInputException(place.bad(refused.getMessage()).getMessage(), refused);
+            }
+        }
+        long size = design.size(factors);
+        if (size < 1 || size > MOST_POINTS) {
+            throw yaml.bad("design", "found a design of " + size + " runs, expected 1 to " + MOST_POINTS);
+        }
+    }
+
+    /** A new model of this study. */
+    public SweepModel newModel() {
+        if (model.equals(IshigamiModel.NAME)) {
+            return new IshigamiModel();
+        }
+        return new BreathModel(scenario, responses, series);
+    }
+
+    /** The study as the text of a file that depends on no other file but bodies and recordings. */
+    public String resolved() {
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("title", title);
+        map.put("model", model);
+        if (model.equals(BreathModel.NAME)) {
+            map.put("settings", scenario.toMap());
+        }
+        if (design.kind() != DesignSpec.Kind.LIST) {
+            map.put("factors", factors.stream().map(Factor::toMap).toList());
+        }
+        map.put("design", design.toMap());
+        if (!responses.isEmpty()) {
+            map.put("responses", responses.stream().map(ResponseSpec::toMap).toList());
+        }
+        if (!series.isEmpty()) {
+            map.put("series", series);
+        }
+        return YamlWriter.format(map);
+    }
+}

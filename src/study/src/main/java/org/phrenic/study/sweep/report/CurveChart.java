@@ -1,0 +1,100 @@
+package org.phrenic.study.sweep.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.document.report.ReportDocument.Picture;
+
+/** Curves, bands and points over two axes. */
+final class CurveChart {
+    private static final double LEFT = 62;
+    private static final double RIGHT = 14;
+    private static final double TOP = 10;
+    private static final double BOTTOM = 42;
+
+    private record Layer(double[] x, double[] low, double[] high, boolean dots) {}
+
+    private final double width;
+    private final double height;
+    private final String label;
+    private final List<Layer> layers = new ArrayList<>();
+    private List<String> names = List.of();
+
+    /** @param label of the horizontal axis */
+    CurveChart(double width, double height, String label) {
+        this.width = width;
+        this.height = height;
+        this.label = label;
+    }
+
+    /** Shows names in place of the numbers 0, 1, ... */
+    CurveChart named(List<String> values) {
+        names = values;
+        return this;
+    }
+
+    CurveChart curve(double[] x, double[] y, boolean dots) {
+        layers.add(new Layer(x, y, y, dots));
+        return this;
+    }
+
+    CurveChart band(double[] x, double[] low, double[] high) {
+        layers.add(new Layer(x, low, high, false));
+        return this;
+    }
+
+    Picture picture(String alternative, String caption) {
+        PlotAxis across = PlotAxis.around(LEFT, width - RIGHT, all(true));
+        PlotAxis up = PlotAxis.around(height - BOTTOM, TOP, all(false));
+        SvgCanvas svg = new SvgCanvas(width, height);
+        for (double tick : up.ticks()) {
+            svg.line(LEFT, up.at(tick), width - RIGHT, up.at(tick), SvgCanvas.PALE);
+            svg.label(LEFT - 5, up.at(tick) + 4, "end", PlotAxis.text(tick));
+        }
+        for (double tick : across.ticks()) {
+            boolean whole = tick == Math.rint(tick) && tick >= 0 && tick < names.size();
+            if (names.isEmpty() || whole) {
+                String text = names.isEmpty() ? PlotAxis.text(tick) : names.get((int) tick);
+                svg.line(across.at(tick), TOP, across.at(tick), height - BOTTOM, SvgCanvas.PALE);
+                svg.label(across.at(tick), height - BOTTOM + 15, "middle", text);
+            }
+        }
+        layers.forEach(layer -> draw(svg, across, up, layer));
+        svg.label((LEFT + width - RIGHT) / 2, height - 8, "middle", label);
+        return new Picture(svg.dataUrl(), alternative, caption);
+    }
+
+    private static void draw(SvgCanvas svg, PlotAxis across, PlotAxis up, Layer layer) {
+        double[] x = across.at(layer.x);
+        double[] high = up.at(layer.high);
+        if (layer.low != layer.high) {
+            double[] low = up.at(layer.low);
+            int n = x.length;
+            double[] ringX = new double[2 * n];
+            double[] ringY = new double[2 * n];
+            for (int i = 0; i < n; i++) {
+                ringX[i] = x[i];
+                ringY[i] = high[i];
+                ringX[2 * n - 1 - i] = x[i];
+                ringY[2 * n - 1 - i] = low[i];
+            }
+            svg.area(ringX, ringY, SvgCanvas.FIRST, 0.18);
+            return;
+        }
+        if (!layer.dots) {
+            svg.polyline(x, high, SvgCanvas.FIRST, 2);
+            return;
+        }
+        for (int i = 0; i < x.length; i++) {
+            svg.dot(x[i], high[i], SvgCanvas.FIRST);
+        }
+    }
+
+    private double[] all(boolean horizontal) {
+        return layers.stream()
+                .flatMapToDouble(layer -> horizontal
+                        ? java.util.Arrays.stream(layer.x)
+                        : java.util.stream.DoubleStream.concat(
+                                java.util.Arrays.stream(layer.low), java.util.Arrays.stream(layer.high)))
+                .toArray();
+    }
+}

@@ -1,0 +1,55 @@
+package org.phrenic.study.sweep.report;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.phrenic.study.ReportNumbers;
+
+/**
+ * A linear axis: values to pixels.
+ *
+ * @param low value at {@code from}
+ * @param high value at {@code to}
+ * @param from pixel of the least value
+ * @param to pixel of the greatest value
+ */
+record PlotAxis(double low, double high, double from, double to) {
+    private static final double MARGIN = 0.04;
+    private static final int TICKS = 5;
+
+    /** An axis that shows all finite values, with a margin. */
+    static PlotAxis around(double from, double to, double... values) {
+        double[] finite = Arrays.stream(values).filter(Double::isFinite).toArray();
+        double low = Arrays.stream(finite).min().orElse(0);
+        double high = Arrays.stream(finite).max().orElse(1);
+        double room = high > low ? MARGIN * (high - low) : Math.max(1e-9, MARGIN * Math.abs(low));
+        return new PlotAxis(low - room, high + room, from, to);
+    }
+
+    double at(double value) {
+        return from + (value - low) / (high - low) * (to - from);
+    }
+
+    double[] at(double[] values) {
+        return Arrays.stream(values).map(this::at).toArray();
+    }
+
+    /** Round values within the axis: multiples of 1, 2 or 5 times a power of ten. */
+    List<Double> ticks() {
+        double rough = (high - low) / TICKS;
+        double power = Math.pow(10, Math.floor(Math.log10(rough)));
+        double step = rough / power <= 1
+                ? power
+                : rough / power <= 2 ? 2 * power : rough / power <= 5 ? 5 * power : 10 * power;
+        List<Double> ticks = new ArrayList<>();
+        for (long i = (long) Math.ceil(low / step); i * step <= high; i++) {
+            ticks.add(i * step);
+        }
+        return ticks;
+    }
+
+    static String text(double tick) {
+        String text = ReportNumbers.trimmed(tick, 4);
+        return text.equals("0.000") || text.equals("-0.000") ? "0" : text;
+    }
+}

@@ -1,0 +1,75 @@
+package org.phrenic.study.sweep.report;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Base64;
+import org.phrenic.document.report.HtmlPage;
+import org.phrenic.study.ReportNumbers;
+
+/** A picture in SVG 1.1 of lines, areas and text. Coordinates are in pixels from the upper left corner. */
+final class SvgCanvas {
+    static final String INK = "#222222";
+    static final String PALE = "#dddddd";
+    static final String FIRST = "#0072b2";
+    static final String SECOND = "#e69f00";
+
+    private final StringBuilder text = new StringBuilder();
+
+    SvgCanvas(double width, double height) {
+        text.append(ReportNumbers.format(
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%1$.0f\" height=\"%2$.0f\""
+                        + " viewBox=\"0 0 %1$.0f %2$.0f\" font-family=\"sans-serif\" font-size=\"12\">"
+                        + "<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>",
+                width, height));
+    }
+
+    SvgCanvas line(double x1, double y1, double x2, double y2, String colour) {
+        return polyline(new double[] {x1, x2}, new double[] {y1, y2}, colour, 1);
+    }
+
+    SvgCanvas polyline(double[] x, double[] y, String colour, double width) {
+        text.append(ReportNumbers.format(
+                "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"%.1f\"/>",
+                points(x, y), colour, width));
+        return this;
+    }
+
+    SvgCanvas area(double[] x, double[] y, String colour, double opacity) {
+        text.append(ReportNumbers.format(
+                "<polygon points=\"%s\" fill=\"%s\" fill-opacity=\"%.2f\"/>", points(x, y), colour, opacity));
+        return this;
+    }
+
+    SvgCanvas bar(double x, double y, double width, double height, String colour) {
+        text.append(ReportNumbers.format(
+                "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"%s\"/>",
+                x, y, width, height, colour));
+        return this;
+    }
+
+    SvgCanvas dot(double x, double y, String colour) {
+        text.append(ReportNumbers.format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\"/>", x, y, colour));
+        return this;
+    }
+
+    /** @param anchor start, middle or end */
+    SvgCanvas label(double x, double y, String anchor, String words) {
+        text.append(ReportNumbers.format(
+                "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"%s\">%s</text>",
+                x, y, anchor, INK, HtmlPage.escaped(words)));
+        return this;
+    }
+
+    private static String points(double[] x, double[] y) {
+        StringBuilder points = new StringBuilder();
+        for (int i = 0; i < x.length; i++) {
+            points.append(ReportNumbers.format("%.1f,%.1f ", x[i], y[i]));
+        }
+        return points.toString().strip();
+    }
+
+    /** The picture as a URL that contains it. */
+    String dataUrl() {
+        byte[] bytes = (text + "</svg>").getBytes(StandardCharsets.UTF_8);
+        return "data:image/svg+xml;base64," + Base64.getEncoder().encodeToString(bytes);
+    }
+}

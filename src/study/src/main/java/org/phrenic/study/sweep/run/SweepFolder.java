@@ -1,0 +1,159 @@
+package org.phrenic.study.sweep.run;
+
+import java.io.IOException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.TreeSet;
+import org.phrenic.document.CsvWriter;
+import org.phrenic.document.JsonWriter;
+import org.phrenic.document.TextFile;
+import org.phrenic.file.AtomicFile;
+import org.phrenic.file.BadInputException;
+import org.phrenic.study.sweep.RunRow;
+import org.phrenic.study.sweep.SweepModel;
+import org.phrenic.study.sweep.SweepOutcome;
+import org.phrenic.study.sweep.SweepPlan;
+import org.phrenic.study.sweep.SweepPoint;
+import org.phrenic.study.sweep.SweepResults;
+import org.phrenic.study.sweep.SweepStudy;
+import org.phrenic.study.sweep.report.SweepReport;
+
+/**
+ * The folder of a study: {@code study.yaml}, which a resumed study, a shard and a merge compare; journals; and the
+ * results {@code runs.csv}, {@code series.csv}, {@code study.json} and {@code report.html}.
+ */
+public final class SweepFolder {
+    private static final String STUDY = "study.yaml";
+    private static final int PERCENT = 100;
+
+    private final Path folder;
+    private final SweepPlan plan;
+
+    private SweepFolder(Path folder, SweepPlan plan) {
+        this.folder = folder;
+        this.plan = plan;
+    }
+
+    /**
+     * The folder of a study, which is made if it is absent.
+     *
+     * @throws BadInputException with one sentence, if another study is in it
+     */
+    public static SweepFolder of(Path folder, SweepPlan plan) {
+        Path study = folder.resolve(STUDY);
+        String text = plan.study().resolved();
+        if (!Files.exists(study)) {
+            AtomicFile.write(study, text);
+        } else if (!read(study).equals(text)) {
+            throw new BadInputException(
+                    folder + ": found the results of another study (" + STUDY + " differs), expected another folder");
+        }
+        return new SweepFolder(folder, plan);
+    }
+
+    /**
+     * The folder of a study that has begun.
+     *
+     * @throws BadInputException with one sentence, if there is no study in it
+     */
+    public static SweepFolder existing(Path folder) {
+        Path study = folder.resolve(STUDY);
+        if (!Files.isRegularFile(study)) {
+            throw new BadInputException(folder + ": found no " + STUDY + ", expected the folder of a study");
+        }
+        return new SweepFolder(folder, SweepPlan.of(SweepStudy.parse(study.toString(), read(study))));
+    }
+
+    private static String read(Path file) {
+        return TextFile.read(file, "a study");
+    }
+
+    public SweepPlan plan() {
+        return plan;
+    }
+
+    SweepJournal journal(Shard shard) {
+        return new SweepJournal(folder.resolve(shard.journalName()), plan.model());
+    }
+
+    /** The runs in all journals of the folder. */
+    public SweepResults results() {
+        List<RunRow> rows = new ArrayList<>();
+        TreeSet<Path> journals = new TreeSet<>();
+        try (DirectoryStream<Path> found = Files.newDirectoryStream(folder, "journal*.csv")) {
+            found.forEach(journals::add);
+        } catch (IOException failure) {
+            throw new BadInputException(folder + ": found a folder that cannot be read, expected one", failure);
+        }
+        journals.forEach(journal -> rows.addAll(SweepJournal.read(journal, plan.model())));
+        try {
+            return new SweepResults(plan, rows);
+        } catch (IllegalArgumentException other) {
+            throw new BadInputException(folder + ": " + other.getMessage(), other);
+        }
+    }
+
+    /**
+     * Writes the results.
+     *
+     * @param elapsedS time of this process on the study, s
+     * @param computed runs that this process computed
+     * @param width runs at a time
+     */
+    public void write(SweepResults results, double elapsedS, int computed, int width) {
+        AtomicFile.write(folder.resolve("runs.csv"), runs(results));
+        if (!plan.model().series().isEmpty()) {
+            AtomicFile.write(folder.resolve("series.csv"), series(results));
+        }
+        double leftS = computed == 0 ? 0 : elapsedS / computed * (plan.size() - results.done());
+        SweepReport report = new SweepReport(results, leftS, width);
+        JsonWriter.write(folder.resolve("study.json"), report.values());
+        AtomicFile.write(folder.resolve("report.html"), report.html());
+    }
+
+    /** One row a run, in the order of the design. */
+    static String runs(SweepResults results) {
+        SweepPlan plan = results.plan();
+        SweepModel model = plan.model();
+        List<String> header = new ArrayList<>(List.of("index"));
+        plan.study().factors().forEach(factor -> header.add(factor.key()));
+        header.addAll(model.traitNames());
+        header.addAll(model.responses());
+        header.addAll(List.of("wall_s", "state_sha256", "failure"));
+        List<List<String>> rows = new ArrayList<>();
+        for (RunRow row : results.rows()) {
+            SweepPoint point = plan.points().get(row.index());
+            List<String> cells = new ArrayList<>(List.of(String.valueOf(row.index())));
+            cells.addAll(point.values());
+            cells.addAll(model.traits(point));
+            Arrays.stream(row.outcome().responses())
+                    .forEach(value -> cells.add(CsvWriter.number(value, CsvWriter.ALL_DIGITS)));
+            cells.addAll(List.of(CsvWriter.number(row.wallS(), 4), row.outcome().stateSha256(), row.failure()));
+            rows.add(cells);
+        }
+        return CsvWriter.format(header, rows);
+    }
+
+    /** One row a run and time: the share of the run's time, then the observables. */
+    private static String series(SweepResults results) {
+        List<String> header = new ArrayList<>(List.of("index", "time_percent"));
+        header.addAll(results.plan().model().series());
+        List<List<String>> rows = new ArrayList<>();
+        for (RunRow row : results.rows()) {
+            for (int t = 0; t < SweepOutcome.SERIES_POINTS; t++) {
+                int at = t;
+                double share = (double) PERCENT * t / (SweepOutcome.SERIES_POINTS - 1);
+                List<String> cells = new ArrayList<>(
+                        List.of(String.valueOf(row.index()), CsvWriter.number(share, CsvWriter.ALL_DIGITS)));
+                Arrays.stream(row.outcome().series())
+                        .forEach(values -> cells.add(CsvWriter.number(values[at], CsvWriter.ALL_DIGITS)));
+                rows.add(cells);
+            }
+        }
+        return CsvWriter.format(header, rows);
+    }
+}

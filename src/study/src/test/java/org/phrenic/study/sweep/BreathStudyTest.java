@@ -1,0 +1,109 @@
+package org.phrenic.study.sweep;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.phrenic.file.BadInputException;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.SimulationRun;
+import org.phrenic.simulation.observe.SceneObserver;
+import org.phrenic.study.body.BodyVariation;
+
+/** Breaths as runs of a study, and what its file is told when it is wrong. */
+class BreathStudyTest {
+    private static final String SETTINGS = "settings: {resolution: low, duration_s: 0.06}\n";
+    private static final String RESPONSE =
+            "responses:\n  - {name: descent, observable: liver_si_mm, reduction: size}\n";
+
+    private static SweepStudy study(String factors, String design, String responses) {
+        return SweepStudy.parse("study.yaml", SETTINGS + factors + "design: " + design + "\n" + responses);
+    }
+
+    /** The row of a point is what the scenario with the point's values gives by itself. */
+    @Test
+    void aRunIsTheBreathOfItsScenario() {
+        SweepPlan plan = SweepPlan.of(
+                study("", "{kind: list, columns: [depth], points: [[1.2]]}", RESPONSE + "series: [liver_si_mm]\n"));
+        RunRow usual = RunRow.of(plan.model(), plan.points().get(0));
+        Scenario alone = Scenario.defaults().with("resolution=low", "duration_s=0.06", "depth=1.2", "threads=1");
+        try (Simulation simulation = Simulation.of(alone, SimulationRun.loadThorax(alone))) {
+            SceneObserver observer = new SceneObserver(simulation.scene());
+            double start = observer.observe(0).get("liver_si_mm");
+            while (simulation.time() < simulation.durationS() - 1e-9) {
+                simulation.step();
+            }
+            assertThat(usual.failure()).isEmpty();
+            assertThat(usual.outcome().stateSha256()).isEqualTo(simulation.stateHash());
+            assertThat(usual.outcome().series()[0]).hasSize(SweepOutcome.SERIES_POINTS);
+            assertThat(usual.outcome().series()[0][0]).isEqualTo(start);
+            assertThat(usual.outcome().series()[0][SweepOutcome.SERIES_POINTS - 1])
+                    .isEqualTo(observer.observe(simulation.time()).get("liver_si_mm"));
+        }
+    }
+
+    @Test
+    void factorsOfTheBodyMakeOneVariationOfIt() {
+        List<String> keys = List.of("depth", "body.scale", "body.scale_x", "body.dome_lift_mm");
+        assertThat(BodyFactors.variation(new SweepPoint(0, keys, List.of("2", "0.9", "1.1", "-5"))))
+                .contains(new BodyVariation(0.9 * 1.1, 0.9, 0.9, 0, 0, -5));
+        assertThat(BodyFactors.variation(new SweepPoint(0, List.of("depth"), List.of("1"))))
+                .isEmpty();
+    }
+
+    @Test
+    void aFailingRunIsARowWithItsReason() {
+        SweepPlan plan = SweepPlan.of(study("", "{kind: list, columns: [depth], points: [[1]]}", RESPONSE));
+        RunRow row = RunRow.of(plan.model(), new SweepPoint(0, List.of("depth"), List.of("1000")));
+        assertThat(row.failure()).contains("key 'depth': found 1000, expected");
+        assertThat(row.outcome().responses()).containsExactly(Double.NaN);
+    }
+
+    @Test
+    void valuesFollowTheDistributionOfTheirFactor() {
+        SweepPlan plan = SweepPlan.of(study(
+                "factors:\n  - {key: depth, normal: [1, 0.1], range: [0.9, 1.2]}\n"
+                        + "  - {key: anatomy, values: [virtual/adult-male, virtual/adult-female]}\n"
+                        + "  - {key: body.scale, range: [0.8, 1.25], log: true}\n",
+                "{kind: latin_hypercube, samples: 200}",
+                RESPONSE));
+        double[] depth = plan.numbers(0);
+        assertThat(java.util.Arrays.stream(depth).boxed()).allMatch(v -> v >= 0.9 && v <= 1.2);
+        // Median of a normal distribution cut at -1 and 2 standard deviations.
+        assertThat(java.util.Arrays.stream(depth).sorted().toArray()[100]).isBetween(1.01, 1.03);
+        assertThat(plan.numbers(1))
+                .satisfies(v -> assertThat(java.util.Arrays.stream(v).sum()).isEqualTo(100));
+        assertThat(java.util.Arrays.stream(plan.numbers(2)).filter(v -> v < 1).count())
+                .isEqualTo(100);
+        assertThat(SweepStudy.parse("study.yaml", plan.study().resolved()).resolved())
+                .isEqualTo(plan.study().resolved());
+    }
+
+    @Test
+    void aWrongStudyIsToldInOneSentenceWithFileLineAndKey() {
+        String grid = "{kind: grid}";
+        refused("factors:\n  - {key: depht, range: [1, 2]}\n", grid, RESPONSE, "line 3", "did you mean 'depth'?");
+        refused("factors:\n  - {key: depth, range: [0, 99]}\n", grid, RESPONSE, "line 3", "found 99.0, expected");
+        refused("factors:\n  - {key: depth}\n", grid, RESPONSE, "line 3", "expected range, normal or values");
+        refused("factors:\n  - {key: threads, values: [1, 2]}\n", grid, RESPONSE, "line 3", "unknown factor");
+        refused("factors:\n  - {key: preset, values: [quiet, loud]}\n", grid, RESPONSE, "line 3", "loud");
+        refused("factors:\n  - {key: body.barrel, values: [2]}\n", grid, RESPONSE, "line 3", "expected 0.0 to 0.25");
+        String good = "factors:\n  - {key: depth, values: [1]}\n";
+        refused(good, "{kind: cube}", RESPONSE, "line 4", "key 'design.kind'", "grid");
+        refused(good, "{kind: list}", RESPONSE, "line 4", "neither file nor points");
+        refused(good, grid, "", "found no response");
+        refused(good, grid, RESPONSE.replace("liver_si_mm", "liver_sl_mm"), "did you mean 'liver_si_mm'?");
+        refused(good, grid, RESPONSE.replace("size", "ratio"), "line 6", "expected against");
+    }
+
+    private static void refused(String factors, String design, String responses, String... parts) {
+        assertThatThrownBy(() -> study(factors, design, responses))
+                .isInstanceOf(BadInputException.class)
+                .message()
+                .startsWith("study.yaml: ")
+                .contains(parts)
+                .doesNotContain("\n");
+    }
+}

@@ -1,0 +1,155 @@
+package org.phrenic.study.sweep.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.file.BadInputException;
+import org.phrenic.study.sweep.RunRow;
+import org.phrenic.study.sweep.SweepPlan;
+import org.phrenic.study.sweep.SweepResults;
+import org.phrenic.study.sweep.SweepStudy;
+import org.phrenic.study.sweep.report.SweepReport;
+
+/** A study of Ishigami's function, whose indices are known: whole, killed and resumed, and in shards. */
+class SweepRunnerTest {
+    private static final ProgressListener SILENT = (count, total, what) -> {};
+
+    @TempDir
+    private Path folder;
+
+    private static SweepPlan plan(int samples) {
+        String factor = "  - {key: x%d, range: [-3.141592653589793, 3.141592653589793]}\n";
+        return SweepPlan.of(SweepStudy.parse(
+                "study.yaml",
+                "title: known\nmodel: ishigami\nfactors:\n" + factor.formatted(1) + factor.formatted(2)
+                        + factor.formatted(3) + "design: {kind: sobol, samples: " + samples + "}\n"));
+    }
+
+    private static SweepResults run(SweepPlan plan, Path folder, SweepExecutor executor) {
+        return SweepRunner.run(SweepFolder.of(folder, plan), Shard.WHOLE, executor, SILENT);
+    }
+
+    /** The table without the column of wall times. */
+    private static String withoutTimes(Path folder) throws IOException {
+        List<String> kept = new ArrayList<>();
+        for (String line : Files.readAllLines(folder.resolve("runs.csv"))) {
+            List<String> cells = new ArrayList<>(List.of(line.split(",", -1)));
+            cells.remove(5);
+            kept.add(String.join(",", cells));
+        }
+        return String.join("\n", kept);
+    }
+
+    /** Stops as a killed process does: some runs are in the journal, in any order, and half of another's line. */
+    private record KilledExecutor(int after) implements SweepExecutor {
+        @Override
+        public void run(SweepPlan plan, List<Integer> pending, Consumer<RunRow> done) {
+            List<Integer> order = new ArrayList<>(pending.subList(0, after));
+            Collections.reverse(order);
+            order.forEach(i -> done.accept(RunRow.of(plan.model(), plan.points().get(i))));
+            throw new IllegalStateException("killed");
+        }
+
+        @Override
+        public int width() {
+            return 1;
+        }
+    }
+
+    private static final class CountingExecutor implements SweepExecutor {
+        private final List<Integer> asked = new ArrayList<>();
+
+        @Override
+        public void run(SweepPlan plan, List<Integer> pending, Consumer<RunRow> done) {
+            asked.addAll(pending);
+            new ThreadExecutor(2).run(plan, pending, done);
+        }
+
+        @Override
+        public int width() {
+            return 2;
+        }
+    }
+
+    /** Indices of Ishigami and Homma 1990 for a = 7, b = 0.1, in closed form. */
+    @Test
+    void theKnownIndicesOfIshigamisFunctionLieInTheirIntervals() {
+        SweepResults results = run(plan(1024), folder, new ThreadExecutor(2));
+        Map<?, ?> y =
+                (Map<?, ?>) ((Map<?, ?>) new SweepReport(results, 0, 2).values().get("responses")).get("y");
+        double[] first = {0.3139, 0.4424, 0};
+        double[] total = {0.5576, 0.4424, 0.2437};
+        for (int f = 0; f < 3; f++) {
+            requireCovered((Map<?, ?>) y.get("first_order"), "x" + (f + 1), first[f]);
+            requireCovered((Map<?, ?>) y.get("total"), "x" + (f + 1), total[f]);
+        }
+        assertThat((double) y.get("mean")).isCloseTo(3.5, within(0.02));
+    }
+
+    private static void requireCovered(Map<?, ?> estimates, String factor, double truth) {
+        Map<?, ?> estimate = (Map<?, ?>) estimates.get(factor);
+        assertThat(truth).as("index of %s", factor).isBetween((double) estimate.get("low"), (double)
+                estimate.get("high"));
+        assertThat((double) estimate.get("value")).isCloseTo(truth, within(0.03));
+    }
+
+    @Test
+    void aStudyKilledAtHalfResumesWithoutRepeatingAndGivesTheSameTable() throws IOException {
+        SweepPlan plan = plan(16);
+        Path whole = folder.resolve("whole");
+        Path killed = folder.resolve("killed");
+        run(plan, whole, new ThreadExecutor(1));
+        assertThatThrownBy(() -> run(plan, killed, new KilledExecutor(40))).hasMessage("killed");
+        Files.writeString(killed.resolve("journal.csv"), "77,,0.1,abc", java.nio.file.StandardOpenOption.APPEND);
+        CountingExecutor rest = new CountingExecutor();
+        SweepResults results = run(plan, killed, rest);
+        assertThat(results.isComplete()).isTrue();
+        assertThat(rest.asked).hasSize(40).allMatch(i -> i >= 40);
+        assertThat(withoutTimes(killed)).isEqualTo(withoutTimes(whole)).hasLineCount(81);
+        CountingExecutor nothing = new CountingExecutor();
+        run(plan, killed, nothing);
+        assertThat(nothing.asked).isEmpty();
+    }
+
+    @Test
+    void shardsInAnyOrderMergeToTheTableOfTheWholeStudy() throws IOException {
+        SweepPlan plan = plan(16);
+        Path whole = folder.resolve("whole");
+        Path shared = folder.resolve("shared");
+        run(plan, whole, new ThreadExecutor(2));
+        for (String shard : List.of("2/3", "0/3", "1/3")) {
+            assertThat(SweepFolder.of(shared, plan).results().isComplete()).isFalse();
+            SweepRunner.run(SweepFolder.of(shared, plan), Shard.parse(shard), new ThreadExecutor(1), SILENT);
+        }
+        SweepFolder merged = SweepFolder.existing(shared);
+        assertThat(merged.results().isComplete()).isTrue();
+        merged.write(merged.results(), 0, 0, 1);
+        assertThat(withoutTimes(shared)).isEqualTo(withoutTimes(whole));
+        assertThat(Files.readString(shared.resolve("report.html")))
+                .contains("80 of 80 runs", "Not for clinical use.", "data:image/svg+xml");
+    }
+
+    @Test
+    void aFolderOfAnotherStudyIsRefused() {
+        run(plan(4), folder, new ThreadExecutor(1));
+        assertThatThrownBy(() -> SweepFolder.of(folder, plan(8)))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("another study");
+        assertThatThrownBy(() -> SweepFolder.existing(folder.resolve("none")))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("expected the folder of a study");
+        assertThatThrownBy(() -> Shard.parse("3/3")).hasMessageContaining("found '3/3', expected k/n");
+    }
+}
