@@ -27,8 +27,9 @@ import org.phrenic.simulation.observe.Surface;
  * and path are drawn thicker than they are, for visibility.
  *
  * @param level advice level of the planned path
+ * @param seeThrough whether what lies in the body is shown
  */
-public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
+public record NeedleMarkers(NeedleState state, PathAdvice.Level level, boolean seeThrough) {
     private static final String NEEDLE = Markers.PREFIX + "needle";
     private static final String HUB = Markers.PREFIX + "hub";
     private static final String TARGET = Markers.PREFIX + "target";
@@ -36,6 +37,8 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
     private static final String ENTRY = Markers.PREFIX + "entry_";
     private static final Color TARGET_LINE = new Color(0xb38f00);
     private static final Color NEEDLE_LINE = new Color(0x1f4e79);
+    private static final Color PLANE_LINE = new Color(0x2f86d6);
+    private static final Color PLANE_FILL = new Color(0x2f, 0x86, 0xd6, 34);
     private static final double NEEDLE_MM = 1.2;
     private static final double HUB_MM = 2.6;
     private static final double HUB_LENGTH_MM = 18;
@@ -48,6 +51,8 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
         all.add(Markers.movingRod(NEEDLE));
         all.add(Markers.movingRod(HUB));
         all.add(Markers.movingBall(TARGET));
+        all.add(ProbeMarker.housing());
+        all.add(ProbeMarker.mark());
         for (PathAdvice.Level level : PathAdvice.Level.values()) {
             all.add(Markers.movingRod(PATH + level));
             all.add(Markers.movingBall(ENTRY + level));
@@ -62,23 +67,31 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
         }
         NeedleState state = marks.get().state();
         Map<String, Appearance> looks = new LinkedHashMap<>(style.appearances());
-        renderer.setPose(TARGET, Markers.ballPose(state.target(), state.targetRadiusMm()));
-        looks.put(TARGET, NeedlePictures.TARGET_APPEARANCE);
+        if (marks.get().seeThrough()) {
+            renderer.setPose(TARGET, Markers.ballPose(state.target(), state.targetRadiusMm()));
+            looks.put(TARGET, NeedlePictures.TARGET_APPEARANCE);
+        }
+        state.probe().ifPresent(probe -> {
+            renderer.setPose(ProbeMarker.HOUSING, ProbeMarker.housingPose(probe.pose()));
+            renderer.setPose(ProbeMarker.MARK, ProbeMarker.markPose(probe.pose()));
+            looks.put(ProbeMarker.HOUSING, Appearance.of(ProbeMarker.HOUSING_RGB, 1));
+            looks.put(ProbeMarker.MARK, Appearance.of(ProbeMarker.MARK_RGB, 1));
+        });
         if (state.entry().isPresent()) {
             double[] entry = state.entry().get();
             PathAdvice.Level level = marks.get().level();
             double[] end = pointAlong(entry, state.tip(), state.hub(), state.aimedDepthMm());
-            renderer.setPose(PATH + level, Markers.rodPose(entry, end, PATH_MM));
-            renderer.setPose(ENTRY + level, Markers.ballPose(entry, ENTRY_MM));
-            looks.put(PATH + level, Appearance.of(rgb(level), 1));
-            looks.put(ENTRY + level, Appearance.of(rgb(level), 1));
-            if (state.placed()) {
-                double[] hub = state.hub();
-                renderer.setPose(NEEDLE, Markers.rodPose(hub, state.tip(), NEEDLE_MM));
-                renderer.setPose(HUB, Markers.rodPose(hub, pointAlong(hub, state.tip(), hub, -HUB_LENGTH_MM), HUB_MM));
-                looks.put(NEEDLE, NeedlePictures.NEEDLE_APPEARANCE);
-                looks.put(HUB, NeedlePictures.NEEDLE_APPEARANCE);
+            if (marks.get().seeThrough()) {
+                renderer.setPose(PATH + level, Markers.rodPose(entry, end, PATH_MM));
+                renderer.setPose(ENTRY + level, Markers.ballPose(entry, ENTRY_MM));
+                looks.put(PATH + level, Appearance.of(rgb(level), 1));
+                looks.put(ENTRY + level, Appearance.of(rgb(level), 1));
             }
+            double[] hub = state.hub();
+            renderer.setPose(NEEDLE, Markers.rodPose(hub, state.tip(), NEEDLE_MM));
+            renderer.setPose(HUB, Markers.rodPose(hub, pointAlong(hub, state.tip(), hub, -HUB_LENGTH_MM), HUB_MM));
+            looks.put(NEEDLE, NeedlePictures.NEEDLE_APPEARANCE);
+            looks.put(HUB, NeedlePictures.NEEDLE_APPEARANCE);
         }
         return style.withAppearances(looks);
     }
@@ -93,6 +106,17 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
         Graphics2D g = (Graphics2D) graphics.create();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        if (!seeThrough) {
+            g.dispose();
+            return;
+        }
+        state.probe()
+                .flatMap(probe -> ProbeMarker.outline(probe, camera, width, height))
+                .ifPresent(plane -> {
+                    g.setColor(PLANE_FILL);
+                    g.fill(plane);
+                    line(g, plane, PLANE_LINE, 1.5f, false);
+                });
         double[] at = new double[2];
         double[] target = state.target();
         if (camera.project(target[0], target[1], target[2], width, height, at)) {
@@ -103,10 +127,8 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level) {
             double[] entry = state.entry().get();
             double[] end = pointAlong(entry, state.tip(), state.hub(), state.aimedDepthMm());
             segment(camera, entry, end, width, height).ifPresent(s -> line(g, s, new Color(rgb(level)), 2, true));
-            if (state.placed()) {
-                segment(camera, state.hub(), state.tip(), width, height)
-                        .ifPresent(s -> line(g, s, NEEDLE_LINE, 2.5f, false));
-            }
+            segment(camera, state.hub(), state.tip(), width, height)
+                    .ifPresent(s -> line(g, s, NEEDLE_LINE, 2.5f, false));
         }
         g.dispose();
     }

@@ -17,6 +17,7 @@ import org.phrenic.access.path.PathAnalyzer;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.Vectors;
 import org.phrenic.simulation.observe.Frame;
 
 /**
@@ -44,6 +45,8 @@ public final class NeedleInsertion {
     private final NeedleShaft shaft;
     private double speed;
     private double goal;
+    /** Whether the needle has been turned since its tip was last moved. */
+    private boolean turned;
 
     /**
      * @param anatomy already updated to a frame; later frames must be passed to {@link #update}
@@ -172,8 +175,43 @@ public final class NeedleInsertion {
         }
         shaft.place(point, from, aim);
         speed = 0;
+        turned = false;
         log.newAttempt();
         log.event(AttemptEvent.Kind.SKIN_CONTACT, "", 0);
+    }
+
+    /** Places the tip on the skin at an entry given at end-expiration, with the needle at these angles. */
+    public void placeAtRest(double[] entry, NeedleAngles angles) {
+        SkinPoint point = SkinPoint.atRest(anatomy.skin(), entry);
+        place(point, Vectors.addScaled(point.current(), angles.direction(), needle.lengthMm() / 2));
+    }
+
+    /**
+     * Turns the needle about its skin point to these angles. Turns between two movements of the tip are one
+     * redirection; before the skin is punctured they are none.
+     *
+     * @throws BadInputException if the needle is not placed, or its tip is in the liver
+     */
+    public void turn(NeedleAngles angles) {
+        requireTurnable();
+        shaft.pointAt(Vectors.addScaled(shaft.entry(), angles.direction(), needle.lengthMm() / 2));
+        if (shaft.depth() > 0 && !turned) {
+            log.event(AttemptEvent.Kind.REDIRECTION, "", shaft.depth());
+        }
+        turned = shaft.depth() > 0;
+    }
+
+    private void requireTurnable() {
+        requirePlaced();
+        if (shaft.isTipAnchored()) {
+            throw new BadInputException("redirect: found the tip in the liver, expected it withdrawn from there first");
+        }
+    }
+
+    /** Depth below the skin at which the needle passes nearest to the centre of the target, mm; at least 1. */
+    public double targetDepthMm() {
+        double[] toTarget = Vectors.subtract(targetNow(), shaft.entry());
+        return Math.max(1, Math.min(needle.lengthMm(), Vectors.dot(toTarget, shaft.direction())));
     }
 
     /**
@@ -182,10 +220,7 @@ public final class NeedleInsertion {
      * @throws BadInputException if the needle is not placed, its tip is in the liver, or it is too short
      */
     public void redirect(double[] aim) {
-        requirePlaced();
-        if (shaft.isTipAnchored()) {
-            throw new BadInputException("redirect: found the tip in the liver, expected it withdrawn from there first");
-        }
+        requireTurnable();
         needle.requireReach(shaft.entry(), aim);
         shaft.pointAt(aim);
         log.event(AttemptEvent.Kind.REDIRECTION, "", shaft.depth());
@@ -210,6 +245,7 @@ public final class NeedleInsertion {
                     toDepthMm,
                     needle.lengthMm()));
         }
+        turned = false;
         goal = toDepthMm;
         speed = goal == shaft.depth() ? 0 : speedMmPerS;
     }
@@ -274,6 +310,10 @@ public final class NeedleInsertion {
 
     public TargetLesion target() {
         return target;
+    }
+
+    public Needle needle() {
+        return needle;
     }
 
     /** The record up to the current frame. */

@@ -22,6 +22,8 @@ import org.phrenic.simulation.observe.Surface;
 public enum Tissue {
     SOFT(1.05, 1.54, 0.80, -57),
     LIVER(1.06, 1.65, 0.50, -50),
+    /** A lesion of the liver, darker than it, as most metastases are. */
+    LESION(1.05, 1.63, 0.60, -58),
     SPLEEN(1.06, 1.64, 0.40, -49),
     KIDNEY(1.05, 1.62, 1.00, -54),
     HEART(1.06, 1.64, 0.52, -55),
@@ -139,7 +141,8 @@ public enum Tissue {
             case LIVER -> LIVER;
             case VESSEL -> BLOOD;
             case MUSCLE, DIAPHRAGM -> MUSCLE;
-            case SKIN, LESION -> SOFT;
+            case SKIN -> SOFT;
+            case LESION -> LESION;
             case ORGAN, OTHER -> ofOrgan(name.toLowerCase(Locale.ROOT));
         };
     }

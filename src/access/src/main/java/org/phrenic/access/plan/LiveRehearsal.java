@@ -2,23 +2,19 @@ package org.phrenic.access.plan;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.atomic.AtomicReference;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.SkinPoint;
 import org.phrenic.access.TargetLesion;
+import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.attempt.NeedleInsertion;
-import org.phrenic.access.attempt.NeedleShaft;
 import org.phrenic.access.attempt.NeedleSnapshots;
 import org.phrenic.access.path.AccessMap;
-import org.phrenic.access.path.PathAnalysis;
-import org.phrenic.access.path.PathAnalyzer;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.Vectors;
-import org.phrenic.model.assembly.Breathing;
-import org.phrenic.scenario.Assignment;
 import org.phrenic.simulation.live.LiveRun;
 import org.phrenic.simulation.live.StepListener;
 import org.phrenic.simulation.observe.Frame;
@@ -54,19 +50,24 @@ public final class LiveRehearsal implements StepListener {
     private final TargetLesion target;
     private final Optional<AccessMap> map;
     private final Listener listener;
-    private final PathAnalyzer analyzer;
+    private final NeedleObserver observer;
+    private final HeldProbe probe;
+    private final HandOnProbe hand;
+    private final AtomicReference<NeedleAngles> needleTurned = new AtomicReference<>();
     private final Queue<Runnable> requests = new ConcurrentLinkedQueue<>();
     private final ManualStepRecorder steps = new ManualStepRecorder();
+    private final BreathCommands breathing;
 
     private NeedleInsertion needle;
     private NeedleSnapshots snapshots;
     private PlanPlayer player;
     private Optional<double[]> entryRest = Optional.empty();
     private Optional<SkinPoint> entry = Optional.empty();
-    private Optional<BreathEvent> holdAt = Optional.empty();
+    /** Angles of a needle that is not placed; empty if it points at the target. */
+    private Optional<NeedleAngles> angles = Optional.empty();
+
     private double aimedMm;
-    private RespiratoryPhase before = RespiratoryPhase.PAUSE;
-    private int breathBefore = 1;
+    private boolean fresh;
     private Frame frame;
     private RespiratoryPhase phase = RespiratoryPhase.PAUSE;
     private double timeS;
@@ -95,7 +96,10 @@ public final class LiveRehearsal implements StepListener {
         this.target = target;
         this.map = map;
         this.listener = listener;
-        analyzer = new PathAnalyzer(anatomy, plan.needle());
+        observer = new NeedleObserver(anatomy, plan);
+        probe = new HeldProbe(anatomy);
+        hand = new HandOnProbe(probe, steps);
+        breathing = new BreathCommands(run, steps, plan.reactionS());
     }
 
     /** While a needle by hand is in no body and nothing is asked of it, a frame changes nothing but what is shown. */
@@ -105,19 +109,18 @@ public final class LiveRehearsal implements StepListener {
                 || player != null
                 || needle.shaft().isPlaced()
                 || !requests.isEmpty()
+                || hand.isAsked()
+                || needleTurned.get() != null
                 || System.nanoTime() - describedNs > SHOW_NS;
     }
 
     @Override
     public void onStepWithoutFrame(double nowS, RespiratoryPhase doing, int breath) {
         if (nowS < timeS) {
-            steps.clear();
             begin();
         }
         timeS = nowS;
-        holdIfDue(doing, breath);
-        before = doing;
-        breathBefore = breath;
+        breathing.update(doing, breath, timeS);
     }
 
     @Override
@@ -128,36 +131,47 @@ public final class LiveRehearsal implements StepListener {
         frame = shownFrame;
         phase = doing;
         if (needle == null || frame.timeS() < timeS) {
-            steps.clear();
             begin();
         }
         timeS = frame.timeS();
         int breath = 1 + (int) frame.values()[BREATH];
         needle.update(frame, phase);
+        probe.update(frame, needle);
+        if (fresh) {
+            fresh = false;
+            hand.begin(timeS);
+        }
         boolean done = player == null ? runRequests(breath) : play(breath);
         snapshots.observe(needle, frame, phase, player == null ? 0 : player.images());
-        before = phase;
-        breathBefore = breath;
         if (done) {
             List<PlanStep> taken = player == null ? steps.stepsUntil(timeS) : plan.steps();
-            listener.finished(
-                    new LiveAttempt(taken, target, needle.record(), snapshots.all(), timeS, run.commandHash()));
+            listener.finished(new LiveAttempt(
+                    taken, target, needle.record(), probe.use(), snapshots.all(), timeS, run.commandHash()));
             over = true;
+            if (player == null) {
+                // The next attempt in this run.
+                steps.keepBreathHolds();
+                hand.begin(timeS);
+            }
         }
         if (state == null || done || System.nanoTime() - describedNs > SHOW_NS) {
             describedNs = System.nanoTime();
-            state = describe();
+            state = observer.describe(needle, probe, planned(), aimedMm, breathing.pending(), frame, phase);
         }
     }
 
     private void begin() {
+        steps.clear();
         needle = new NeedleInsertion(anatomy, target, plan.needle(), plan.avoided());
         snapshots = new NeedleSnapshots();
-        player = map.isPresent() ? new PlanPlayer(plan, needle, map.get(), this::hold) : null;
-        holdAt = Optional.empty();
-        before = RespiratoryPhase.PAUSE;
-        breathBefore = 1;
+        player = map.isPresent() ? new PlanPlayer(plan, needle, probe, map.get(), this::hold) : null;
+        breathing.begin();
         over = false;
+        fresh = true;
+    }
+
+    private NeedleObserver.Planned planned() {
+        return new NeedleObserver.Planned(entry, angles);
     }
 
     private boolean play(int breath) {
@@ -176,7 +190,8 @@ public final class LiveRehearsal implements StepListener {
 
     /** Executes the pending requests. Returns whether the attempt has ended. */
     private boolean runRequests(int breath) {
-        holdIfDue(phase, breath);
+        breathing.update(phase, breath, timeS);
+        requests.add(() -> hand.move(timeS));
         for (Runnable next = requests.poll(); next != null; next = requests.poll()) {
             try {
                 next.run();
@@ -184,23 +199,31 @@ public final class LiveRehearsal implements StepListener {
                 listener.refused(bad.getMessage());
             }
         }
+        turnNeedle();
         return !over && !needle.shaft().isPlaced() && !needle.record().samples().isEmpty();
     }
 
-    private void holdIfDue(RespiratoryPhase doing, int breath) {
-        if (holdAt.isPresent() && holdAt.get().occurs(before, breathBefore, doing, breath)) {
-            holdAt = Optional.empty();
-            held(true);
+    /** Turns the needle to the angles that it was asked to have last. */
+    private void turnNeedle() {
+        NeedleAngles asked = needleTurned.getAndSet(null);
+        if (asked == null) {
+            return;
+        }
+        if (!needle.shaft().isPlaced()) {
+            angles = Optional.of(asked);
+        } else {
+            try {
+                needle.turn(asked);
+                steps.add(timeS, new PlanStep.Redirect("by hand, redirect", PlanStep.Aim.at(asked)));
+                aimedMm = needle.targetDepthMm();
+            } catch (BadInputException bad) {
+                listener.refused(bad.getMessage());
+            }
         }
     }
 
     private void hold(boolean on, String origin) {
-        run.change(List.of(Assignment.of(origin, Breathing.HOLD, on)));
-    }
-
-    private void held(boolean on) {
-        hold(on, "window");
-        steps.add(timeS, new PlanStep.HoldBreath("by hand, hold_breath", on));
+        BreathCommands.set(run, on, origin);
     }
 
     /**
@@ -208,18 +231,15 @@ public final class LiveRehearsal implements StepListener {
      * releases.
      */
     public void holdAt(Optional<BreathEvent.Kind> end) {
-        requests.add(() -> {
-            holdAt = end.map(kind -> new BreathEvent(kind, OptionalInt.empty()));
-            if (run.scenario().hold()) {
-                held(false);
-            }
-        });
+        requests.add(() -> breathing.request(end, timeS));
     }
 
     /**
      * Chooses the entry point on the skin, given at end-expiration. The request fails while the needle is in the body.
+     *
+     * @param initialAngles angles of the needle there until it is turned or aimed
      */
-    public void enterAt(double[] onSkinAtRest) {
+    public void enterAt(double[] onSkinAtRest, NeedleAngles initialAngles) {
         requests.add(() -> {
             if (needle.shaft().isPlaced() && needle.shaft().depth() > 0) {
                 throw new BadInputException("entry: found the needle in the body, expected it withdrawn first");
@@ -227,12 +247,13 @@ public final class LiveRehearsal implements StepListener {
             SkinPoint point = SkinPoint.atRest(anatomy.skin(), onSkinAtRest);
             entryRest = Optional.of(onSkinAtRest.clone());
             entry = Optional.of(point);
+            angles = Optional.of(initialAngles);
         });
     }
 
     /**
-     * Moves the tip to a depth below the skin. If the needle is not placed, it is first placed on the skin and pointed
-     * at the current position of the target.
+     * Moves the tip to a depth below the skin. If the needle is not placed, it is first placed on the skin, with its
+     * angles or, if it was aimed, pointed at the current position of the target.
      *
      * @param speedMmPerS positive speed, mm/s
      */
@@ -253,25 +274,49 @@ public final class LiveRehearsal implements StepListener {
         if (over) {
             // A new attempt starts in the same run.
             over = false;
-            steps.keepBreathHolds();
             needle = new NeedleInsertion(anatomy, target, plan.needle(), plan.avoided());
             snapshots = new NeedleSnapshots();
             needle.update(frame, phase);
         }
-        double[] aim = needle.targetNow();
-        needle.placeAtRest(entryRest.get(), aim);
-        steps.add(timeS, new PlanStep.Place("by hand, place", entryRest, false, PlanStep.Aim.TARGET));
-        aimedMm = Vectors.distance(needle.shaft().entry(), aim);
+        if (angles.isPresent()) {
+            needle.placeAtRest(entryRest.get(), angles.get());
+            aimedMm = needle.targetDepthMm();
+        } else {
+            double[] aim = needle.targetNow();
+            needle.placeAtRest(entryRest.get(), aim);
+            aimedMm = Vectors.distance(needle.shaft().entry(), aim);
+        }
+        PlanStep.Aim aim = angles.map(PlanStep.Aim::at).orElse(PlanStep.Aim.TARGET);
+        steps.add(timeS, new PlanStep.Place("by hand, place", entryRest, false, aim));
     }
 
     /** Points the needle at the current position of the target by rotating it about its skin point. */
     public void aim() {
         requests.add(() -> {
+            if (!needle.shaft().isPlaced()) {
+                angles = Optional.empty();
+                return;
+            }
             double[] aim = needle.targetNow();
             needle.redirect(aim);
             steps.add(timeS, new PlanStep.Redirect("by hand, redirect", PlanStep.Aim.TARGET));
             aimedMm = Vectors.distance(needle.shaft().entry(), aim);
         });
+    }
+
+    /** Turns the needle about its point on the skin; the last of several turns within a frame counts. */
+    public void turnTo(NeedleAngles to) {
+        needleTurned.set(to);
+    }
+
+    /** Puts the probe on the skin, moves it, or lifts it; the last of several moves within a frame counts. */
+    public void holdProbe(Optional<ProbeHold> as) {
+        hand.ask(as);
+    }
+
+    /** What an ultrasound image of the current frame is made of; empty without a probe. On the thread of the run. */
+    public Optional<ImageMoment> imageMoment() {
+        return needle == null || frame == null ? Optional.empty() : probe.moment(needle);
     }
 
     /** Takes a sample at the tip. */
@@ -280,43 +325,6 @@ public final class LiveRehearsal implements StepListener {
             needle.sample();
             steps.add(timeS, new PlanStep.Sample("by hand, sample"));
         });
-    }
-
-    private NeedleState describe() {
-        NeedleShaft shaft = needle.shaft();
-        double[] centre = needle.targetNow();
-        boolean placed = shaft.isPlaced();
-        Optional<double[]> from = placed ? Optional.of(shaft.entry()) : entry.map(SkinPoint::current);
-        double[] start = from.orElse(centre);
-        double aimed = placed ? Math.max(aimedMm, shaft.depth()) : Vectors.distance(start, centre);
-        double[] direction = placed
-                ? shaft.direction()
-                : aimed > 0 ? Vectors.normalize(Vectors.subtract(centre, start)) : new double[] {0, 0, 1};
-        double[] end = Vectors.addScaled(start, direction, aimed);
-        Optional<PathAnalysis> path = from.map(skin -> analyzer.analyze(skin, end));
-        PathAnalyzer.Margin margin =
-                path.isPresent() ? analyzer.margin(start, end, plan.avoided()) : new PathAnalyzer.Margin(0, "");
-        double depth = placed ? shaft.depth() : 0;
-        return new NeedleState(
-                timeS,
-                phase,
-                centre,
-                target.radiusMm(),
-                from,
-                placed,
-                Vectors.addScaled(start, direction, depth - plan.needle().lengthMm()),
-                Vectors.addScaled(start, direction, depth),
-                depth,
-                aimed,
-                shaft.isTipAnchored(),
-                needle.isMoving(),
-                placed ? Optional.of(needle.targetingError()) : Optional.empty(),
-                path.map(p -> p.reasons(plan.avoided())).orElse(List.of()),
-                margin.mm(),
-                anatomy.labelOf(margin.nearest()),
-                placed ? needle.warnings() : List.of(),
-                needle.record().samples().size(),
-                holdAt.map(BreathEvent::text).orElse(""));
     }
 
     /** The current state; null before the first frame. */

@@ -21,6 +21,10 @@ final class ManualStepRecorder {
         done.removeIf(timed -> !(timed.step() instanceof PlanStep.HoldBreath));
     }
 
+    boolean isEmpty() {
+        return done.isEmpty();
+    }
+
     /** Clears the recording after the run has restarted. */
     void clear() {
         done.clear();

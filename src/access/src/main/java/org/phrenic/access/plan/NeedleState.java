@@ -2,6 +2,7 @@ package org.phrenic.access.plan;
 
 import java.util.List;
 import java.util.Optional;
+import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.breathing.RespiratoryPhase;
 
@@ -23,6 +24,9 @@ import org.phrenic.breathing.RespiratoryPhase;
  * @param warnings warnings about the needle in the body, as text
  * @param samples samples taken so far
  * @param pendingHold event at which a requested breath hold will start, as text; empty if there is none
+ * @param aimedByHand whether a hand points the needle, not the program
+ * @param angles angles of the needle; before placement, of the planned needle
+ * @param probe the ultrasound probe; empty while it is not on the skin
  */
 public record NeedleState(
         double timeS,
@@ -43,7 +47,10 @@ public record NeedleState(
         String nearest,
         List<String> warnings,
         int samples,
-        String pendingHold) {
+        String pendingHold,
+        boolean aimedByHand,
+        NeedleAngles angles,
+        Optional<ProbeState> probe) {
     /** Whether there is a needle to display. */
     public boolean hasNeedle() {
         return entry.isPresent();

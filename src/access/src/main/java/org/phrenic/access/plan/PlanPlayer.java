@@ -7,6 +7,8 @@ import org.phrenic.access.path.AccessMap;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.Vectors;
+import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Observation;
 
 /** Executes the steps of a plan. After each frame, it executes all steps whose conditions are met. */
 public final class PlanPlayer {
@@ -15,8 +17,11 @@ public final class PlanPlayer {
         void hold(boolean held, String origin);
     }
 
+    private static final int BREATH = Observation.COLUMNS.indexOf("breath");
+
     private final RehearsalPlan plan;
     private final NeedleInsertion needle;
+    private final HeldProbe probe;
     private final AccessMap map;
     private final Breathing breathing;
     private int next;
@@ -28,11 +33,23 @@ public final class PlanPlayer {
     private int breathBefore = 1;
 
     /** @param map access map of the target, for steps that use its best entry points */
-    public PlanPlayer(RehearsalPlan plan, NeedleInsertion needle, AccessMap map, Breathing breathing) {
+    public PlanPlayer(RehearsalPlan plan, NeedleInsertion needle, HeldProbe probe, AccessMap map, Breathing breathing) {
+        this.probe = probe;
         this.plan = plan;
         this.needle = needle;
         this.map = map;
         this.breathing = breathing;
+    }
+
+    NeedleInsertion needle() {
+        return needle;
+    }
+
+    /** Moves needle and probe to a frame, and executes all steps that are possible then. */
+    boolean update(Frame frame, RespiratoryPhase phase) {
+        needle.update(frame, phase);
+        probe.update(frame, needle);
+        return update(phase, 1 + (int) frame.values()[BREATH]);
     }
 
     /**
@@ -91,13 +108,11 @@ public final class PlanPlayer {
         if (step instanceof PlanStep.HoldBreath hold) {
             breathing.hold(hold.held(), hold.place());
         } else if (step instanceof PlanStep.Place place) {
-            double[] aim = point(place.aim());
-            needle.placeAtRest(entry(place, map), aim);
-            aimedMm = Vectors.distance(needle.shaft().entry(), aim);
+            place(entry(place, map), place.aim());
         } else if (step instanceof PlanStep.Redirect redirect) {
-            double[] aim = point(redirect.aim());
-            needle.redirect(aim);
-            aimedMm = Vectors.distance(needle.shaft().entry(), aim);
+            redirect(redirect.aim());
+        } else if (step instanceof PlanStep.Probe held) {
+            probe.hold(held.hold());
         } else if (step instanceof PlanStep.Advance advance) {
             if (first) {
                 needle.advance(advance.depthMm().orElse(aimedMm), advance.speedMmPerS());
@@ -109,6 +124,26 @@ public final class PlanPlayer {
             needle.sample();
         }
         return true;
+    }
+
+    private void place(double[] entry, PlanStep.Aim aim) {
+        if (aim.angles().isPresent()) {
+            needle.placeAtRest(entry, aim.angles().get());
+            aimedMm = needle.targetDepthMm();
+        } else {
+            needle.placeAtRest(entry, point(aim));
+            aimedMm = Vectors.distance(needle.shaft().entry(), point(aim));
+        }
+    }
+
+    private void redirect(PlanStep.Aim aim) {
+        if (aim.angles().isPresent()) {
+            needle.turn(aim.angles().get());
+            aimedMm = needle.targetDepthMm();
+        } else {
+            needle.redirect(point(aim));
+            aimedMm = Vectors.distance(needle.shaft().entry(), point(aim));
+        }
     }
 
     private boolean occurs(BreathEvent event, RespiratoryPhase phase, int breath) {

@@ -1,6 +1,7 @@
 package org.phrenic.access.plan;
 
 import java.util.Optional;
+import org.phrenic.access.attempt.NeedleAngles;
 
 /** One step of a planned attempt. */
 public sealed interface PlanStep {
@@ -38,20 +39,41 @@ public sealed interface PlanStep {
     /** Takes a sample. */
     record Sample(String place) implements PlanStep {}
 
+    /**
+     * Puts the ultrasound probe on the skin, moves it, or lifts it.
+     *
+     * @param hold how it is held from here on; empty if it is lifted
+     */
+    record Probe(String place, Optional<ProbeHold> hold) implements PlanStep {}
+
     /** Takes an ultrasound image. */
     record Image(String place, ProbeHold probe) implements PlanStep {}
 
     /**
-     * The position that a needle is pointed at.
+     * Where a needle is pointed: at a position, or at angles as by a hand.
      *
      * @param point fixed position, LPS, mm; empty for the target
      * @param atRest whether to use the position of the target at end-expiration instead of its current position
+     * @param angles angles of the needle; empty if it is pointed at a position
      */
-    record Aim(Optional<double[]> point, boolean atRest) {
+    record Aim(Optional<double[]> point, boolean atRest, Optional<NeedleAngles> angles) {
         /** The current position of the target. */
-        static final Aim TARGET = new Aim(Optional.empty(), false);
+        static final Aim TARGET = new Aim(Optional.empty(), false, Optional.empty());
 
         /** The target at end-expiration. */
-        static final Aim TARGET_AT_REST = new Aim(Optional.empty(), true);
+        static final Aim TARGET_AT_REST = new Aim(Optional.empty(), true, Optional.empty());
+
+        static Aim at(double[] point) {
+            return new Aim(Optional.of(point), false, Optional.empty());
+        }
+
+        static Aim at(NeedleAngles angles) {
+            return new Aim(Optional.empty(), false, Optional.of(angles));
+        }
+
+        /** Whether the program points the needle, not a hand. */
+        boolean byProgram() {
+            return angles.isEmpty();
+        }
     }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
@@ -11,11 +12,12 @@ import org.phrenic.file.BadInputException;
 /** YAML format of plan steps: a list of mappings, each with a single key that gives the kind of the step. */
 final class PlanStepYaml {
     private static final List<String> KINDS =
-            List.of("wait", "hold_breath", "place", "redirect", "advance", "sample", "withdraw", "image");
+            List.of("wait", "hold_breath", "place", "redirect", "advance", "sample", "withdraw", "image", "probe");
     private static final List<String> MOVE_KEYS = List.of("depth_mm", "speed_mm_per_s", "wait");
     private static final double SPEED_MM_PER_S = 50;
     private static final String AIM = "target";
     private static final String AIM_AT_REST = "target-at-end-expiration";
+    private static final String LIFTED = "lifted";
     private static final String BEST = "best";
     private static final String BEST_AT_REST = "best-at-end-expiration";
 
@@ -55,6 +57,7 @@ final class PlanStepYaml {
                 YamlMap map = map(step, kind, MOVE_KEYS);
                 yield advance(place, Optional.of(map.number("depth_mm", 0)), map);
             }
+            case "probe" -> probe(step, place);
             case "image" -> new PlanStep.Image(place, ProbeHold.read(step.map(kind)));
             default -> {
                 if (!step.text(kind).equals("now")) {
@@ -63,6 +66,17 @@ final class PlanStepYaml {
                 yield new PlanStep.Sample(place);
             }
         };
+    }
+
+    private static PlanStep probe(YamlMap step, String place) {
+        if (isText(step, "probe")) {
+            if (!step.text("probe").equals(LIFTED)) {
+                throw step.bad(
+                        "probe", "found '" + step.text("probe") + "', expected '" + LIFTED + "' or how it is held");
+            }
+            return new PlanStep.Probe(place, Optional.empty());
+        }
+        return new PlanStep.Probe(place, Optional.of(ProbeHold.read(step.map("probe"))));
     }
 
     private static YamlMap map(YamlMap step, String kind, List<String> keys) {
@@ -110,8 +124,17 @@ final class PlanStepYaml {
     }
 
     private static PlanStep.Aim aim(YamlMap map) {
+        if (map.has("aim") && map.toMap().get("aim") instanceof Map) {
+            YamlMap angles = map.map("aim");
+            angles.requireOnly(List.of("axial_deg", "cranial_deg"));
+            try {
+                return PlanStep.Aim.at(new NeedleAngles(angles.number("axial_deg"), angles.number("cranial_deg")));
+            } catch (IllegalArgumentException bad) {
+                throw map.bad("aim", bad.getMessage());
+            }
+        }
         if (map.has("aim") && !isText(map, "aim")) {
-            return new PlanStep.Aim(Optional.of(point(map, "aim")), false);
+            return PlanStep.Aim.at(point(map, "aim"));
         }
         requireChoice(map, "aim", AIM, AIM_AT_REST);
         return map.text("aim", AIM).equals(AIM) ? PlanStep.Aim.TARGET : PlanStep.Aim.TARGET_AT_REST;
@@ -152,12 +175,19 @@ final class PlanStepYaml {
             }
             return Map.of("advance", map);
         }
+        if (step instanceof PlanStep.Probe probe) {
+            return Map.of("probe", probe.hold().<Object>map(ProbeHold::toPlain).orElse(LIFTED));
+        }
         return step instanceof PlanStep.Image image
                 ? Map.of("image", image.probe().toPlain())
                 : Map.of("sample", "now");
     }
 
     private static Object toPlain(PlanStep.Aim aim) {
+        if (aim.angles().isPresent()) {
+            NeedleAngles angles = aim.angles().get();
+            return new OrderedValues().with("axial_deg", angles.axialDeg()).with("cranial_deg", angles.cranialDeg());
+        }
         return aim.point().isPresent() ? aim.point().get() : aim.atRest() ? AIM_AT_REST : AIM;
     }
 }

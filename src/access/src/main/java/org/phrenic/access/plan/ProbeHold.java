@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import org.phrenic.access.ultrasound.LiverWindow;
 import org.phrenic.access.ultrasound.ProbeOnSkin;
 import org.phrenic.access.ultrasound.ProbePose;
+import org.phrenic.access.ultrasound.ScannedSkin;
 import org.phrenic.access.ultrasound.UltrasoundSettings;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlMap;
@@ -22,9 +23,17 @@ import org.phrenic.simulation.observe.Surface;
 public record ProbeHold(
         Optional<LiverWindow> window, double[] pointRest, ProbePose.Angles angles, UltrasoundSettings settings) {
     private static final List<String> KEYS =
-            List.of("skin", "rotate_deg", "tilt_deg", "rock_deg", "depth_mm", "gain_db");
-    private static final double MOST_TILT_DEG = 80;
+            List.of("skin", "rotate_deg", "tilt_deg", "rock_deg", "depth_mm", "gain_db", "depth_gain_db_per_cm_mhz");
+    /** Greatest tilt and rock to either side, degrees. */
+    public static final double MOST_TILT_DEG = 80;
+
     private static final double MOST_GAIN_DB = 60;
+    private static final double MOST_DEPTH_GAIN = 2;
+
+    /** A probe on a point of the skin, given at end-expiration. */
+    public static ProbeHold at(double[] pointRest, ProbePose.Angles angles, UltrasoundSettings settings) {
+        return new ProbeHold(Optional.empty(), pointRest, angles, settings);
+    }
 
     static ProbeHold read(YamlMap map) {
         map.requireOnly(KEYS);
@@ -53,8 +62,10 @@ public record ProbeHold(
                 UltrasoundSettings.LEAST_DEPTH_MM,
                 UltrasoundSettings.GREATEST_DEPTH_MM);
         double gain = within(map, "gain_db", 0, -MOST_GAIN_DB, MOST_GAIN_DB);
+        double depthGain = within(
+                map, "depth_gain_db_per_cm_mhz", UltrasoundSettings.DEFAULT.depthGainDbPerCmMhz(), 0, MOST_DEPTH_GAIN);
         UltrasoundSettings settings =
-                UltrasoundSettings.DEFAULT.withDepth(depth).withGain(gain);
+                UltrasoundSettings.DEFAULT.withDepth(depth).withGain(gain).withDepthGain(depthGain);
         return new ProbeHold(window, point, angles, settings);
     }
 
@@ -66,9 +77,14 @@ public record ProbeHold(
         return value;
     }
 
-    /** The place on the skin of a body. */
-    ProbeOnSkin on(List<Surface> surfaces) {
-        return new ProbeOnSkin(surfaces, window.map(w -> w.placeOn(surfaces)).orElse(pointRest));
+    /**
+     * The place on the skin of a body.
+     *
+     * @param surfaces surfaces of the scene, in the order of its frames
+     * @param skin the skin among them
+     */
+    ProbeOnSkin on(List<Surface> surfaces, ScannedSkin skin) {
+        return skin.at(window.map(w -> w.placeOn(surfaces)).orElse(pointRest));
     }
 
     /** The values in the format that {@link #read} accepts. */
@@ -80,6 +96,7 @@ public record ProbeHold(
                 .with("tilt_deg", angles.tiltDeg())
                 .with("rock_deg", angles.rockDeg())
                 .with("depth_mm", settings.depthMm())
-                .with("gain_db", settings.gainDb());
+                .with("gain_db", settings.gainDb())
+                .with("depth_gain_db_per_cm_mhz", settings.depthGainDbPerCmMhz());
     }
 }

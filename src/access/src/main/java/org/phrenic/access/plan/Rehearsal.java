@@ -12,6 +12,7 @@ import org.phrenic.access.attempt.AttemptRecord;
 import org.phrenic.access.attempt.NeedleInsertion;
 import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.attempt.NeedleSnapshots;
+import org.phrenic.access.attempt.ProbeUse;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.access.path.TargetAccess;
@@ -26,7 +27,6 @@ import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.Frame;
-import org.phrenic.simulation.observe.Observation;
 import org.phrenic.simulation.observe.Surface;
 
 /**
@@ -34,6 +34,7 @@ import org.phrenic.simulation.observe.Surface;
  * plan is played.
  *
  * @param path planned path over the breath; empty if the plan places no needle
+ * @param probe how the ultrasound probe was used
  * @param snapshots snapshots for pictures, in chronological order
  * @param stateHash hash of the body state at the end
  */
@@ -43,12 +44,11 @@ public record Rehearsal(
         TargetAccess targetAccess,
         Optional<PathOverBreath> path,
         AttemptRecord record,
+        ProbeUse probe,
         List<NeedleSnapshot> snapshots,
         String stateHash) {
     /** Simulated time between two frames of the needle, s. Live runs use the same frame times. */
     public static final double FRAME_INTERVAL_S = 0.02;
-
-    private static final int BREATH = Observation.COLUMNS.indexOf("breath");
 
     /**
      * Plays a plan without a window.
@@ -85,27 +85,40 @@ public record Rehearsal(
             Optional<PathOverBreath> path = plannedPath(plan, access, anatomy);
             if (simulation.restart()) {
                 NeedleSnapshots snapshots = new NeedleSnapshots();
-                AttemptRecord record = attempt(plan, simulation, surfaces, anatomy, access, snapshots, progress);
+                NeedleInsertion needle = new NeedleInsertion(anatomy, access.target(), plan.needle(), plan.avoided());
+                HeldProbe probe = new HeldProbe(anatomy);
+                attempt(
+                        new PlanPlayer(
+                                plan,
+                                needle,
+                                probe,
+                                access.map(),
+                                (held, origin) -> simulation.change(Assignment.of(origin, Breathing.HOLD, held))),
+                        simulation,
+                        surfaces,
+                        snapshots,
+                        progress);
                 return new Rehearsal(
-                        plan, surfaces.surfaces(), access, path, record, snapshots.all(), simulation.stateHash());
+                        plan,
+                        surfaces.surfaces(),
+                        access,
+                        path,
+                        needle.record(),
+                        probe.use(),
+                        snapshots.all(),
+                        simulation.stateHash());
             }
         }
         throw new BadInputException(plan.file() + ": found a scenario with changes of its own, expected one without:"
                 + " a plan holds the breath by its steps");
     }
 
-    private static AttemptRecord attempt(
-            RehearsalPlan plan,
+    private static void attempt(
+            PlanPlayer player,
             Simulation simulation,
             SceneSurfaces surfaces,
-            MovingAnatomy anatomy,
-            TargetAccess access,
             NeedleSnapshots snapshots,
             SimulationRun.Progress progress) {
-        NeedleInsertion needle = new NeedleInsertion(anatomy, access.target(), plan.needle(), plan.avoided());
-        PlanPlayer.Breathing breathing =
-                (held, origin) -> simulation.change(Assignment.of(origin, Breathing.HOLD, held));
-        PlanPlayer player = new PlanPlayer(plan, needle, access.map(), breathing);
         Frame frame = surfaces.newFrame();
         double dt = simulation.stepper().dt();
         long stepsPerFrame = Math.max(1, Math.round(FRAME_INTERVAL_S / dt));
@@ -114,24 +127,20 @@ public record Rehearsal(
         while (!done) {
             surfaces.capture(frame);
             RespiratoryPhase phase = simulation.breathLabel();
-            needle.update(frame, phase);
-            done = player.update(phase, 1 + (int) frame.values()[BREATH]);
-            snapshots.observe(needle, frame, phase, player.images());
+            done = player.update(frame, phase);
+            snapshots.observe(player.needle(), frame, phase, player.images());
             for (long i = 0; !done && i < stepsPerFrame; i++) {
                 simulation.step();
             }
             double perS = simulation.steps() / (1e-9 * (System.nanoTime() - begun));
             progress.advanced(simulation.time(), Math.max(simulation.time(), simulation.durationS()), perS);
         }
-        return needle.record();
     }
 
     /** Checks that entry points lie on the skin and within reach, before a breath is simulated. */
     private static void requireEntries(RehearsalPlan plan, MovingAnatomy anatomy, TargetLesion target) {
+        RehearsalImage.requirePlaces(plan.steps(), anatomy);
         for (PlanStep step : plan.steps()) {
-            if (step instanceof PlanStep.Image image) {
-                RehearsalImage.requirePlace(image, anatomy);
-            }
             if (step instanceof PlanStep.Place place && place.entryRest().isPresent()) {
                 double[] entry = place.entryRest().get();
                 try {

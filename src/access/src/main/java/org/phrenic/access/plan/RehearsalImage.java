@@ -10,6 +10,7 @@ import org.phrenic.access.MovingStructure;
 import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.ultrasound.BModeImage;
 import org.phrenic.access.ultrasound.CurvilinearProbe;
+import org.phrenic.access.ultrasound.ScannedSkin;
 import org.phrenic.access.ultrasound.SonatedNeedle;
 import org.phrenic.access.ultrasound.Ultrasound;
 import org.phrenic.document.OrderedValues;
@@ -43,30 +44,41 @@ public record RehearsalImage(
         Ultrasound ultrasound = new Ultrasound(
                 surfaces,
                 CurvilinearProbe.abdominal(),
-                rehearsal.plan().scenario().threads());
+                rehearsal.plan().scenario().threads(),
+                Optional.of(rehearsal.target()));
+        ScannedSkin skin = new ScannedSkin(surfaces);
         for (NeedleSnapshot moment : moments) {
             ProbeHold probe = steps.get(images.size()).probe();
             Optional<SonatedNeedle> needle = moment.placed()
                     ? Optional.of(new SonatedNeedle(
                             moment.hub(), moment.tip(), rehearsal.plan().needle()))
                     : Optional.empty();
-            BModeImage image = ultrasound.take(
-                    moment.frame(), probe.on(surfaces).pose(moment.frame(), probe.angles()), probe.settings(), needle);
+            ImageMoment what = new ImageMoment(
+                    probe.on(surfaces, skin).pose(moment.frame(), probe.angles()),
+                    probe.settings(),
+                    needle,
+                    moment.target());
+            BModeImage image = what.take(ultrasound, moment.frame());
             String file = String.format(Locale.ROOT, "ultrasound_%04d.png", images.size() + 1);
             images.add(new RehearsalImage(file, moment.frame().timeS(), probe, image, needle));
         }
         return images;
     }
 
-    /** Checks that the probe of a step is on the skin. */
-    static void requirePlace(PlanStep.Image step, MovingAnatomy anatomy) {
-        try {
-            step.probe()
-                    .on(anatomy.structures().stream()
-                            .map(MovingStructure::surface)
-                            .toList());
-        } catch (BadInputException bad) {
-            throw new BadInputException(step.place() + ": " + bad.getMessage(), bad);
+    /** Checks that the probes of all steps are on the skin. */
+    static void requirePlaces(List<PlanStep> steps, MovingAnatomy anatomy) {
+        List<Surface> surfaces =
+                anatomy.structures().stream().map(MovingStructure::surface).toList();
+        ScannedSkin skin = new ScannedSkin(surfaces);
+        for (PlanStep step : steps) {
+            Optional<ProbeHold> hold = step instanceof PlanStep.Image image
+                    ? Optional.of(image.probe())
+                    : step instanceof PlanStep.Probe probe ? probe.hold() : Optional.empty();
+            try {
+                hold.ifPresent(h -> h.on(surfaces, skin));
+            } catch (BadInputException bad) {
+                throw new BadInputException(step.place() + ": " + bad.getMessage(), bad);
+            }
         }
     }
 

@@ -30,6 +30,7 @@ import org.phrenic.scenario.Scenario;
  * @param avoided zones to avoid
  * @param moments number of moments of the breath for the access map and the path
  * @param timeoutS simulated time after which a step fails, s
+ * @param aids what a window shows
  * @param file file that the plan was read from, for messages
  */
 public record RehearsalPlan(
@@ -43,6 +44,7 @@ public record RehearsalPlan(
         int moments,
         double timeoutS,
         Goals goals,
+        Aids aids,
         List<PlanStep> steps,
         String file) {
     private static final List<String> KEYS = List.of(
@@ -57,12 +59,15 @@ public record RehearsalPlan(
             "phases",
             "give_up_after_s",
             "done_when",
+            "aids",
             "steps");
     private static final List<String> DIFFICULTIES = List.of("easy", "medium", "hard");
     private static final List<String> EXERCISES =
             List.of("1-large-target.yaml", "2-dome-target.yaml", "3-held-breath.yaml");
     private static final int MAX_MOMENTS = 100;
     private static final double TIMEOUT_S = 60;
+    /** Time in which a patient follows a breathing command, s. */
+    private static final double REACTION_S = 0.4;
 
     /**
      * Specification of a target, by position or at random.
@@ -118,6 +123,7 @@ public record RehearsalPlan(
                 BreathCycle.PHASES,
                 TIMEOUT_S,
                 Goals.none(),
+                Aids.SEE_THROUGH,
                 List.of(),
                 "practice");
     }
@@ -135,6 +141,7 @@ public record RehearsalPlan(
                 (int) within(yaml, "phases", (double) yaml.integer("phases", BreathCycle.PHASES), 2, MAX_MOMENTS),
                 within(yaml, "give_up_after_s", yaml.number("give_up_after_s", TIMEOUT_S), 1, 3600),
                 Goals.read(yaml.mapOrEmpty("done_when")),
+                aids(yaml),
                 yaml.has("steps") ? PlanStepYaml.read(yaml.maps("steps"), file.toString()) : List.of(),
                 file.toString());
     }
@@ -145,6 +152,11 @@ public record RehearsalPlan(
             throw yaml.bad("difficulty", "found '" + difficulty + "', expected " + String.join(", ", DIFFICULTIES));
         }
         return difficulty;
+    }
+
+    private static Aids aids(YamlMap yaml) {
+        String key = yaml.text("aids", Aids.SEE_THROUGH.key());
+        return Aids.of(key).orElseThrow(() -> yaml.bad("aids", "found '" + key + "', expected " + Aids.keys()));
     }
 
     private static TargetSpec target(YamlMap yaml) {
@@ -209,17 +221,35 @@ public record RehearsalPlan(
 
     /** Returns a copy with scenario values replaced, each given as {@code key=value}. */
     public RehearsalPlan with(List<String> set) {
-        return copy(scenario.with(set.toArray(String[]::new)), targetSpec, timeoutS, steps);
+        return copy(scenario.with(set.toArray(String[]::new)), targetSpec, timeoutS, aids, steps);
+    }
+
+    /** Returns a copy with other aids. */
+    public RehearsalPlan with(Aids shown) {
+        return copy(scenario, targetSpec, timeoutS, shown, steps);
     }
 
     /** Returns a copy with a target at a fixed position and other steps, which last until {@code lastS}. */
     RehearsalPlan withSteps(TargetLesion target, List<PlanStep> other, double lastS) {
-        return copy(scenario, TargetSpec.of(target), Math.max(timeoutS, Math.ceil(lastS + 1)), List.copyOf(other));
+        return copy(
+                scenario, TargetSpec.of(target), Math.max(timeoutS, Math.ceil(lastS + 1)), aids, List.copyOf(other));
     }
 
-    private RehearsalPlan copy(Scenario breath, TargetSpec lesion, double limitS, List<PlanStep> done) {
+    private RehearsalPlan copy(Scenario breath, TargetSpec lesion, double limitS, Aids shown, List<PlanStep> done) {
         return new RehearsalPlan(
-                title, description, difficulty, breath, lesion, needle, avoided, moments, limitS, goals, done, file);
+                title,
+                description,
+                difficulty,
+                breath,
+                lesion,
+                needle,
+                avoided,
+                moments,
+                limitS,
+                goals,
+                shown,
+                done,
+                file);
     }
 
     /**
@@ -240,7 +270,23 @@ public record RehearsalPlan(
                 .with("phases", moments)
                 .with("give_up_after_s", timeoutS)
                 .with("done_when", goals.toMap())
+                .with("aids", aids.key())
                 .with("steps", steps.stream().map(PlanStepYaml::toPlain).toList());
+    }
+
+    /** Time from a breathing command by hand to the hold, s. */
+    double reactionS() {
+        return REACTION_S;
+    }
+
+    /** How often the program pointed the needle in place of a hand. */
+    public long aimsByProgram() {
+        return steps.stream()
+                .filter(step ->
+                        (step instanceof PlanStep.Place place && place.aim().byProgram())
+                                || (step instanceof PlanStep.Redirect redirect
+                                        && redirect.aim().byProgram()))
+                .count();
     }
 
     public TargetLesion target(MovingAnatomy anatomy) {

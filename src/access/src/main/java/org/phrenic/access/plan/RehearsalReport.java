@@ -15,6 +15,7 @@ import org.phrenic.access.PleuralReflection;
 import org.phrenic.access.TargetMotion;
 import org.phrenic.access.attempt.AttemptEvent;
 import org.phrenic.access.attempt.AttemptRecord;
+import org.phrenic.access.attempt.ProbeUse;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.Approach;
@@ -56,6 +57,7 @@ public final class RehearsalReport {
                 .with("done", rehearsal.goalsReached())
                 .with("goals", maps(plan.goals().evaluate(record), Goals.GoalResult::toMap))
                 .with("attempt", record.toMap());
+        map.put("guidance", guidance());
         rehearsal.path().ifPresent(path -> map.put("path", path.toMap()));
         if (!images.isEmpty()) {
             map.put("ultrasound", maps(images, RehearsalImage::toMap));
@@ -65,6 +67,16 @@ public final class RehearsalReport {
                 .with("definitions", definitions())
                 .with("state_sha256", rehearsal.stateHash())
                 .with("notice", Disclaimer.TEXT);
+    }
+
+    private Map<String, Object> guidance() {
+        OrderedValues map = new OrderedValues()
+                .with("aids", rehearsal.plan().aids().key())
+                .with("aims_by_program", rehearsal.plan().aimsByProgram());
+        if (rehearsal.probe().isUsed()) {
+            rehearsal.probe().toMap().forEach(map::put);
+        }
+        return map;
     }
 
     private Map<String, Object> access() {
@@ -192,6 +204,15 @@ public final class RehearsalReport {
         String warning = record.capsulePullMm() > AttemptRecord.PULL_WARNING_MM ? " (warning)" : "";
         rows.add(List.of("Capsule pulled aside at most, mm", number(record.capsulePullMm()) + warning));
         rows.add(List.of("Needle turned by the liver at most, degrees", number(record.rotationByLiverDeg())));
+        ProbeUse probe = rehearsal.probe();
+        long aims = rehearsal.plan().aimsByProgram();
+        rows.add(List.of("Pointed by the program (0: by hand alone), times", "" + aims));
+        if (probe.isUsed()) {
+            rows.add(List.of("Probe on the skin, s", number(probe.probeS())));
+            rows.add(List.of("Tip in the body and out of the beam, s", number(probe.tipUnseenS())));
+            String share = String.format(Locale.ROOT, " (%.0f %%)", 100 * probe.needleInBeamShare());
+            rows.add(List.of("Needle in the beam on average, mm", number(probe.needleInBeamMm()) + share));
+        }
         document.table("", List.of(Column.text("Measure"), Column.number("Value")), rows);
         List<Column> columns = new ArrayList<>(List.of(Column.text("Event")));
         List.of("Depth, mm", "Time, s", "Breath", "Phase").forEach(name -> columns.add(Column.number(name)));

@@ -49,6 +49,11 @@ final class AcousticModel {
         };
     }
 
+    /** Whether the boundary is the border of a lesion in the liver, which has no capsule. */
+    private static boolean isWithinLiver(Tissue one, Tissue other) {
+        return one == Tissue.LIVER && other == Tissue.LESION;
+    }
+
     /**
      * Reflected amplitude at a right angle, 0 to 1.
      *
@@ -56,7 +61,8 @@ final class AcousticModel {
      */
     double reflection(Tissue from, Tissue to, boolean coat) {
         double plain = from.reflectionTo(to);
-        if (!coat && !(from != to && (isCoated(from) || isCoated(to)))) {
+        boolean within = isWithinLiver(from, to) || isWithinLiver(to, from);
+        if (!coat && (within || !(from != to && (isCoated(from) || isCoated(to))))) {
             return Math.abs(plain);
         }
         double in = (COAT_IMPEDANCE - from.impedance()) / (COAT_IMPEDANCE + from.impedance());

@@ -184,7 +184,7 @@ final class LineWalk {
     private void material(int surface, int node, double[] out) {
         double depth = node * MaterialMotion.SAMPLE_STEP * grid.stepMm;
         if (surface >= 0) {
-            motion.at(surface, line, node, out);
+            motion.at(surfaces.get(surface).carrier(), line, node, out);
         } else {
             Arrays.fill(out, 0);
         }

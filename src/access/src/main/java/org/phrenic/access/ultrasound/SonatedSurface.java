@@ -12,7 +12,7 @@ import org.phrenic.simulation.observe.Surface;
  * the beam's width, and the triangles near the image plane. A level of that elevation cuts it in curves, which
  * {@link #crossings} intersects with the scan lines.
  */
-final class SonatedSurface {
+class SonatedSurface {
     /** Part of the beam's width within which surfaces are cut. */
     static final double REACH = 0.7;
     /** Distance beyond the beam within which triangles count for the normals of vertices, mm. */
@@ -67,6 +67,16 @@ final class SonatedSurface {
         return orientation != 0 || surface.kind() == StructureKind.DIAPHRAGM;
     }
 
+    /** Writes the vertex positions in a frame, LPS, mm. */
+    void locate(Frame frame, double[] out) {
+        frame.writePositions(surface, index, out);
+    }
+
+    /** Index of the surface that the tissue inside moves with. */
+    int carrier() {
+        return index;
+    }
+
     /** Current vertex positions, LPS, mm. */
     double[] world() {
         return world;
@@ -74,7 +84,7 @@ final class SonatedSurface {
 
     /** Moves the surface to a frame, and says where the probe meets it. */
     void update(Frame frame, ProbePose pose, SectorGrid grid) {
-        frame.writePositions(surface, index, world);
+        locate(frame, world);
         double[] e = pose.elevation();
         double[] l = pose.lateral();
         double[] a = pose.axial();

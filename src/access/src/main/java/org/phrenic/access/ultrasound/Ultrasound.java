@@ -3,6 +3,9 @@ package org.phrenic.access.ultrasound;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
+import org.phrenic.access.TargetLesion;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
@@ -30,6 +33,7 @@ public final class Ultrasound {
     private final List<String> leftOut = new ArrayList<>();
     private final AcousticModel acoustics;
     private final MaterialMotion motion;
+    private final Optional<SonatedLesion> lesion;
     private final LineCrossings[] crossings = new LineCrossings[LineWalk.LEVELS.length];
     private final float[] levels = new float[SectorGrid.LINES * SectorGrid.SAMPLES];
     private Depth depth;
@@ -54,6 +58,15 @@ public final class Ultrasound {
      * @param threads number of threads
      */
     public Ultrasound(List<Surface> surfaces, CurvilinearProbe probe, int threads) {
+        this(surfaces, probe, threads, Optional.empty());
+    }
+
+    /**
+     * @param surfaces surfaces of a scene, in the order of its frames
+     * @param threads number of threads
+     * @param target lesion that is in the liver besides
+     */
+    public Ultrasound(List<Surface> surfaces, CurvilinearProbe probe, int threads, Optional<TargetLesion> target) {
         this.probe = probe;
         this.threads = threads;
         for (Surface surface : surfaces) {
@@ -63,11 +76,20 @@ public final class Ultrasound {
                 leftOut.add(surface.name());
             }
         }
+        lesion = target.map(t -> new SonatedLesion(this.surfaces.size(), t, indexOf(surfaces, StructureKind.LIVER)));
+        lesion.ifPresent(this.surfaces::add);
         acoustics = new AcousticModel(probe.frequencyMhz());
         motion = new MaterialMotion(this.surfaces);
         for (int i = 0; i < crossings.length; i++) {
             crossings[i] = new LineCrossings();
         }
+    }
+
+    private static int indexOf(List<Surface> surfaces, StructureKind kind) {
+        return IntStream.range(0, surfaces.size())
+                .filter(i -> surfaces.get(i).kind() == kind)
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("found no " + kind + ", expected one"));
     }
 
     private static float[] logarithms() {
@@ -94,6 +116,23 @@ public final class Ultrasound {
      * @param needle that may lie in the beam
      */
     public BModeImage take(Frame frame, ProbePose pose, UltrasoundSettings settings, Optional<SonatedNeedle> needle) {
+        return take(frame, pose, settings, needle, lesion.map(SonatedLesion::restCentre));
+    }
+
+    /**
+     * Takes an image.
+     *
+     * @param frame positions of the surfaces
+     * @param needle that may lie in the beam
+     * @param centre of the lesion in the frame, LPS, mm
+     */
+    public BModeImage take(
+            Frame frame,
+            ProbePose pose,
+            UltrasoundSettings settings,
+            Optional<SonatedNeedle> needle,
+            Optional<double[]> centre) {
+        lesion.ifPresent(l -> l.moveTo(centre.orElseGet(l::restCentre)));
         if (depth == null || depth.grid.depthMm != settings.depthMm()) {
             depth = new Depth(probe, settings.depthMm());
         }

@@ -31,6 +31,10 @@ public record UltrasoundSettings(double depthMm, double gainDb, double depthGain
         return new UltrasoundSettings(mm, gainDb, depthGainDbPerCmMhz, dynamicRangeDb);
     }
 
+    public UltrasoundSettings withDepthGain(double dbPerCmMhz) {
+        return new UltrasoundSettings(depthMm, gainDb, dbPerCmMhz, dynamicRangeDb);
+    }
+
     public UltrasoundSettings withGain(double db) {
         return new UltrasoundSettings(depthMm, db, depthGainDbPerCmMhz, dynamicRangeDb);
     }

@@ -6,8 +6,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
@@ -17,7 +19,13 @@ import org.phrenic.access.BreathMoment;
 import org.phrenic.access.CycleRecorder;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.attempt.AttemptEvent;
+import org.phrenic.access.attempt.NeedleAngles;
+import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.path.TargetAccess;
+import org.phrenic.access.ultrasound.CurvilinearProbe;
+import org.phrenic.access.ultrasound.ProbePose;
+import org.phrenic.access.ultrasound.Ultrasound;
+import org.phrenic.access.ultrasound.UltrasoundSettings;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.YamlWriter;
@@ -45,6 +53,8 @@ class LiveAttemptTest {
     @TempDir
     Path folder;
 
+    private final Map<Double, ImageMoment> moments = new ConcurrentHashMap<>();
+
     private RehearsalPlan plan(String steps) throws IOException {
         return RehearsalPlan.read(Files.writeString(folder.resolve("plan.yaml"), BODY + steps));
     }
@@ -66,7 +76,10 @@ class LiveAttemptTest {
         Rehearsal live = live(practice, false, needle -> {
             // In again and again before it is there, aimed again, the breath held in between: all that a hand may do.
             when(needle, s -> s.timeS() > 0.1);
-            needle.enterAt(ENTRY);
+            needle.holdProbe(Optional.of(probe(0, 0)));
+            needle.enterAt(ENTRY, new NeedleAngles(-20, 15));
+            needle.turnTo(new NeedleAngles(-30, 18));
+            when(needle, s -> s.probe().isPresent() && s.angles().axialDeg() < -29);
             needle.moveTo(20, 90);
             when(needle, s -> s.depthMm() > 4);
             needle.moveTo(12, 45);
@@ -75,17 +88,69 @@ class LiveAttemptTest {
             needle.aim();
             needle.moveTo(70, 150);
             when(needle, s -> s.inLiver() && !s.moving());
+            needle.holdProbe(Optional.of(probe(40, 12)));
             needle.sample();
             when(needle, s -> s.samples() == 1);
             needle.holdAt(Optional.empty());
             needle.moveTo(0, 300);
         });
         assertThat(live.record().count(AttemptEvent.Kind.REDIRECTION)).isEqualTo(1);
-        assertThat(live.plan().steps()).anyMatch(PlanStep.HoldBreath.class::isInstance);
+        assertThat(live.plan().steps())
+                .anyMatch(PlanStep.HoldBreath.class::isInstance)
+                .filteredOn(PlanStep.Probe.class::isInstance)
+                .hasSize(2);
+        assertThat(live.plan().aimsByProgram()).as("aimed again").isEqualTo(1);
+        assertThat(live.probe().probeS())
+                .isGreaterThan(live.record().insideS())
+                .isLessThanOrEqualTo(live.record().timeS() + 1);
         YamlWriter.write(folder.resolve("scenario.yaml"), live.plan().scenario().toMap());
         YamlWriter.write(folder.resolve("by-hand.yaml"), live.plan().toMap("scenario.yaml"));
         RehearsalPlan again = RehearsalPlan.read(folder.resolve("by-hand.yaml"));
-        assertThat(report(Rehearsal.play(again, (at, total, perS) -> {}))).isEqualTo(report(live));
+        Rehearsal headless = Rehearsal.play(again, (at, total, perS) -> {});
+        assertThat(report(headless)).isEqualTo(report(live));
+        assertThat(imageAtSample(headless))
+                .as("the image of the sample's moment, without and with a live run")
+                .isEqualTo(liveImage(live, sample(live)));
+    }
+
+    private static NeedleSnapshot sample(Rehearsal rehearsal) {
+        return rehearsal.snapshots().stream()
+                .filter(s -> s.name().equals("sample"))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** Grey levels of the image that the window shows of a moment. */
+    private byte[] liveImage(Rehearsal live, NeedleSnapshot at) {
+        Ultrasound ultrasound =
+                new Ultrasound(live.surfaces(), CurvilinearProbe.abdominal(), 1, Optional.of(live.target()));
+        return moments.get(at.frame().timeS()).take(ultrasound, at.frame()).grey();
+    }
+
+    /** Grey levels of the image that a plan's report has of the sample, with the probe as its steps hold it. */
+    private static byte[] imageAtSample(Rehearsal played) {
+        List<ProbeHold> holds = played.plan().steps().stream()
+                .filter(PlanStep.Probe.class::isInstance)
+                .flatMap(step -> ((PlanStep.Probe) step).hold().stream())
+                .toList();
+        List<PlanStep> imaging = List.of(new PlanStep.Image("sample", holds.get(holds.size() - 1)));
+        NeedleSnapshot at = sample(played);
+        NeedleSnapshot asked = new NeedleSnapshot(
+                "ultrasound_1", at.frame(), at.label(), true, at.hub(), at.tip(), at.target(), at.targetRadiusMm());
+        Rehearsal withImage = new Rehearsal(
+                played.plan().withSteps(played.target(), imaging, 1),
+                played.surfaces(),
+                played.targetAccess(),
+                played.path(),
+                played.record(),
+                played.probe(),
+                List.of(asked),
+                played.stateHash());
+        return RehearsalImage.of(withImage).get(0).image().grey();
+    }
+
+    private static ProbeHold probe(double rotationDeg, double tiltDeg) {
+        return ProbeHold.at(ENTRY, new ProbePose.Angles(rotationDeg, tiltDeg, 0), UltrasoundSettings.DEFAULT);
     }
 
     private static String report(Rehearsal rehearsal) {
@@ -104,7 +169,7 @@ class LiveAttemptTest {
      * As the window does: one breath looked at, the map computed, the run at its start again, and then by plan or by
      * hand.
      */
-    private static Rehearsal live(RehearsalPlan plan, boolean played, Consumer<LiveRehearsal> hand) throws Exception {
+    private Rehearsal live(RehearsalPlan plan, boolean played, Consumer<LiveRehearsal> hand) throws Exception {
         CompletableFuture<LiveScene> loaded = new CompletableFuture<>();
         CompletableFuture<List<BreathMoment>> cycle = new CompletableFuture<>();
         CompletableFuture<LiveAttempt> ended = new CompletableFuture<>();
@@ -132,7 +197,7 @@ class LiveAttemptTest {
                     study.target(),
                     played ? Optional.of(study.map()) : Optional.empty(),
                     new Ended(ended));
-            run.restart(StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), needle);
+            run.restart(StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), new Watching(needle, moments));
             hand.accept(needle);
             LiveAttempt attempt = ended.get(PATIENCE_S, TimeUnit.SECONDS);
             RehearsalPlan done = played ? plan : attempt.toPlan(plan);
@@ -142,8 +207,28 @@ class LiveAttemptTest {
                     study,
                     Rehearsal.plannedPath(done, study, mapped),
                     attempt.record(),
+                    attempt.probe(),
                     attempt.snapshots(),
                     attempt.stateHash());
+        }
+    }
+
+    /** Keeps what images of all moments would be made of. */
+    private record Watching(LiveRehearsal needle, Map<Double, ImageMoment> moments) implements StepListener {
+        @Override
+        public void onStep(Frame frame, RespiratoryPhase label) {
+            needle.onStep(frame, label);
+            needle.imageMoment().ifPresent(moment -> moments.put(frame.timeS(), moment));
+        }
+
+        @Override
+        public boolean needsFrame() {
+            return needle.needsFrame();
+        }
+
+        @Override
+        public void onStepWithoutFrame(double timeS, RespiratoryPhase label, int breath) {
+            needle.onStepWithoutFrame(timeS, label, breath);
         }
     }
 

@@ -56,7 +56,7 @@ class PlanPlayerTest {
                     plan.needle(),
                     plan.avoided(),
                     workers);
-            PlanPlayer player = new PlanPlayer(plan, needle, map, (on, origin) -> held.add(on));
+            PlanPlayer player = new PlanPlayer(plan, needle, new HeldProbe(scene), map, (on, origin) -> held.add(on));
             for (int i = 0; ; i++) {
                 double t = i * FRAME_S;
                 needle.update(body.frame(t, t / 4 % 1, new double[3], -100, 0), label(t));

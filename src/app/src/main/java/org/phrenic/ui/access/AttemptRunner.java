@@ -30,6 +30,7 @@ final class AttemptRunner implements AutoCloseable {
     private final BackgroundWorker work;
     private final RehearsalController controller;
     private final ExecutorService sectionThread = BackgroundWorker.daemonThread("phrenic-section");
+    private final ExecutorService ultrasoundThread = BackgroundWorker.daemonThread("phrenic-ultrasound");
     private volatile LiveRehearsal rehearsal;
 
     AttemptRunner(Session session, BackgroundWorker work, RehearsalController controller) {
@@ -45,7 +46,12 @@ final class AttemptRunner implements AutoCloseable {
      * @param played whether the steps of the plan are played
      * @param entry entry of the needle, if one is chosen
      */
-    void start(RehearsalBody body, TargetAccess about, RehearsalPlan plan, boolean played, Optional<double[]> entry) {
+    void start(
+            RehearsalBody body,
+            TargetAccess about,
+            RehearsalPlan plan,
+            boolean played,
+            Optional<EntrySelection.Entry> entry) {
         BooleanSupplier current = work.notDiscardedSince();
         LiveRehearsal.Listener listener = new LiveRehearsal.Listener() {
             @Override
@@ -72,18 +78,35 @@ final class AttemptRunner implements AutoCloseable {
                         controller.fire(l -> l.onSections(along, across));
                     }
                 });
-        entry.ifPresent(watching::enterAt);
+        UltrasoundUpdater images = new UltrasoundUpdater(
+                ultrasoundThread,
+                body.scene().surfaces(),
+                about.target(),
+                body.scene().newFrame().get(),
+                controller.pictures()::latencyS,
+                shot -> {
+                    if (current.getAsBoolean()) {
+                        controller.fire(l -> l.onUltrasound(shot));
+                    }
+                });
+        entry.ifPresent(e -> watching.enterAt(e.restMm(), e.angles()));
+        if (!played && controller.probe().hold().isPresent()) {
+            watching.holdProbe(controller.probe().hold());
+        }
         rehearsal = watching;
-        session.restart(StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), new WithSections(watching, feed));
+        session.restart(
+                StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), new WithPictures(watching, feed, images));
         session.restoreSpeed();
     }
 
-    /** Hands on the steps of the run to the needle, and its frames to the sections too. */
-    private record WithSections(LiveRehearsal needle, SectionUpdater sections) implements StepListener {
+    /** Hands on the steps of the run to the needle, and its frames to sections and pictures too. */
+    private record WithPictures(LiveRehearsal needle, SectionUpdater sections, UltrasoundUpdater images)
+            implements StepListener {
         @Override
         public void onStep(Frame frame, RespiratoryPhase label) {
             needle.onStep(frame, label);
             sections.offer(frame, needle.state());
+            images.offer(frame, needle.imageMoment(), needle.state());
         }
 
         @Override
@@ -103,7 +126,14 @@ final class AttemptRunner implements AutoCloseable {
             Optional<PathOverBreath> path = Rehearsal.plannedPath(done, about, body.planningScene());
             List<Surface> surfaces = body.scene().surfaces();
             return new Rehearsal(
-                    done, surfaces, about, path, attempt.record(), attempt.snapshots(), attempt.stateHash());
+                    done,
+                    surfaces,
+                    about,
+                    path,
+                    attempt.record(),
+                    attempt.probe(),
+                    attempt.snapshots(),
+                    attempt.stateHash());
         };
         work.runAlways(report, controller::onReport, session::refuse);
     }
@@ -126,5 +156,6 @@ final class AttemptRunner implements AutoCloseable {
     @Override
     public void close() {
         sectionThread.shutdownNow();
+        ultrasoundThread.shutdownNow();
     }
 }

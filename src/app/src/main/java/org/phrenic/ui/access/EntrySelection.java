@@ -3,12 +3,14 @@ package org.phrenic.ui.access;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
+import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.access.ultrasound.ProbePose;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
 
@@ -17,8 +19,16 @@ public final class EntrySelection {
     private final Session session;
     private final RehearsalController rehearsal;
     private final BackgroundWorker work;
-    private Optional<double[]> entry = Optional.empty();
+    private Optional<Entry> entry = Optional.empty();
     private volatile Optional<PathAdvice> advice = Optional.empty();
+
+    /**
+     * An entry of the needle.
+     *
+     * @param restMm place on the skin at end-expiration, LPS, mm
+     * @param angles of a needle that has been put there
+     */
+    record Entry(double[] restMm, NeedleAngles angles) {}
 
     EntrySelection(Session session, RehearsalController rehearsal, BackgroundWorker work) {
         this.session = session;
@@ -31,8 +41,13 @@ public final class EntrySelection {
         advice = Optional.empty();
     }
 
-    /** Selects a place of the skin, given at end-expiration. */
+    /** Selects a place of the skin, given at end-expiration; the needle stands upright on it. */
     public void select(double[] onSkinRest) {
+        select(onSkinRest, Optional.empty());
+    }
+
+    /** Selects a place of the skin, given at end-expiration, with the needle at some angles, else upright. */
+    void select(double[] onSkinRest, Optional<NeedleAngles> angles) {
         if (rehearsal.stage() != RehearsalStage.READY) {
             return;
         }
@@ -40,11 +55,17 @@ public final class EntrySelection {
             session.note("Take the needle out first.");
             return;
         }
-        entry = Optional.of(onSkinRest);
-        rehearsal.needle().setEntry(onSkinRest);
+        RehearsalBody body = rehearsal.body.orElseThrow();
+        Entry chosen = new Entry(
+                onSkinRest,
+                angles.orElseGet(() -> NeedleAngles.of(body.skin()
+                        .at(onSkinRest)
+                        .pose(body.frame(), ProbePose.Angles.ZERO)
+                        .axial())));
+        entry = Optional.of(chosen);
+        rehearsal.needle().setEntry(chosen);
         TargetAccess about = rehearsal.study().orElseThrow();
         RehearsalPlan plan = rehearsal.plan().orElseThrow();
-        RehearsalBody body = rehearsal.body.orElseThrow();
         Callable<PathOverBreath> analysis = () -> PathOverBreath.of(
                 body.planningScene(), about.map().cycle(), onSkinRest, about.target(), plan.needle(), plan.avoided());
         Consumer<PathOverBreath> show = found -> {
@@ -67,6 +88,11 @@ public final class EntrySelection {
     }
 
     public Optional<double[]> entry() {
+        return entry.map(Entry::restMm);
+    }
+
+    /** The entry, with the angles of a needle that is put there. */
+    Optional<Entry> chosen() {
         return entry;
     }
 

@@ -3,6 +3,7 @@ package org.phrenic.ui.access;
 import java.awt.event.MouseWheelEvent;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.plan.BreathEvent;
 import org.phrenic.access.plan.LiveRehearsal;
 import org.phrenic.access.plan.NeedleState;
@@ -17,12 +18,15 @@ import org.phrenic.ui.view.SceneViewport;
 public final class NeedleController {
     private static final double MM_PER_NOTCH = 2;
     private static final double DEFAULT_MM_PER_S = 50;
+    private static final long SAME_TURN_NS = 300_000_000;
 
     private final Session session;
     private final RehearsalController rehearsal;
     private final SceneViewport view;
     private double commandedDepthMm;
     private double speedMmPerS = DEFAULT_MM_PER_S;
+    private NeedleAngles turnedTo = new NeedleAngles(0, 0);
+    private long turnedNs;
 
     NeedleController(Session session, RehearsalController rehearsal, SceneViewport view) {
         this.session = session;
@@ -31,7 +35,7 @@ public final class NeedleController {
     }
 
     /** Passes a command to the needle, and resumes the simulation, in whose time it is carried out. */
-    private void command(Consumer<LiveRehearsal> what) {
+    void command(Consumer<LiveRehearsal> what) {
         rehearsal.usableNeedle().ifPresent(needle -> {
             what.accept(needle);
             if (!session.live().isPlaying()) {
@@ -40,8 +44,8 @@ public final class NeedleController {
         });
     }
 
-    void setEntry(double[] onSkinRest) {
-        command(needle -> needle.enterAt(onSkinRest));
+    void setEntry(EntrySelection.Entry entry) {
+        command(needle -> needle.enterAt(entry.restMm(), entry.angles()));
     }
 
     /** Whether the needle can be moved: it is usable and an entry is chosen. */
@@ -87,8 +91,25 @@ public final class NeedleController {
         speedMmPerS = speed;
     }
 
+    /** Lets the program point the needle at the target; the report says so. */
     public void aimAtTarget() {
         command(LiveRehearsal::aim);
+    }
+
+    /** Turns the needle by hand: in the axial plane, and toward the head, degrees. */
+    public void turnBy(double axialDeg, double cranialDeg) {
+        rehearsal.state().filter(NeedleState::hasNeedle).ifPresent(now -> {
+            // Keys come faster than looks at the needle.
+            boolean goesOn = System.nanoTime() - turnedNs < SAME_TURN_NS;
+            turnTo((goesOn ? turnedTo : now.angles()).turned(axialDeg, cranialDeg));
+        });
+    }
+
+    /** Turns the needle by hand to some angles. */
+    void turnTo(NeedleAngles angles) {
+        turnedTo = angles;
+        turnedNs = System.nanoTime();
+        command(needle -> needle.turnTo(angles));
     }
 
     public void takeSample() {

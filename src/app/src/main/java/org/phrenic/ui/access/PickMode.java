@@ -1,6 +1,7 @@
 package org.phrenic.ui.access;
 
 import java.awt.Cursor;
+import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.Optional;
 import org.phrenic.anatomy.StructureKind;
@@ -10,27 +11,30 @@ import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.SceneViewport;
 
 /**
- * The mouse in the view during a rehearsal: a click chooses entry or target when that is asked for, and the wheel moves
- * the needle once an entry is chosen. With Ctrl, or without an entry, the wheel zooms. Used on the event dispatch
- * thread.
+ * The mouse in the view during a rehearsal: a click chooses entry, target or the place of the probe when that is asked
+ * for, dragging moves probe and needle, and the wheel moves the needle once an entry is chosen. With Ctrl, or without
+ * an entry, the wheel zooms. Used on the event dispatch thread.
  */
 public final class PickMode implements SceneViewport.MouseTool {
     /** What a click chooses. */
     public enum Kind {
         NONE,
         ENTRY,
-        TARGET
+        TARGET,
+        PROBE
     }
 
     private final Session session;
     private final RehearsalController rehearsal;
     private final SceneViewport view;
+    private final HandTool hand;
     private Kind mode = Kind.NONE;
 
     PickMode(Session session, RehearsalController rehearsal, SceneViewport view) {
         this.session = session;
         this.rehearsal = rehearsal;
         this.view = view;
+        hand = new HandTool(rehearsal, view);
     }
 
     /** Sets what the next click chooses; the same again cancels it. */
@@ -68,12 +72,28 @@ public final class PickMode implements SceneViewport.MouseTool {
         toggle(Kind.NONE);
         if (pick.isEmpty()) {
             session.note(
-                    what == Kind.ENTRY ? "Click on the skin for the entry." : "Click on the liver for the target.");
+                    switch (what) {
+                        case ENTRY -> "Click on the skin for the entry.";
+                        case PROBE -> "Click on the skin for the probe.";
+                        default -> "Click on the liver for the target.";
+                    });
         } else if (what == Kind.ENTRY) {
             rehearsal.entrySelection().select(pick.get().restPosition());
+        } else if (what == Kind.PROBE) {
+            rehearsal.probe().put(pick.get().restPosition());
         } else {
             rehearsal.setTargetBehind(pick.get());
         }
+    }
+
+    @Override
+    public boolean pressed(MouseEvent e) {
+        return !isPicking() && hand.pressed(e);
+    }
+
+    @Override
+    public void dragged(MouseEvent e) {
+        hand.dragged(e);
     }
 
     @Override

@@ -8,6 +8,7 @@ import org.phrenic.access.Needle;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.access.ultrasound.ScannedSkin;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.AccessMapField;
@@ -17,18 +18,20 @@ import org.phrenic.simulation.observe.Frame;
 /**
  * A body on which liver access can be rehearsed.
  *
- * @param frame of the scene
+ * @param frame of the scene, at rest
+ * @param skin on which probe and needle are put
  * @param planningScene the body for maps and paths, in the background
  * @param simulatedScene the body for the needle, on the simulation's thread
  */
-record RehearsalBody(LiveScene scene, Frame frame, MovingAnatomy planningScene, MovingAnatomy simulatedScene) {
+record RehearsalBody(
+        LiveScene scene, Frame frame, ScannedSkin skin, MovingAnatomy planningScene, MovingAnatomy simulatedScene) {
     /** Builds the search structures; takes a while. */
     static RehearsalBody of(LiveScene scene) {
         Frame frame = scene.newFrame().get();
         MovingAnatomy planning = new MovingAnatomy(scene.surfaces());
         MovingAnatomy simulated = new MovingAnatomy(scene.surfaces());
         planning.update(frame);
-        return new RehearsalBody(scene, frame, planning, simulated);
+        return new RehearsalBody(scene, frame, new ScannedSkin(scene.surfaces()), planning, simulated);
     }
 
     /** A target, its access map and the colours of the map on the skin. */

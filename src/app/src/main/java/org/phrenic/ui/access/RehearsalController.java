@@ -36,6 +36,9 @@ public final class RehearsalController implements Session.Listener {
         /** An attempt has ended and its report is there. */
         default void onAttemptEnded(Rehearsal rehearsal) {}
 
+        /** Another ultrasound image; empty when the probe is lifted. */
+        default void onUltrasound(Optional<UltrasoundShot> shot) {}
+
         /** Other sections. */
         default void onSections(BodySection along, BodySection across) {}
     }
@@ -54,6 +57,8 @@ public final class RehearsalController implements Session.Listener {
     private final EntrySelection entrySelection;
     private final PickMode pickMode;
     private final NeedleController needle;
+    private final ProbeController probe = new ProbeController(this);
+    private final GuidanceSettings pictures = new GuidanceSettings();
     private boolean cameraPlaced;
 
     private final List<Listener> listeners = new ArrayList<>();
@@ -83,7 +88,8 @@ public final class RehearsalController implements Session.Listener {
         if (!isActive()) {
             stage = RehearsalStage.LOADING;
             session.returnToLive();
-            view.setMarkSource(() -> state().map(state -> new NeedleMarkers(state, entrySelection.levelNow(state))));
+            view.setMarkSource(() -> state().map(state ->
+                    new NeedleMarkers(state, entrySelection.levelNow(state), pictures.isSeeThrough())));
             session.scene().ifPresentOrElse(this::setBody, this::fireState);
         }
     }
@@ -139,6 +145,7 @@ public final class RehearsalController implements Session.Listener {
             SwingUtilities.invokeLater(() -> view.setCamera(
                     view.camera().withView(AnatomicalView.ANTERIOR).orbit(INITIAL_AZIMUTH_DEG, INITIAL_ELEVATION_DEG)));
         }
+        probe.forget();
         preparation.setBody(scene);
     }
 
@@ -147,7 +154,7 @@ public final class RehearsalController implements Session.Listener {
         detachRun();
         stage = played ? RehearsalStage.PLAYING : RehearsalStage.READY;
         RehearsalPlan steps = (played ? exercise : plan).orElseThrow();
-        attempt.start(body.orElseThrow(), study.orElseThrow(), steps, played, entrySelection.entry());
+        attempt.start(body.orElseThrow(), study.orElseThrow(), steps, played, entrySelection.chosen());
         fire(Listener::onAttemptStarted);
         fireState();
     }
@@ -199,6 +206,19 @@ public final class RehearsalController implements Session.Listener {
 
     public NeedleController needle() {
         return needle;
+    }
+
+    public ProbeController probe() {
+        return probe;
+    }
+
+    /** Latency of the images and what is shown of the body. */
+    public GuidanceSettings pictures() {
+        return pictures;
+    }
+
+    void note(String sentence) {
+        session.note(sentence);
     }
 
     public EntrySelection entrySelection() {

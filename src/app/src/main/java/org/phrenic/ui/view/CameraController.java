@@ -16,6 +16,7 @@ final class CameraController extends MouseAdapter {
 
     private final SceneViewport view;
     private Point lastPoint = new Point();
+    private boolean toolHolds;
 
     CameraController(SceneViewport view) {
         this.view = view;
@@ -28,10 +29,15 @@ final class CameraController extends MouseAdapter {
     public void mousePressed(MouseEvent e) {
         lastPoint = e.getPoint();
         view.requestFocusInWindow();
+        toolHolds = view.tool().filter(tool -> tool.pressed(e)).isPresent();
     }
 
     @Override
     public void mouseDragged(MouseEvent e) {
+        if (toolHolds) {
+            view.tool().ifPresent(tool -> tool.dragged(e));
+            return;
+        }
         double dx = e.getX() - lastPoint.getX();
         double dy = e.getY() - lastPoint.getY();
         lastPoint = e.getPoint();
@@ -53,7 +59,7 @@ final class CameraController extends MouseAdapter {
 
     @Override
     public void mouseClicked(MouseEvent e) {
-        if (SwingUtilities.isLeftMouseButton(e)) {
+        if (SwingUtilities.isLeftMouseButton(e) && !toolHolds) {
             view.click(e.getX(), e.getY(), e.getClickCount() == 2);
         }
     }

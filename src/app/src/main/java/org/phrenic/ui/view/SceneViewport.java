@@ -5,6 +5,7 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
@@ -153,6 +154,12 @@ public final class SceneViewport extends JPanel implements Session.Listener {
 
         /** Takes a turn of the wheel; false if it is for the camera. */
         boolean wheelTurned(MouseWheelEvent e);
+
+        /** Takes hold of what is under the mouse; false if dragging is for the camera. */
+        boolean pressed(MouseEvent e);
+
+        /** Drags what was taken hold of. */
+        void dragged(MouseEvent e);
     }
 
     public void setTool(Optional<MouseTool> with) {
@@ -181,7 +188,8 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         }
     }
 
-    private void pick(int x, int y, ToDoubleFunction<Surface> opacity, Consumer<Optional<PickResult>> done) {
+    /** Finds what is under a pixel; {@code done} gets it on the event dispatch thread. */
+    public void pick(int x, int y, ToDoubleFunction<Surface> opacity, Consumer<Optional<PickResult>> done) {
         Consumer<Optional<PickResult>> later = found -> SwingUtilities.invokeLater(() -> done.accept(found));
         renderLoop.pick(x * scale(), y * scale(), request(), opacity, later);
     }

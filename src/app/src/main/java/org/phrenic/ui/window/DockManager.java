@@ -15,6 +15,7 @@ import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.access.panel.AttemptsDock;
 import org.phrenic.ui.access.panel.RehearsalDock;
 import org.phrenic.ui.access.panel.SectionDock;
+import org.phrenic.ui.access.panel.UltrasoundDock;
 import org.phrenic.ui.chart.PlotDock;
 import org.phrenic.ui.chart.TimelineDock;
 import org.phrenic.ui.dock.BreathDock;
@@ -53,6 +54,7 @@ public final class DockManager {
     private RehearsalDock rehearsal;
     private AttemptsDock attempts;
     private SectionDock sections;
+    private UltrasoundDock ultrasound;
 
     DockManager(
             Session session,
@@ -103,6 +105,7 @@ public final class DockManager {
             bottom.add(plots, BorderLayout.CENTER);
         } else {
             createRehearsalDocks();
+            left.addTab("Ultrasound", null, ultrasound, "The live image of the probe, and its controls");
             left.addTab("Section", null, sections, "The body cut along the needle, and at its tip");
             addOrgans();
             right.addTab("Rehearse", null, rehearsal, "Exercise, breath, target, entry, needle");
@@ -128,6 +131,7 @@ public final class DockManager {
         rehearsal = new RehearsalDock(session, rehearsalController, breath::selectPreset);
         attempts = new AttemptsDock(session, rehearsalController, new AttemptReportWriter(view), null);
         sections = new SectionDock(rehearsalController);
+        ultrasound = new UltrasoundDock(session, rehearsalController);
         rehearsalController.addListener(new RehearsalController.Listener() {
             @Override
             public void onAttemptEnded(Rehearsal report) {
@@ -156,7 +160,7 @@ public final class DockManager {
         List<Component> all = new ArrayList<>(
                 List.of(left, right, bottom, organs, display, parameters, breath, forces, settings, plots, timeline));
         if (rehearsal != null) {
-            all.addAll(List.of(rehearsal, attempts, sections));
+            all.addAll(List.of(rehearsal, attempts, sections, ultrasound));
         }
         return all;
     }

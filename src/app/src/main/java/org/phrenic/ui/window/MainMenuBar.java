@@ -41,6 +41,7 @@ final class MainMenuBar extends JMenuBar {
                 'B',
                 List.of(actions.play, actions.step, actions.reset, actions.quiet, actions.deep, actions.hold));
         addMenu("Needle", 'N', actions.needle);
+        addMenu("Probe", 'P', actions.probe);
         JMenu view = addMenu("View", 'V', actions.views);
         view.addSeparator();
         actions.docks.forEach(view::add);

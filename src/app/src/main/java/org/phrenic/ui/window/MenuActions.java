@@ -25,6 +25,10 @@ import org.phrenic.ui.widget.Icons;
 final class MenuActions {
     private static final double NEEDLE_STEP_MM = 2;
     private static final double NEEDLE_LONG_STEP_MM = 10;
+    private static final double TURN_DEG = 1;
+    private static final double SLIDE_MM = 2;
+    private static final double TILT_DEG = 2;
+    private static final double ROTATE_DEG = 5;
 
     final MenuAction play;
     final MenuAction step;
@@ -43,6 +47,7 @@ final class MenuActions {
     final MenuAction quit;
     final List<MenuAction> views = new ArrayList<>();
     final List<MenuAction> needle = new ArrayList<>();
+    final List<MenuAction> probe = new ArrayList<>();
     final List<MenuAction> docks = new ArrayList<>();
     final List<MenuAction> help;
 
@@ -78,6 +83,7 @@ final class MenuActions {
                 .withIcon(Icons.THEME);
         addViews(window.view());
         addNeedleActions();
+        addProbeActions();
         addDock(DockLayout.Place.LEFT, "Organs", "menu 1");
         addDock(DockLayout.Place.RIGHT, "Controls", "menu 2");
         addDock(DockLayout.Place.BOTTOM, "Plots and timeline", "menu 3");
@@ -128,10 +134,48 @@ final class MenuActions {
         addNeedle("Withdraw far", "10 mm back", "shift W", n -> n.moveBy(-NEEDLE_LONG_STEP_MM));
         addNeedle("Go to target", "As deep as the target lies", "G", NeedleController::moveToTarget);
         addNeedle(
-                "Aim again", "Point the needle at the present place of the target", "A", NeedleController::aimAtTarget);
+                "Aim for me",
+                "The program points the needle at the target; the report says so",
+                "A",
+                NeedleController::aimAtTarget);
         addNeedle("Take sample", "Where the tip is", "X", NeedleController::takeSample);
         addNeedle("Take out", "Withdraw the needle all the way", "O", n -> n.moveTo(0));
+        addTurns();
         addNeedle("Look along the needle", "The view from the hub towards the tip", "N", NeedleController::lookAlong);
+    }
+
+    private void addTurns() {
+        String degrees = "1 degree; the needle turns about its point on the skin";
+        addNeedle("Turn to the patient's left", degrees, "RIGHT", n -> n.turnBy(TURN_DEG, 0));
+        addNeedle("Turn to the patient's right", degrees, "LEFT", n -> n.turnBy(-TURN_DEG, 0));
+        addNeedle("Turn to the head", degrees, "UP", n -> n.turnBy(0, TURN_DEG));
+        addNeedle("Turn to the feet", degrees, "DOWN", n -> n.turnBy(0, -TURN_DEG));
+    }
+
+    private void addProbeActions() {
+        addProbe("Put probe", "Then click on the skin", "U", r -> r.pickMode().toggle(PickMode.Kind.PROBE));
+        addProbe("Lift probe", "Take the probe off the skin", "shift U", r -> r.probe()
+                .lift());
+        addProbe("Needle in plane", "Entry beside the probe, in the image plane", "K", r -> r.probe()
+                .enterBeside());
+        addProbe("Slide to the marker", "2 mm", "shift LEFT", r -> r.probe().slide(SLIDE_MM, 0));
+        addProbe("Slide from the marker", "2 mm", "shift RIGHT", r -> r.probe().slide(-SLIDE_MM, 0));
+        addProbe("Slide out of the plane", "2 mm", "shift UP", r -> r.probe().slide(0, SLIDE_MM));
+        addProbe("Slide back through the plane", "2 mm", "shift DOWN", r -> r.probe()
+                .slide(0, -SLIDE_MM));
+        addProbe("Tilt forward", "2 degrees, out of the image plane", "menu UP", r -> r.probe()
+                .turn(0, TILT_DEG, 0));
+        addProbe("Tilt back", "2 degrees", "menu DOWN", r -> r.probe().turn(0, -TILT_DEG, 0));
+        addProbe("Rock to the marker", "2 degrees", "menu LEFT", r -> r.probe().turn(0, 0, TILT_DEG));
+        addProbe("Rock from the marker", "2 degrees", "menu RIGHT", r -> r.probe()
+                .turn(0, 0, -TILT_DEG));
+        addProbe("Rotate anticlockwise", "5 degrees, as seen from outside", "COMMA", r -> r.probe()
+                .turn(ROTATE_DEG, 0, 0));
+        addProbe("Rotate clockwise", "5 degrees", "PERIOD", r -> r.probe().turn(-ROTATE_DEG, 0, 0));
+    }
+
+    private void addProbe(String name, String tip, String key, Consumer<RehearsalController> operation) {
+        probe.add(action(name, tip, key, () -> operation.accept(rehearsal())));
     }
 
     private void addNeedle(String name, String tip, String key, Consumer<NeedleController> operation) {
@@ -217,7 +261,7 @@ final class MenuActions {
     List<MenuAction> all() {
         List<MenuAction> first =
                 List.of(open, importScan, save, picture, copy, quit, undo, redo, play, step, reset, quiet, deep, hold);
-        return Stream.of(first, needle, views, docks, List.of(theme), help)
+        return Stream.of(first, needle, probe, views, docks, List.of(theme), help)
                 .flatMap(List::stream)
                 .toList();
     }

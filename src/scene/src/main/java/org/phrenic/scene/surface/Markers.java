@@ -41,6 +41,23 @@ public final class Markers {
         return surface(name, ROD, PARKED);
     }
 
+    /** A movable surface of any shape, placed by {@link #shapePose}. */
+    public static Surface movingShape(String name, TriangleMesh shape) {
+        return surface(name, shape, PARKED);
+    }
+
+    /**
+     * Pose of a movable surface as a row-major 3 x 4 matrix.
+     *
+     * @param origin where its origin goes
+     * @param x unit vector of its first axis, {@code y} of its second, {@code z} of its third
+     */
+    public static float[] shapePose(double[] origin, double[] x, double[] y, double[] z) {
+        return rows(new Matrix4d()
+                .translation(new Vector3d(origin))
+                .mul(new Matrix4d(new Matrix3d(new Vector3d(x), new Vector3d(y), new Vector3d(z)))));
+    }
+
     /** Pose of a movable sphere as a row-major 3 x 4 matrix. */
     public static float[] ballPose(double[] centre, double radius) {
         return rows(ballTransform(centre, radius));

@@ -27,14 +27,15 @@ final class NeedlePanel extends AccessPanel {
             "Depth of the tip",
             "Drag to insert or withdraw; so do the wheel over the view and the keys I and W");
     private final JLabel depthText = new JLabel("Not in the body");
+    private final JLabel angles = Controls.secondaryLabel(" ");
     private final WrappingLabel error = WrappingLabel.emphasised("Tip to target");
     private final transient NeedleController needle = rehearsal.needle();
     private final JButton insert = button("Insert", "2 mm deeper (I, or the wheel)", () -> needle.moveBy(STEP_MM));
     private final JButton withdraw = button("Withdraw", "2 mm back (W, or the wheel)", () -> needle.moveBy(-STEP_MM));
     private final JButton toTarget = button("Go to target", "As deep as the target lies (G)", needle::moveToTarget);
     private final JButton aim = button(
-            "Aim again",
-            "Point the needle at the present place of the target; not while the tip is in the liver (A)",
+            "Aim for me",
+            "The program points the needle at the target, which the report says; not while the tip is in the liver (A)",
             needle::aimAtTarget);
     private final JButton sample = button("Take sample", "Take a sample where the tip is (X)", needle::takeSample);
     private final JButton remove = button(
@@ -58,7 +59,10 @@ final class NeedlePanel extends AccessPanel {
         JPanel first = new JPanel(new MigLayout("insets 0, gap 6, novisualpadding", "[grow, fill, 0::][]"));
         first.add(depthText, "wmin 0");
         first.add(speed);
-        addAll(first, depth, row(insert, withdraw, toTarget), error, row(aim, sample, remove));
+        angles.setToolTipText(
+                "Angles of the needle: 0 in the axial plane is straight back, 90 to the patient's left; the"
+                        + " arrow keys turn it, and so does dragging its hub");
+        addAll(first, depth, angles, row(insert, withdraw, toTarget), error, row(aim, sample, remove));
         follow(session);
     }
 
@@ -90,7 +94,14 @@ final class NeedlePanel extends AccessPanel {
             depth.setValue((int) Math.round(state.map(NeedleState::depthMm).orElse(0.0)));
             updating = false;
         }
-        setEnabled(placed.isPresent() && isReady(), aim, sample, remove, withdraw);
+        angles.setText(state.map(s -> NumberFormats.text(
+                        "%.0f\u00b0 in the axial plane, %.0f\u00b0 to the %s",
+                        s.angles().axialDeg(),
+                        Math.abs(s.angles().cranialDeg()),
+                        s.angles().cranialDeg() < 0 ? "feet" : "head"))
+                .orElse(" "));
+        setEnabled(state.isPresent() && isReady(), aim);
+        setEnabled(placed.isPresent() && isReady(), sample, remove, withdraw);
     }
 
     private static String text(TargetingError error) {

@@ -2,10 +2,15 @@ package org.phrenic.ui.access.panel;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.function.BooleanSupplier;
 import javax.imageio.ImageIO;
 import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.access.ultrasound.ProbePose;
+import org.phrenic.access.ultrasound.ScannedSkin;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.session.EventThread;
@@ -64,6 +69,12 @@ public final class RehearsalGallery {
                 && rehearsal.state().get().hasNeedle());
         Thread.sleep(1500);
         picture(window, folder.resolve(name + "-entry.png"));
+        EventThread.run(rehearsal.needle()::aimAtTarget);
+        until(() -> !rehearsal.state().get().aimedByHand());
+        EventThread.run(() -> holdProbe(session, rehearsal));
+        until(() -> rehearsal.state().get().probe().isPresent());
+        Thread.sleep(2500);
+        picture(window, folder.resolve(name + "-probe.png"));
         EventThread.run(() -> rehearsal.needle().moveTo(58));
         until(() -> rehearsal.state().get().depthMm() > 57);
         Thread.sleep(1200);
@@ -78,6 +89,32 @@ public final class RehearsalGallery {
         picture(window, folder.resolve(name + "-report.png"));
         EventThread.run(window::close);
         node.removeNode();
+    }
+
+    /** Puts the probe 45 mm beside the entry and turns it so that entry and target lie in its plane. */
+    private static void holdProbe(Session session, RehearsalController rehearsal) {
+        List<Surface> surfaces = session.scene().orElseThrow().surfaces();
+        Frame rest = session.scene().orElseThrow().newFrame().get();
+        double[] entry = rehearsal.entrySelection().entry().orElseThrow();
+        double[] target = rehearsal.study().orElseThrow().target().restMm();
+        ScannedSkin skin = new ScannedSkin(surfaces);
+        double[] place = skin.nearestPoint(new double[] {entry[0], entry[1] - 25, entry[2] + 30});
+        double best = Double.POSITIVE_INFINITY;
+        ProbePose.Angles chosen = ProbePose.Angles.ZERO;
+        for (double rotation = -180; rotation < 180; rotation += 3) {
+            for (double tilt = -40; tilt <= 40; tilt += 2) {
+                ProbePose.Angles angles = new ProbePose.Angles(rotation, tilt, 0);
+                ProbePose pose = skin.at(place).pose(rest, angles);
+                double[] t = pose.toProbe(target);
+                double off = Math.abs(pose.toProbe(entry)[2]) + Math.abs(t[2]) + 0.1 * Math.abs(t[0]);
+                if (off < best) {
+                    best = off;
+                    chosen = angles;
+                }
+            }
+        }
+        rehearsal.probe().turn(chosen.rotationDeg(), chosen.tiltDeg(), chosen.rockDeg());
+        rehearsal.probe().put(place);
     }
 
     private static void until(BooleanSupplier holds) {

@@ -281,7 +281,7 @@ abstract class RehearsalInputCases {
                             () -> rehearsal().entrySelection().entry().orElseThrow()))
                     .containsExactly(entry);
             assertThat(target().restMm()).containsExactly(missed.target().restMm());
-            double aimed = WindowHarness.onEdt(() -> state().aimedDepthMm());
+            double aimed = Vectors.distance(entry, target().restMm());
             attempt(aimed);
             assertThat(WindowHarness.onEdt(table::getRowCount)).isEqualTo(rows + 1);
             assertThat(Double.parseDouble(cell(table, rows, 3)))
@@ -321,6 +321,8 @@ abstract class RehearsalInputCases {
         clinic.until(
                 "an entry",
                 () -> rehearsal().state().filter(NeedleState::hasNeedle).isPresent());
+        window.key("A");
+        clinic.until("a needle that points at the target", () -> !state().aimedByHand());
         WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(depthMm));
         clinic.until("in", () -> state().placed() && state().depthMm() > 0.9 * depthMm && !state().moving());
         window.key("X");

@@ -45,7 +45,7 @@ class RehearsalWindowTest extends RehearsalInputCases {
         JToggleButton hold = window.control(JToggleButton.class, "Hold at expiration");
         WindowHarness.doOnEdt(hold::doClick);
         until("a held breath", () -> state().label() == RespiratoryPhase.HOLD);
-        window.command("Aim again");
+        window.command("Aim for me");
         window.command("Go to target");
         until(
                 "the tip in the target",

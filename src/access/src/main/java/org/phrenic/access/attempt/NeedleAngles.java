@@ -1,0 +1,41 @@
+package org.phrenic.access.attempt;
+
+import org.phrenic.mesh.Vectors;
+
+/**
+ * The direction of a needle as two angles, degrees: {@code d = (cos c sin a, cos c cos a, sin c)} in LPS.
+ *
+ * @param axialDeg a, in the axial plane: 0 straight back, 90 toward the patient's left
+ * @param cranialDeg c, out of the axial plane: positive toward the head, within 90
+ */
+public record NeedleAngles(double axialDeg, double cranialDeg) {
+    public NeedleAngles {
+        if (!(Math.abs(axialDeg) <= 360 && Math.abs(cranialDeg) <= 90)) {
+            throw new IllegalArgumentException("needle: found angles of " + axialDeg + " and " + cranialDeg
+                    + " degrees, expected them within 360 and 90");
+        }
+    }
+
+    /** The angles of a direction. */
+    public static NeedleAngles of(double[] direction) {
+        double[] d = Vectors.normalize(direction);
+        return new NeedleAngles(
+                StrictMath.toDegrees(StrictMath.atan2(d[0], d[1])),
+                StrictMath.toDegrees(StrictMath.asin(Math.max(-1, Math.min(1, d[2])))));
+    }
+
+    /** Unit vector from the skin to the tip, LPS. */
+    public double[] direction() {
+        double a = StrictMath.toRadians(axialDeg);
+        double c = StrictMath.toRadians(cranialDeg);
+        return Vectors.of(
+                StrictMath.cos(c) * StrictMath.sin(a), StrictMath.cos(c) * StrictMath.cos(a), StrictMath.sin(c));
+    }
+
+    /** The angles turned by so much; the second stays within 90 degrees. */
+    public NeedleAngles turned(double byAxialDeg, double byCranialDeg) {
+        double a = axialDeg + byAxialDeg;
+        double wrapped = a > 180 ? a - 360 : a <= -180 ? a + 360 : a;
+        return new NeedleAngles(wrapped, Math.max(-89, Math.min(89, cranialDeg + byCranialDeg)));
+    }
+}

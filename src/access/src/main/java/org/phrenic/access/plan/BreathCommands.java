@@ -1,0 +1,77 @@
+package org.phrenic.access.plan;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.simulation.live.LiveRun;
+
+/**
+ * Breath holds on command in a live run: the patient is told at an event of the breath and holds it after a reaction
+ * time.
+ */
+final class BreathCommands {
+    private final LiveRun run;
+    private final ManualStepRecorder steps;
+    private final double reactionS;
+    private Optional<BreathEvent> told = Optional.empty();
+    private double dueS = Double.POSITIVE_INFINITY;
+    private RespiratoryPhase before = RespiratoryPhase.PAUSE;
+    private int breathBefore = 1;
+
+    /** @param reactionS time from the event to the hold, s */
+    BreathCommands(LiveRun run, ManualStepRecorder steps, double reactionS) {
+        this.run = run;
+        this.steps = steps;
+        this.reactionS = reactionS;
+    }
+
+    /** Begins with the run. */
+    void begin() {
+        told = Optional.empty();
+        dueS = Double.POSITIVE_INFINITY;
+        before = RespiratoryPhase.PAUSE;
+        breathBefore = 1;
+    }
+
+    /** Asks for a hold at the next event of a kind; a held breath is released first. Empty only releases. */
+    void request(Optional<BreathEvent.Kind> at, double timeS) {
+        told = at.map(kind -> new BreathEvent(kind, OptionalInt.empty()));
+        dueS = Double.POSITIVE_INFINITY;
+        if (run.scenario().hold()) {
+            hold(false, timeS);
+        }
+    }
+
+    /** Holds the breath if it is time; once at every look. */
+    void update(RespiratoryPhase doing, int breath, double timeS) {
+        if (told.isPresent()
+                && dueS == Double.POSITIVE_INFINITY
+                && told.get().occurs(before, breathBefore, doing, breath)) {
+            dueS = timeS + reactionS;
+        }
+        if (timeS >= dueS) {
+            told = Optional.empty();
+            dueS = Double.POSITIVE_INFINITY;
+            hold(true, timeS);
+        }
+        before = doing;
+        breathBefore = breath;
+    }
+
+    private void hold(boolean on, double timeS) {
+        set(run, on, "window");
+        steps.add(timeS, new PlanStep.HoldBreath("by hand, hold_breath", on));
+    }
+
+    static void set(LiveRun run, boolean on, String origin) {
+        run.change(List.of(Assignment.of(origin, Breathing.HOLD, on)));
+    }
+
+    /** The event that a hold is waiting for; empty if none is. */
+    Optional<BreathEvent> pending() {
+        return told;
+    }
+}

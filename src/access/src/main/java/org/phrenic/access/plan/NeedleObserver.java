@@ -1,0 +1,99 @@
+package org.phrenic.access.plan;
+
+import java.util.List;
+import java.util.Optional;
+import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.SkinPoint;
+import org.phrenic.access.attempt.NeedleAngles;
+import org.phrenic.access.attempt.NeedleInsertion;
+import org.phrenic.access.attempt.NeedleShaft;
+import org.phrenic.access.path.PathAnalysis;
+import org.phrenic.access.path.PathAnalyzer;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.mesh.Vectors;
+import org.phrenic.simulation.observe.Frame;
+
+/** Describes the needle and the probe of a live rehearsal at a frame, for display. */
+final class NeedleObserver {
+    /**
+     * A needle that is not placed.
+     *
+     * @param entry where it will be placed; empty if nothing is chosen
+     * @param angles how it is held there; empty if it points at the target
+     */
+    record Planned(Optional<SkinPoint> entry, Optional<NeedleAngles> angles) {}
+
+    private final MovingAnatomy anatomy;
+    private final RehearsalPlan plan;
+    private final PathAnalyzer analyzer;
+
+    NeedleObserver(MovingAnatomy anatomy, RehearsalPlan plan) {
+        this.anatomy = anatomy;
+        this.plan = plan;
+        analyzer = new PathAnalyzer(anatomy, plan.needle());
+    }
+
+    /** @param aimedMm depth to which a placed needle is aimed, mm */
+    NeedleState describe(
+            NeedleInsertion needle,
+            HeldProbe probe,
+            Planned planned,
+            double aimedMm,
+            Optional<BreathEvent> pendingHold,
+            Frame frame,
+            RespiratoryPhase phase) {
+        NeedleShaft shaft = needle.shaft();
+        double[] centre = needle.targetNow();
+        boolean placed = shaft.isPlaced();
+        Optional<double[]> from =
+                placed ? Optional.of(shaft.entry()) : planned.entry().map(SkinPoint::current);
+        double[] start = from.orElse(centre);
+        double[] direction = placed
+                ? shaft.direction()
+                : planned.angles().map(NeedleAngles::direction).orElseGet(() -> toward(start, centre));
+        double along = Vectors.dot(Vectors.subtract(centre, start), direction);
+        double aimed = placed ? Math.max(aimedMm, shaft.depth()) : Math.max(1, along);
+        double[] end = Vectors.addScaled(start, direction, aimed);
+        Optional<PathAnalysis> path = from.map(skin -> analyzer.analyze(skin, end));
+        PathAnalyzer.Margin margin =
+                path.isPresent() ? analyzer.margin(start, end, plan.avoided()) : new PathAnalyzer.Margin(0, "");
+        double depth = placed ? shaft.depth() : 0;
+        return new NeedleState(
+                frame.timeS(),
+                phase,
+                centre,
+                needle.target().radiusMm(),
+                from,
+                placed,
+                Vectors.addScaled(start, direction, depth - plan.needle().lengthMm()),
+                Vectors.addScaled(start, direction, depth),
+                depth,
+                aimed,
+                shaft.isTipAnchored(),
+                needle.isMoving(),
+                placed ? Optional.of(needle.targetingError()) : Optional.empty(),
+                path.map(p -> p.reasons(plan.avoided())).orElse(List.of()),
+                margin.mm(),
+                anatomy.labelOf(margin.nearest()),
+                placed ? needle.warnings() : List.of(),
+                needle.record().samples().size(),
+                pendingHold.map(BreathEvent::text).orElse(""),
+                planned.angles().isPresent(),
+                NeedleAngles.of(direction),
+                probe.hold()
+                        .map(hold -> new ProbeState(
+                                hold,
+                                probe.pose().orElseThrow(),
+                                depth > 0 && probe.isTipSeen(needle),
+                                inBeam(probe, needle))));
+    }
+
+    private static double inBeam(HeldProbe probe, NeedleInsertion needle) {
+        return needle.shaft().isPlaced() && needle.shaft().depth() > 0 ? probe.needleInBeamMm(needle) : 0;
+    }
+
+    private static double[] toward(double[] from, double[] to) {
+        double[] line = Vectors.subtract(to, from);
+        return Vectors.length(line) > 0 ? Vectors.normalize(line) : new double[] {0, 0, 1};
+    }
+}

@@ -1,0 +1,83 @@
+package org.phrenic.access.ultrasound;
+
+import java.util.List;
+import java.util.Locale;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.TriangleTree;
+import org.phrenic.simulation.observe.Surface;
+
+/** The skin of a body, on which places for a probe are found at end-expiration. Its tree is built once. */
+public final class ScannedSkin {
+    private static final double TOLERANCE_MM = 5;
+
+    final Surface surface;
+    final int index;
+    final double outward;
+    private final TriangleTree tree;
+
+    /**
+     * @param surfaces surfaces of a scene, in the order of its frames
+     * @throws BadInputException if the body has no skin
+     */
+    public ScannedSkin(List<Surface> surfaces) {
+        index = indexOfSkin(surfaces);
+        surface = surfaces.get(index);
+        tree = new TriangleTree(surface.rest());
+        outward = Math.signum(MeshMeasure.signedVolume(surface.rest()));
+    }
+
+    static int indexOfSkin(List<Surface> surfaces) {
+        for (int i = 0; i < surfaces.size(); i++) {
+            if (surfaces.get(i).kind() == StructureKind.SKIN) {
+                return i;
+            }
+        }
+        throw new BadInputException("the body: found no skin, expected one to put a probe on");
+    }
+
+    TriangleMesh rest() {
+        return surface.rest();
+    }
+
+    /** The place on the skin nearest to a point. */
+    TriangleTree.Hit nearest(double[] restMm) {
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        tree.closest(restMm[0], restMm[1], restMm[2], hit);
+        return hit;
+    }
+
+    /** The point of the skin nearest to a point, both at end-expiration, LPS, mm. */
+    public double[] nearestPoint(double[] restMm) {
+        TriangleTree.Hit hit = nearest(restMm);
+        return new double[] {hit.x, hit.y, hit.z};
+    }
+
+    /**
+     * A probe on the skin.
+     *
+     * @param restMm place on the skin at end-expiration, LPS, mm
+     * @throws BadInputException if the place is more than {@value #TOLERANCE_MM} mm from the skin
+     */
+    public ProbeOnSkin at(double[] restMm) {
+        TriangleTree.Hit hit = nearest(restMm);
+        double distance = Math.sqrt(hit.distanceSquared);
+        if (distance > TOLERANCE_MM) {
+            throw new BadInputException(String.format(
+                    Locale.ROOT,
+                    "probe: found (%.1f, %.1f, %.1f), %.1f mm %s, expected a place on the skin; the nearest is"
+                            + " %.1f,%.1f,%.1f",
+                    restMm[0],
+                    restMm[1],
+                    restMm[2],
+                    distance,
+                    tree.isInside(restMm[0], restMm[1], restMm[2]) ? "inside the body" : "off the skin",
+                    hit.x,
+                    hit.y,
+                    hit.z));
+        }
+        return new ProbeOnSkin(this, hit);
+    }
+}

@@ -1,0 +1,102 @@
+package org.phrenic.ui.access;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
+import java.util.function.DoubleSupplier;
+import javax.swing.Timer;
+import org.phrenic.access.TargetLesion;
+import org.phrenic.access.plan.ImageMoment;
+import org.phrenic.access.plan.NeedleState;
+import org.phrenic.access.ultrasound.BModeImage;
+import org.phrenic.access.ultrasound.CurvilinearProbe;
+import org.phrenic.access.ultrasound.Ultrasound;
+import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Surface;
+
+/**
+ * Computes live ultrasound images on a thread of its own and shows each when its latency has passed. Moments that come
+ * while an image is being computed are dropped, so images are never late.
+ */
+final class UltrasoundUpdater {
+    private static final long MIN_INTERVAL_NS = 45_000_000;
+
+    private final Executor executor;
+    private final AtomicBoolean busy = new AtomicBoolean();
+    private final List<Surface> surfaces;
+    private final TargetLesion target;
+    private final Frame frame;
+    private final DoubleSupplier latencyS;
+    private final Consumer<Optional<UltrasoundShot>> listener;
+    private Ultrasound ultrasound;
+    private long lastNs;
+    private boolean shown;
+
+    /**
+     * @param frame of these surfaces; overwritten
+     * @param latencyS time from the moment of an image to its display, s
+     * @param listener gets each image on the event dispatch thread; empty when the probe is lifted
+     */
+    UltrasoundUpdater(
+            Executor executor,
+            List<Surface> surfaces,
+            TargetLesion target,
+            Frame frame,
+            DoubleSupplier latencyS,
+            Consumer<Optional<UltrasoundShot>> listener) {
+        this.executor = executor;
+        this.surfaces = surfaces;
+        this.target = target;
+        this.frame = frame;
+        this.latencyS = latencyS;
+        this.listener = listener;
+    }
+
+    /** Takes a moment if no image is being computed; on the simulation's thread. */
+    void offer(Frame now, Optional<ImageMoment> moment, NeedleState state) {
+        long ns = System.nanoTime();
+        if (moment.isEmpty()) {
+            if (shown) {
+                shown = false;
+                show(Optional.empty(), ns);
+            }
+            return;
+        }
+        if (state == null || ns - lastNs < MIN_INTERVAL_NS || !busy.compareAndSet(false, true)) {
+            return;
+        }
+        shown = true;
+        lastNs = ns;
+        frame.copyFrom(now);
+        try {
+            executor.execute(() -> compute(moment.get(), state, ns));
+        } catch (RejectedExecutionException closing) {
+            // The window is being closed.
+            busy.set(false);
+        }
+    }
+
+    private void compute(ImageMoment moment, NeedleState state, long takenNs) {
+        try {
+            if (ultrasound == null) {
+                ultrasound = new Ultrasound(surfaces, CurvilinearProbe.abdominal(), 1, Optional.of(target));
+            }
+            BModeImage image = moment.take(ultrasound, frame);
+            show(Optional.of(UltrasoundShot.of(image, state)), takenNs);
+        } finally {
+            busy.set(false);
+        }
+    }
+
+    /** Shows an image when its latency has passed. */
+    private void show(Optional<UltrasoundShot> shot, long takenNs) {
+        double elapsedS = 1e-9 * (System.nanoTime() - takenNs);
+        int delayMs = (int) Math.max(0, Math.round(1000 * (latencyS.getAsDouble() - elapsedS)));
+        Timer timer = new Timer(delayMs, e -> listener.accept(shot));
+        timer.setRepeats(false);
+        timer.start();
+    }
+}
