@@ -15,8 +15,6 @@ final class InsertionLine {
     private static final int SECTORS = 360;
     /** Depth of the insertion below the lowest vertex of the costal margin at an azimuth, mm. */
     private static final double BELOW_MARGIN_MM = 0;
-    /** Height of the insertion above the tip of the sternum, mm. */
-    private static final double ABOVE_XIPHOID_MM = 12;
 
     private static final double CRUS_RAD = Math.toRadians(8);
     private static final double SMOOTHING_DEG = 4;
@@ -29,8 +27,8 @@ final class InsertionLine {
     InsertionLine(InsertionSites sites, double ceiling) {
         List<double[]> corners = new ArrayList<>();
         sites.xiphoid().ifPresent(z -> {
-            corners.add(new double[] {-Math.PI, z + ABOVE_XIPHOID_MM});
-            corners.add(new double[] {Math.PI, z + ABOVE_XIPHOID_MM});
+            corners.add(new double[] {-Math.PI, z + InsertionSites.ABOVE_XIPHOID_MM});
+            corners.add(new double[] {Math.PI, z + InsertionSites.ABOVE_XIPHOID_MM});
         });
         for (Side side : List.of(Side.RIGHT, Side.LEFT)) {
             for (double[] corner : corners(sites, side)) {

@@ -26,6 +26,8 @@ import org.phrenic.mesh.query.TriangleTree;
 final class InsertionSites {
     static final double XIPHOID_MM = 40;
     static final double END_MM = 30;
+    /** Height of the insertion above the tip of the sternum, mm. */
+    static final double ABOVE_XIPHOID_MM = 12;
     /** Share of a rib's vertices that form its tip. */
     private static final double TIP_SHARE = 0.04;
 
@@ -159,18 +161,25 @@ final class InsertionSites {
         return p[1] < before[1] + t * (after[1] - before[1]);
     }
 
-    /** Lowest vertex of cartilages and ribs 7 to 10 of a side in each degree of azimuth, from the back to the front. */
+    /**
+     * Lowest vertex of cartilages and ribs 7 to 10 of a side in each degree of azimuth, from the back to the front.
+     * Cartilages 6 and 7 are one piece in front in many scans: what of the sixth lies below the insertion on the
+     * sternum belongs to the margin as well.
+     */
     List<double[]> margin(Side side) {
         double[][] lowest = new double[180][];
+        double sternum = xiphoid().map(z -> z + ABOVE_XIPHOID_MM).orElse(Double.NEGATIVE_INFINITY);
         for (Structure s : body.structures()) {
+            boolean cartilage = s.kind() == StructureKind.COSTAL_CARTILAGE;
+            boolean sixth = cartilage && s.level() == 6;
             boolean chosen = s.side() == side
-                    && s.level() >= 7
-                    && s.level() <= 10
-                    && (s.kind() == StructureKind.COSTAL_CARTILAGE || s.kind() == StructureKind.RIB);
+                    && (sixth || (s.level() >= 7 && s.level() <= 10 && (cartilage || s.kind() == StructureKind.RIB)));
+            double bound = sixth ? sternum : Double.POSITIVE_INFINITY;
             for (int v = 0; chosen && v < s.mesh().vertexCount(); v++) {
                 double[] p = point(s.mesh(), v);
                 int sector = Math.min(179, (int) Math.toDegrees(azimuth(p, side)));
-                lowest[sector] = lowest[sector] == null || p[2] < lowest[sector][2] ? p : lowest[sector];
+                boolean lower = p[2] < (lowest[sector] == null ? bound : Math.min(bound, lowest[sector][2]));
+                lowest[sector] = lower ? p : lowest[sector];
             }
         }
         return Arrays.stream(lowest).filter(p -> p != null).toList();

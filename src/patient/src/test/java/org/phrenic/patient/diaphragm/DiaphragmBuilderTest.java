@@ -14,6 +14,7 @@ import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.SurfaceComparison;
 
 /** The virtual adult female without her diaphragm: what is built from the rest is held against it. */
@@ -74,6 +75,36 @@ class DiaphragmBuilderTest {
         }
         assertThat(quality(BUILT.withPositions(lifted)).value("insertion_to_margin_percentile_95_mm"))
                 .isGreaterThan(10);
+    }
+
+    /** Cartilages 6 and 7 under one label, as where they are fused in a scan: the margin in front is theirs. */
+    @Test
+    void theMarginIsTheLowerBorderOfFusedCartilages() {
+        for (Side side : List.of(Side.RIGHT, Side.LEFT)) {
+            TriangleMesh seventh = cartilage(7, side).mesh();
+            List<Structure> fused = new java.util.ArrayList<>();
+            for (Structure s : FEMALE.structures()) {
+                boolean front = s.kind() == StructureKind.COSTAL_CARTILAGE && s.side() == side;
+                if (front && s.level() == 6) {
+                    fused.add(s.withMesh(MeshMerge.merge(List.of(s.mesh(), seventh))));
+                } else if (!front || s.level() != 7) {
+                    fused.add(s);
+                }
+            }
+            InsertionSites sites = new InsertionSites(FEMALE, CAGE);
+            double sternum = sites.xiphoid().orElseThrow() + InsertionSites.ABOVE_XIPHOID_MM;
+            double lowest = seventh.bounds()[2];
+            List<double[]> margin = new InsertionSites(new Thorax("fused", fused, List.of()), CAGE).margin(side);
+            List<double[]> expected = sites.margin(side).stream()
+                    .filter(p -> p[2] > lowest && p[2] < sternum && sites.azimuth(p, side) > 2)
+                    .toList();
+            assertThat(expected).hasSizeGreaterThan(8);
+            assertThat(margin).containsAll(expected);
+        }
+    }
+
+    private static Structure cartilage(int level, Side side) {
+        return FEMALE.find(StructureKind.COSTAL_CARTILAGE, level, side).orElseThrow();
     }
 
     /** Lungs whose bases reach down in spurs beside the spine, in front of which a ray meets them first. */
