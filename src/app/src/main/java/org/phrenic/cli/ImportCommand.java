@@ -10,11 +10,13 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ReportFolder;
+import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.NameRanges;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.patient.ImportProgress;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.diaphragm.SheetQuality;
 import org.phrenic.patient.pipeline.ImportPipeline;
@@ -127,6 +129,7 @@ final class ImportCommand extends ReportingCommand {
         ReportFolder.requireWritable(out);
         Optional<Double> edgeMm =
                 Optional.ofNullable(edge).map(text -> OptionValues.number("--edge", text, 0, MAX_EDGE_MM));
+        ConsoleProgress progress = progress();
         ImportResult result = ImportPipeline.run(
                 new ImportRequest(
                         file,
@@ -134,9 +137,9 @@ final class ImportCommand extends ReportingCommand {
                         Optional.ofNullable(labels),
                         edgeMm,
                         this::corrected,
-                        template().map(thorax -> new ImportRequest.Completion(thorax, keepLevel)),
+                        template(progress).map(thorax -> new ImportRequest.Completion(thorax, keepLevel)),
                         Optional.ofNullable(alignTo).map(ThoraxFolder::load)),
-                progress());
+                progress);
         result.write(out);
         print(result.report(), () -> text(result));
         return ExitCode.SUCCESS;
@@ -147,10 +150,11 @@ final class ImportCommand extends ReportingCommand {
         return spacing == null ? turned : GeometryOverride.spacing(turned, spacing);
     }
 
-    private Optional<Thorax> template() {
+    private Optional<Thorax> template(ImportProgress progress) {
         if (alignTo != null || complete.equals("none")) {
             return Optional.empty();
         }
+        progress.stage("loading " + complete + ", for what the scan lacks");
         Assignment anatomy = Assignment.read("--complete " + complete, "anatomy", complete);
         return Optional.of(SimulationRun.loadThorax(Scenario.defaults().with(List.of(anatomy))));
     }
