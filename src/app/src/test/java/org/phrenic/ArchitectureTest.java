@@ -24,6 +24,8 @@ class ArchitectureTest {
     private static final JavaClasses PROGRAM = new ClassFileImporter()
             .withImportOption(new ImportOption.DoNotIncludeTests())
             .withImportOption(location -> !location.contains("-tests.jar") && !location.contains("test-classes"))
+            // The module of clusters stands above the program and is built by a profile alone.
+            .withImportOption(location -> !location.contains("org/phrenic/cluster/"))
             .importPackages("org.phrenic");
 
     /** What each chapter (the packages that share the name after {@code org.phrenic}) uses, no more and no less. */

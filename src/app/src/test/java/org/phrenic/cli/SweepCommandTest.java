@@ -1,0 +1,83 @@
+package org.phrenic.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.cli.report.ExitCode;
+import org.phrenic.study.sweep.SweepPlan;
+import org.phrenic.study.sweep.SweepStudy;
+
+/** The command line of studies. */
+class SweepCommandTest {
+    private static final Path STUDIES = Path.of("data/studies");
+
+    @TempDir
+    private Path folder;
+
+    private Path study() throws IOException {
+        String small = Files.readString(STUDIES.resolve("ishigami.yaml")).replace("1024", "8");
+        return Files.writeString(folder.resolve("study.yaml"), small);
+    }
+
+    @Test
+    void aStudyIsPrintedAndWrittenAndResumes() throws IOException {
+        Path out = folder.resolve("out");
+        CommandLineRun run = CommandLineRun.of("sweep", study().toString(), "--out", out.toString(), "--threads", "2");
+        assertThat(run.exitCode()).as(run.err()).isZero();
+        assertThat(run.out()).contains("first order", "40 of 40 runs are done, 0 failed", "Not for clinical use.");
+        assertThat(Files.readAllLines(out.resolve("runs.csv"))).hasSize(41);
+        assertThat(Files.readString(out.resolve("report.html"))).contains("40 of 40", "Not for clinical use.");
+        CommandLineRun again = CommandLineRun.of("sweep", study().toString(), "--out", out.toString(), "--json");
+        assertThat(again.err()).contains("40 of 40 runs are in the journal");
+        assertThat(again.out()).contains("\"complete\": true", "\"first_order\"");
+    }
+
+    @Test
+    void aMergeOfAnUnfinishedStudySaysHowManyRunsAreMissing() throws IOException {
+        Path out = folder.resolve("out");
+        String file = study().toString();
+        assertThat(CommandLineRun.of("sweep", file, "--out", out.toString(), "--shard", "1/4")
+                        .exitCode())
+                .isZero();
+        CommandLineRun merge = CommandLineRun.of("sweep", "--merge", out.toString());
+        assertThat(merge.exitCode()).isEqualTo(ExitCode.FAILURE);
+        assertThat(merge.err()).contains("30 runs are missing");
+        assertThat(Files.readAllLines(out.resolve("runs.csv"))).hasSize(11);
+    }
+
+    @Test
+    void whatIsMissingOrContradictsIsBadInput() throws IOException {
+        String file = study().toString();
+        String out = folder.resolve("out").toString();
+        for (List<String> args : List.of(
+                List.of("sweep"),
+                List.of("sweep", file),
+                List.of("sweep", "--merge", out),
+                List.of("sweep", file, "--merge", out),
+                List.of("sweep", file, "--out", out, "--shard", "4/4"),
+                List.of("sweep", file, "--out", out, "--shard", "1/2", "--master", "local[1]"),
+                List.of("sweep", folder.resolve("none.yaml").toString(), "--out", out))) {
+            CommandLineRun run = CommandLineRun.of(args.toArray(String[]::new));
+            assertThat(run.exitCode()).as(args.toString()).isEqualTo(ExitCode.BAD_INPUT);
+            assertThat(run.err().strip())
+                    .startsWith("phrenic: ")
+                    .hasLineCount(1)
+                    .contains("expected");
+        }
+        assertThat(folder.resolve("out")).doesNotExist();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"ishigami", "small", "liver-motion"})
+    void theStudiesThatComeWithTheProgramHavePlans(String name) {
+        SweepPlan plan = SweepPlan.of(SweepStudy.read(STUDIES.resolve(name + ".yaml")));
+        assertThat(plan.size()).isIn(5120, 16, 512);
+    }
+}

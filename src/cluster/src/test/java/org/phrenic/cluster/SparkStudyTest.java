@@ -1,0 +1,170 @@
+package org.phrenic.cluster;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.cli.Phrenic;
+
+/** The same study gives the same rows on threads, on local Spark and on executors of which one is killed. */
+class SparkStudyTest {
+    private static final String CLASS_PATH =
+            System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"));
+    private static final int PATIENCE_S = 240;
+
+    private static final String BREATHS =
+            """
+            settings: {resolution: low, duration_s: 0.04}
+            design: {kind: list, columns: [depth], points: [[1.2], [0.9]]}
+            responses:
+              - {observable: liver_si_mm, reduction: size}
+            series: [dome_right_mm]
+            """;
+
+    private static final String KNOWN =
+            """
+            model: ishigami
+            factors:
+              - {key: x1, range: [-3.14159, 3.14159]}
+              - {key: x2, range: [-3.14159, 3.14159]}
+              - {key: x3, range: [-3.14159, 3.14159]}
+            design: {kind: sobol, samples: 2048}
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private Path home;
+
+    /** Local executors want a folder of Spark; what they load comes from their class path. */
+    @BeforeEach
+    void makeHome() throws IOException {
+        home = Files.createDirectories(folder.resolve("spark"));
+        Files.createDirectories(home.resolve("jars"));
+        Files.createFile(home.resolve("RELEASE"));
+    }
+
+    private Path study(String text) throws IOException {
+        return Files.writeString(folder.resolve("study.yaml"), text);
+    }
+
+    private String onThreads(Path study) throws IOException {
+        Path out = folder.resolve("threads");
+        StringWriter err = new StringWriter();
+        int code = Phrenic.execute(
+                new PrintWriter(new StringWriter()),
+                new PrintWriter(err),
+                "sweep",
+                study.toString(),
+                "--out",
+                out.toString(),
+                "--threads",
+                "2");
+        assertThat(code).as(err.toString()).isZero();
+        return withoutTimes(out);
+    }
+
+    private Process onSpark(Path study, Path out, String master) throws IOException {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Xmx600m",
+                "-XX:TieredStopAtLevel=1",
+                "-Djava.awt.headless=true",
+                "-Dspark.master=" + master,
+                "-Dspark.driver.host=127.0.0.1",
+                "-Dspark.executor.extraClassPath=" + CLASS_PATH,
+                "-cp",
+                CLASS_PATH,
+                ClusterMain.class.getName(),
+                "sweep",
+                study.toString(),
+                "--out",
+                out.toString()));
+        ProcessBuilder builder = new ProcessBuilder(command)
+                .redirectErrorStream(true)
+                .redirectOutput(folder.resolve("log").toFile());
+        builder.environment().put("SPARK_HOME", home.toString());
+        builder.environment().put("SPARK_LOCAL_IP", "127.0.0.1");
+        builder.environment().put("SPARK_SCALA_VERSION", "2.13");
+        return builder.start();
+    }
+
+    private void requireDone(Process process) throws Exception {
+        boolean ended = process.waitFor(PATIENCE_S, TimeUnit.SECONDS);
+        process.descendants().forEach(ProcessHandle::destroyForcibly);
+        process.destroyForcibly();
+        String log = Files.readString(folder.resolve("log"), StandardCharsets.UTF_8);
+        assertThat(ended).as(log).isTrue();
+        assertThat(process.exitValue()).as(log).isZero();
+    }
+
+    private static String withoutTimes(Path out) throws IOException {
+        List<String> lines = Files.readAllLines(out.resolve("runs.csv"));
+        int wall = List.of(lines.get(0).split(",", -1)).indexOf("wall_s");
+        List<String> kept = new ArrayList<>();
+        for (String line : lines) {
+            List<String> cells = new ArrayList<>(List.of(line.split(",", -1)));
+            cells.remove(wall);
+            kept.add(String.join(",", cells));
+        }
+        return String.join("\n", kept);
+    }
+
+    @Test
+    void localSparkGivesTheRowsOfThreads() throws Exception {
+        Path study = study(BREATHS);
+        Path out = folder.resolve("out");
+        Process spark = onSpark(study, out, "local[2]");
+        String expected = onThreads(study);
+        requireDone(spark);
+        assertThat(withoutTimes(out)).isEqualTo(expected).hasLineCount(3);
+        assertThat(Files.readString(out.resolve("series.csv")))
+                .isEqualTo(Files.readString(folder.resolve("threads").resolve("series.csv")));
+    }
+
+    @Test
+    void aStudyWhoseExecutorIsKilledEndsCompleteAndEqual() throws Exception {
+        Path study = study(KNOWN);
+        Path out = folder.resolve("out");
+        Process spark = onSpark(study, out, "local-cluster[2,1,1024]");
+        String expected = onThreads(study);
+        Path journal = out.resolve("journal.csv");
+        long begun = System.nanoTime();
+        while (spark.isAlive() && lines(journal) < 100 && System.nanoTime() - begun < PATIENCE_S * 1e9) {
+            Thread.sleep(5);
+        }
+        long before = lines(journal);
+        List<ProcessHandle> executors = spark.children().toList();
+        executors.stream().findFirst().ifPresent(ProcessHandle::destroyForcibly);
+        requireDone(spark);
+        assertThat(executors).as("executors of two workers").hasSize(2);
+        assertThat(before).as("runs before the kill").isBetween(100L, 8_000L);
+        assertThat(withoutTimes(out)).isEqualTo(expected).hasLineCount(2048 * 5 + 1);
+        assertThat(Files.readString(folder.resolve("log"))).containsIgnoringCase("lost executor");
+    }
+
+    private static long lines(Path journal) throws IOException {
+        return Files.exists(journal) ? Files.readString(journal).lines().count() : 0;
+    }
+
+    @Test
+    void theMasterOfSparkIsAddedWhereAStudyRuns() {
+        List<String> args = List.of("sweep", "study.yaml", "--out", "x");
+        assertThat(ClusterMain.withMaster(args, "yarn")).endsWith("--master", "yarn");
+        assertThat(ClusterMain.withMaster(args, null)).isEqualTo(args);
+        assertThat(ClusterMain.withMaster(List.of("sweep", "--merge", "x"), "yarn"))
+                .doesNotContain("--master");
+        assertThat(ClusterMain.withMaster(List.of("sweep", "--master", "local[1]"), "yarn"))
+                .containsExactly("sweep", "--master", "local[1]");
+    }
+}
