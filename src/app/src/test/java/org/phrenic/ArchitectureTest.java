@@ -6,11 +6,16 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaMethodCall;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
+import java.io.FileOutputStream;
+import java.io.FileWriter;
+import java.nio.file.Files;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -27,6 +32,8 @@ class ArchitectureTest {
             // The module of clusters stands above the program and is built by a profile alone.
             .withImportOption(location -> !location.contains("org/phrenic/cluster/"))
             .importPackages("org.phrenic");
+
+    private static final Set<String> WRITERS = Set.of("write", "writeString", "newOutputStream", "newBufferedWriter");
 
     /** What each chapter (the packages that share the name after {@code org.phrenic}) uses, no more and no less. */
     private static final Map<String, List<String>> USES = new LinkedHashMap<>();
@@ -147,6 +154,24 @@ class ArchitectureTest {
                 .orShould()
                 .dependOnClassesThat()
                 .resideInAPackage("picocli.."));
+    }
+
+    /** Files are written beside their target and moved over it; a journal alone is appended to. */
+    @Test
+    void onlyAtomicFilesAreWritten() {
+        DescribedPredicate<JavaMethodCall> writing = DescribedPredicate.describe(
+                "write to a file",
+                call -> call.getTargetOwner().isEquivalentTo(Files.class) && WRITERS.contains(call.getName()));
+        check(noClasses()
+                .that()
+                .resideOutsideOfPackage(within("file"))
+                .and()
+                .doNotHaveSimpleName("FitJournal")
+                .should()
+                .callMethodWhere(writing)
+                .orShould()
+                .dependOnClassesThat()
+                .belongToAnyOf(FileOutputStream.class, FileWriter.class));
     }
 
     @Test

@@ -54,6 +54,7 @@ class CsvTest {
         refused("a,b\n1,NaN\n", "b", "line 2, column 'b': found 'NaN', expected a number");
         refused("a,b\n1,\n", "b", "line 2, column 'b': found '', expected a number");
         refused("a;b\n1;1.000,5\n", "b", "line 2, column 'b': found '1.000,5', expected a number");
+        refused("a,b\n1,\"2,5\"\n", "b", "line 2, column 'b': found '2,5', expected a number");
         refused("a,b\n1,2\n", "c", "line 1: found columns a, b, expected a column 'c'");
         refused("a,b\n1,2,3\n", "a", "line 2: found 3 cells, expected 2 as in the header");
         refused("a,b\n1\n", "a", "line 2: found 1 cells, expected 2 as in the header");

@@ -136,6 +136,27 @@ class AccessMapTest {
         }
     }
 
+    @Test
+    void theMarginIsTheLeastOverTheFreeMoments() {
+        AccessMap map = map(RIGHT_LOBE, workers);
+        int falling = 0;
+        for (int v = 0; v < map.size(); v++) {
+            double least = Double.POSITIVE_INFINITY;
+            double last = 0;
+            for (int moment = 0; moment < map.cycle().size(); moment++) {
+                if (map.isFree(moment, v)) {
+                    last = map.marginMm(moment, v);
+                    least = Math.min(least, last);
+                }
+            }
+            assertThat(map.marginMm(v)).isEqualTo(Double.isInfinite(least) ? 0 : least);
+            falling += last > least ? 1 : 0;
+        }
+        assertThat(falling)
+                .as("entries whose last free moment is not the narrowest")
+                .isPositive();
+    }
+
     /**
      * Biopsies go in at the 7th to 9th space, mid-axillary line (physiology: emedicine 149684); above, the lung lies in
      * the way.

@@ -70,6 +70,15 @@ class LabelVolumeFilesTest {
         assertIsSample(volume);
     }
 
+    /** The standard's order of preference (NIfTI-1, method 3 before method 2). */
+    @Test
+    void withBothFormsTheSformPlacesVoxels() {
+        assertIsSample(read("both.nii", VolumeSamples.nifti(2, LITTLE, h -> {
+            h.putShort(252, (short) 1);
+            h.putFloat(268, 99);
+        })));
+    }
+
     @Test
     void obliqueQformIsARotation() {
         double half = Math.toRadians(15);
@@ -156,6 +165,15 @@ class LabelVolumeFilesTest {
                 read("s.seg.nrrd", VolumeSamples.join(header, VolumeSamples.gzip(VolumeSamples.voxels(2, LITTLE, 1))));
         assertIsSample(volume);
         assertThat(volume.names()).containsEntry(5, "lung: right").containsEntry(9, "liver");
+    }
+
+    @Test
+    void nrrdOfLasIsMirroredFrontToBack() {
+        String header = VolumeSamples.nrrd("uchar", "raw")
+                .replace("right-anterior-superior", "left-anterior-superior")
+                .replace("(-2,0,0) (0,3,0) (0,0,4)", "(2,0,0) (0,3,0) (0,0,4)")
+                .replace("(10,20,30)", "(-10,20,30)");
+        assertIsSample(read("las.nrrd", VolumeSamples.join(header + "\n", VolumeSamples.voxels(2, LITTLE, 1))));
     }
 
     @Test
