@@ -93,6 +93,7 @@ public final class MovingStructure {
             case RIB -> side + "rib " + surface.level();
             case COSTAL_CARTILAGE -> side + "costal cartilage " + surface.level();
             case LUNG -> side + "lung";
+            case PLEURA -> side + "pleura";
             case LIVER -> "liver";
             case DIAPHRAGM -> "diaphragm";
             case SKIN -> "skin";

@@ -41,7 +41,7 @@ public enum NoGoZone {
             case RIB, COSTAL_CARTILAGE, STERNUM, VERTEBRA, DISC, BONE -> Optional.of(BONE);
             case LUNG -> Optional.of(LUNG);
             case ORGAN, VESSEL, OTHER -> Optional.of(ORGAN);
-            case DIAPHRAGM, LIVER, SKIN, MUSCLE, LESION -> Optional.empty();
+            case DIAPHRAGM, LIVER, SKIN, PLEURA, MUSCLE, LESION -> Optional.empty();
         };
     }
 

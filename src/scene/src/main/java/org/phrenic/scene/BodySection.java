@@ -114,7 +114,8 @@ public record BodySection(
                     frame.writePositions(s, i, at);
                     List<double[]> curves = plane.intersect(at, s.rest().triangles());
                     if (!curves.isEmpty()) {
-                        int rgb = SurfaceMaterial.of(kind).appearance().packedRgb();
+                        int rgb =
+                                SurfaceMaterial.of(kind, s.name()).appearance().packedRgb();
                         parts.add(new Part(kind, outline(curves), rgb));
                     }
                 }

@@ -93,7 +93,7 @@ public final class NeedlePictures implements AutoCloseable {
             case LIVER -> usual.withOpacity(0.38f);
             case DIAPHRAGM -> usual.withOpacity(0.16f);
             case LUNG -> usual.withOpacity(0.25f);
-            case SKIN -> usual.withOpacity(0.10f);
+            case SKIN, PLEURA -> usual.withOpacity(0.10f);
             case RIB, COSTAL_CARTILAGE, STERNUM -> usual.withOpacity(0.55f);
             case VERTEBRA, DISC, ORGAN, VESSEL, MUSCLE, BONE, LESION, OTHER -> usual;
         });

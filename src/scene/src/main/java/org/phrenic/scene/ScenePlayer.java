@@ -37,7 +37,7 @@ public final class ScenePlayer implements AutoCloseable {
         if (!simulation.stabilityMessage().isEmpty()) {
             progress.note(simulation.stabilityMessage());
         }
-        surfaces = new SceneSurfaces(simulation);
+        surfaces = SceneSurfaces.withOrgans(simulation);
         frame = surfaces.newFrame();
         durationS = simulation.durationS();
     }

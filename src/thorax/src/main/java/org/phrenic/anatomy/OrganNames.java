@@ -30,7 +30,8 @@ public final class OrganNames {
                 """
                 aorta inferior_vena_cava superior_vena_cava portal_and_splenic_vein portal_vein splenic_vein
                 hepatic_vein pulmonary_vein pulmonary_artery brachiocephalic_trunk brachiocephalic_vein
-                subclavian_artery common_carotid_artery iliac_artery iliac_vein liver_vessels""",
+                subclavian_artery common_carotid_artery iliac_artery iliac_vein liver_vessels
+                internal_mammary_vessels superior_epigastric_vessels""",
                 StructureKind.MUSCLE,
                 """
                 autochthon iliopsoas gluteus_maximus gluteus_medius gluteus_minimus intercostal_muscles

@@ -11,6 +11,8 @@ public enum StructureKind {
     LUNG,
     LIVER,
     SKIN,
+    /** The parietal pleura of one side, from its reflection to its cupola: an open surface. */
+    PLEURA,
     /** An organ other than lungs and liver, such as heart, kidney or colon. */
     ORGAN,
     /** A large vessel, such as the aorta or the portal vein. */

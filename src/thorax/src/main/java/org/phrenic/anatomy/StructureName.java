@@ -6,8 +6,9 @@ import java.util.regex.Pattern;
 
 /**
  * Kind, level and side of a structure, parsed from its name: {@code rib_05_R}, {@code costal_cartilage_02_L},
- * {@code sternum_body}, {@code vertebra_T06}, {@code disc_T4_T5}, {@code lung_R_middle}, {@code diaphragm},
- * {@code liver}, {@code skin_torso}, and the names of {@link OrganNames}. Case and leading zeros are ignored.
+ * {@code sternum_body}, {@code vertebra_T06}, {@code disc_T4_T5}, {@code lung_R_middle}, {@code pleura_R},
+ * {@code diaphragm}, {@code liver}, {@code skin_torso}, and the names of {@link OrganNames}. Case and leading zeros are
+ * ignored.
  *
  * @param kind kind of structure
  * @param level as in {@link Structure}
@@ -23,7 +24,7 @@ public record StructureName(StructureKind kind, int level, Side side) {
     private static final Pattern LEVELLED = Pattern.compile("(rib|costal_cartilage)_0*(\\d{1,2})_([rl])");
     private static final Pattern VERTEBRA = Pattern.compile("vertebra_([tl])0*(\\d{1,2})");
     private static final Pattern DISC = Pattern.compile("disc_([ctl])0*(\\d{1,2})_[tls]0*\\d{1,2}");
-    private static final Pattern LUNG = Pattern.compile("lung_([rl])(_.*)?");
+    private static final Pattern LUNG = Pattern.compile("(lung|pleura)_([rl])(_.*)?");
 
     /** Parses a name; empty if the name is unknown. */
     public static Optional<StructureName> parse(String name) {
@@ -45,7 +46,8 @@ public record StructureName(StructureKind kind, int level, Side side) {
         }
         m = LUNG.matcher(n);
         if (m.matches()) {
-            return Optional.of(new StructureName(StructureKind.LUNG, 0, side(m.group(1))));
+            StructureKind kind = m.group(1).equals("lung") ? StructureKind.LUNG : StructureKind.PLEURA;
+            return Optional.of(new StructureName(kind, 0, side(m.group(2))));
         }
         StructureKind kind = null;
         if (n.startsWith("sternum")) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -16,8 +17,15 @@ import java.util.stream.Stream;
  * @param notes repairs and omissions by the loader, one sentence each
  * @param notInScan names of the structures of a scanned body that its scan does not show, and words for what else it
  *     does not show, such as the breath level of the body
+ * @param organs further organs and vessels, which no model of breathing needs, such as the kidneys of a virtual body;
+ *     they are generated when they are first asked for
  */
-public record Thorax(String name, List<Structure> structures, List<String> notes, Set<String> notInScan) {
+public record Thorax(
+        String name,
+        List<Structure> structures,
+        List<String> notes,
+        Set<String> notInScan,
+        Supplier<List<Structure>> organs) {
 
     public Thorax {
         structures = List.copyOf(structures);
@@ -25,9 +33,19 @@ public record Thorax(String name, List<Structure> structures, List<String> notes
         notInScan = Set.copyOf(notInScan);
     }
 
+    /** A body without further organs. */
+    public Thorax(String name, List<Structure> structures, List<String> notes, Set<String> notInScan) {
+        this(name, structures, notes, notInScan, List::of);
+    }
+
     /** A body whose structures all have the same source. */
     public Thorax(String name, List<Structure> structures, List<String> notes) {
         this(name, structures, notes, Set.of());
+    }
+
+    /** This body with further organs. */
+    public Thorax withOrgans(Supplier<List<Structure>> further) {
+        return new Thorax(name, structures, notes, notInScan, further);
     }
 
     /** What is not in the scan, structures by kind, such as "skin, 4 of 24 ribs"; empty if there is nothing. */

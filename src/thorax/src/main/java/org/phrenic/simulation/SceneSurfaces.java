@@ -2,10 +2,12 @@ package org.phrenic.simulation;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
+import java.util.Locale;
+import java.util.regex.Pattern;
 import org.phrenic.anatomy.DiaphragmSide;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.cage.LinearBlendSkinning;
 import org.phrenic.anatomy.cage.RibCage;
 import org.phrenic.anatomy.cage.SkinningWeights;
@@ -13,7 +15,6 @@ import org.phrenic.engine.kinematics.HelicalBody;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.DiaphragmPart;
-import org.phrenic.model.organ.LiverPart;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.LungMeasure;
 import org.phrenic.simulation.observe.Observation;
@@ -32,8 +33,10 @@ public final class SceneSurfaces {
         double[] positionsAt(double time, double[] now);
     }
 
-    /** Organs that are fixed to the spine or the neck. */
-    private static final Set<String> STILL_ORGANS = Set.of("spinal_cord", "thyroid_gland", "oesophagus", "esophagus");
+    /** Organs and vessels that are fixed to the spine, the neck or the pelvis. */
+    private static final Pattern STILL =
+            Pattern.compile("spinal_cord|thyroid_gland|o?esophagus|aorta|brachiocephalic_.*"
+                    + "|subclavian_.*|common_carotid_.*|iliac_.*|superior_vena_cava|pulmonary_.*");
 
     private final Simulation simulation;
     private final Scene scene;
@@ -41,13 +44,26 @@ public final class SceneSurfaces {
     private final List<Surface> surfaces = new ArrayList<>();
     private final List<VertexSource> places = new ArrayList<>();
     private final List<Integer> bodies = new ArrayList<>();
+    private final List<Integer> lungSurfaces = new ArrayList<>();
     private final double[] positions;
     private final Object token = new Object();
     private final SheetContact contact;
+    private final SceneCarriers carriers;
     private long captures;
     private SkinningWeights bones;
 
+    /** The surfaces of the scene and of the organs that its body brings. */
     public SceneSurfaces(Simulation simulation) {
+        this(simulation, List.of());
+    }
+
+    /** As {@link #SceneSurfaces(Simulation)}, with the further organs of the body ({@link Thorax#organs()}). */
+    public static SceneSurfaces withOrgans(Simulation simulation) {
+        return new SceneSurfaces(
+                simulation, simulation.scene().thorax().organs().get());
+    }
+
+    private SceneSurfaces(Simulation simulation, List<Structure> organs) {
         this.simulation = simulation;
         scene = simulation.scene();
         observer = new SceneObserver(scene);
@@ -62,17 +78,36 @@ public final class SceneSurfaces {
             }
         });
         LungMeasure lungs = observer.lungs();
+        carriers = new SceneCarriers(scene);
         for (int i = 0; i < lungs.structures().size(); i++) {
             int lung = i;
             yielding(
                     lungs.structures().get(i),
                     true,
                     (time, at) -> lungs.positions(lung, time, scene.restPositions(), at));
+            carryOrgans(places.size() - 1);
         }
         scene.liver()
                 .ifPresent(part ->
                         yielding(part.structure, false, (time, at) -> part.positions(scene.restPositions(), at)));
-        for (Structure s : scene.thorax().structures()) {
+        addOthers(scene.thorax().structures());
+        addOthers(organs);
+    }
+
+    /** Lets a lung carry organs of the chest. */
+    private void carryOrgans(int surface) {
+        VertexSource lung = places.get(surface);
+        int carrier = carriers.addLung(surfaces.get(surface).rest().positions());
+        places.set(surface, (time, at) -> {
+            double[] now = lung.positionsAt(time, at);
+            carriers.moveLung(carrier, now);
+            return now;
+        });
+        lungSurfaces.add(surface);
+    }
+
+    private void addOthers(List<Structure> structures) {
+        for (Structure s : structures) {
             if (surfaces.stream().noneMatch(known -> known.name().equals(s.name()))) {
                 addOther(s);
             }
@@ -127,9 +162,9 @@ public final class SceneSurfaces {
         switch (s.kind()) {
             case RIB -> addRigid(s, scene.pose().cage().rib(s.level(), s.side()));
             case STERNUM -> addRigid(s, scene.pose().cage().sternum());
-            case COSTAL_CARTILAGE -> addBlended(s);
+            case COSTAL_CARTILAGE, PLEURA -> addBlended(s);
             case SKIN -> deforming(s, new SkinMotion(scene, s, bones())::at);
-            case ORGAN, LESION -> addFollowing(s);
+            case ORGAN, VESSEL, LESION -> addFollowing(s);
             default -> addRigid(s, RibCage.TRUNK);
         }
     }
@@ -152,26 +187,16 @@ public final class SceneSurfaces {
         });
     }
 
-    /** Adds an organ without nodes, which follows the liver if it belongs to it, otherwise the diaphragm. */
+    /** Adds an organ or vessel without nodes, which follows what lies about it. */
     private void addFollowing(Structure s) {
-        boolean ofLiver = s.kind() == StructureKind.LESION || s.name().equals("gallbladder");
-        if (STILL_ORGANS.contains(s.name())) {
+        String name = s.name().toLowerCase(Locale.ROOT);
+        if (STILL.matcher(name).matches()) {
             addRigid(s, RibCage.TRUNK);
-        } else if (ofLiver && scene.liver().isPresent()) {
-            LiverPart liver = scene.liver().get();
-            OrganMotion motion = new OrganMotion(
-                    s.mesh().positions(), liver.positions(scene.restPositions(), scene.restPositions()));
-            addOrgan(s, (time, at) -> motion.at(liver.positions(scene.restPositions(), at)));
+        } else if (name.startsWith("internal_mammary")) {
+            addBlended(s);
         } else {
-            DiaphragmPart part = scene.diaphragm();
-            int from = 3 * part.firstNode;
-            double[] sheet = new double[3 * part.diaphragm.sheet().vertexCount()];
-            System.arraycopy(scene.restPositions(), from, sheet, 0, sheet.length);
-            OrganMotion motion = new OrganMotion(s.mesh().positions(), sheet);
-            addOrgan(s, (time, at) -> {
-                System.arraycopy(at, from, sheet, 0, sheet.length);
-                return motion.at(sheet);
-            });
+            OrganMotion motion = carriers.bind(name, s.mesh().positions(), bones());
+            addOrgan(s, (time, at) -> motion.now());
         }
     }
 
@@ -250,6 +275,7 @@ public final class SceneSurfaces {
         scene.system().layout().toCaller(scene.system().positions(), positions);
         scene.pose().update(time);
         contact.update(positions);
+        carriers.update(time, positions);
         return time;
     }
 
@@ -265,7 +291,9 @@ public final class SceneSurfaces {
 
     /** One surface in the current state, in double precision. */
     public TriangleMesh mesh(int surface) {
-        return mesh(surface, readState());
+        double time = readState();
+        lungSurfaces.forEach(lung -> places.get(lung).positionsAt(time, positions));
+        return mesh(surface, time);
     }
 
     private TriangleMesh mesh(int surface, double time) {

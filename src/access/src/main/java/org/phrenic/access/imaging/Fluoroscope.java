@@ -36,7 +36,7 @@ public final class Fluoroscope {
         this.threads = threads;
         for (int i = 0; i < surfaces.size(); i++) {
             Surface surface = surfaces.get(i);
-            if (MeshMeasure.hasInside(surface.rest())) {
+            if (surface.kind() != StructureKind.PLEURA && MeshMeasure.hasInside(surface.rest())) {
                 CappedSurface capped = new CappedSurface(surface.rest());
                 double volume =
                         MeshMeasure.signedVolume(capped.at(surface.rest().positions()));

@@ -141,7 +141,7 @@ public enum Tissue {
             case LIVER -> LIVER;
             case VESSEL -> BLOOD;
             case MUSCLE, DIAPHRAGM -> MUSCLE;
-            case SKIN -> SOFT;
+            case SKIN, PLEURA -> SOFT;
             case LESION -> LESION;
             case ORGAN, OTHER -> ofOrgan(name.toLowerCase(Locale.ROOT));
         };

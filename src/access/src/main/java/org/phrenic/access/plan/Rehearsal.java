@@ -65,7 +65,7 @@ public record Rehearsal(
     public static Rehearsal play(RehearsalPlan plan, Thorax thorax, SimulationRun.Progress progress) {
         try (Simulation simulation = Simulation.of(plan.scenario(), thorax, UserCache.ofUser());
                 Workers workers = Workers.of(plan.scenario().threads())) {
-            SceneSurfaces surfaces = new SceneSurfaces(simulation);
+            SceneSurfaces surfaces = SceneSurfaces.withOrgans(simulation);
             MovingAnatomy anatomy = new MovingAnatomy(surfaces.surfaces());
             anatomy.update(surfaces.newFrame());
             TargetLesion target = plan.target(anatomy);

@@ -37,8 +37,8 @@ class SonatedSurface {
         this.index = index;
         this.surface = surface;
         tissue = Tissue.of(surface);
-        orientation =
-                MeshMeasure.hasInside(surface.rest()) ? (int) Math.signum(MeshMeasure.signedVolume(surface.rest())) : 0;
+        boolean solid = surface.kind() != StructureKind.PLEURA && MeshMeasure.hasInside(surface.rest());
+        orientation = solid ? (int) Math.signum(MeshMeasure.signedVolume(surface.rest())) : 0;
         rank = rank(surface.kind());
         int n = surface.rest().vertexCount();
         world = new double[3 * n];
@@ -52,7 +52,7 @@ class SonatedSurface {
     /** Where surfaces overlap, that of the highest rank says which tissue is there. */
     private static int rank(StructureKind kind) {
         return switch (kind) {
-            case SKIN -> 0;
+            case SKIN, PLEURA -> 0;
             case MUSCLE, DIAPHRAGM -> 1;
             case LUNG -> 2;
             case LIVER -> 3;

@@ -30,6 +30,16 @@ public final class ConnectedComponents {
                 .toList();
     }
 
+    /** The component with the most triangles; of equals the first. The mesh itself if it has one component or none. */
+    public static TriangleMesh largest(TriangleMesh mesh) {
+        List<TriangleMesh> all = of(mesh);
+        TriangleMesh best = all.size() == 1 ? mesh : all.stream().findFirst().orElse(mesh);
+        for (TriangleMesh one : all) {
+            best = one.triangleCount() > best.triangleCount() ? one : best;
+        }
+        return best;
+    }
+
     private static TriangleMesh component(TriangleMesh mesh, int[] triangles) {
         boolean[] used = new boolean[mesh.vertexCount()];
         for (int v : triangles) {

@@ -74,7 +74,7 @@ final class SurfacePass {
     void draw(GL3 gl, SurfaceBuffers buffers, ViewTransform transform, SceneStyle style, Faces faces, PeelLayer layer) {
         Surface surface = buffers.surface();
         Appearance look = style.appearance(surface.name()).orElseThrow();
-        SurfaceMaterial material = SurfaceMaterial.of(surface.kind());
+        SurfaceMaterial material = SurfaceMaterial.of(surface.kind(), surface.name());
         Set<Feature> features = features(surface, look, style, faces);
         if (layer != null) {
             features.add(Feature.PEEL);

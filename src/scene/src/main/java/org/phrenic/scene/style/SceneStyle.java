@@ -69,8 +69,8 @@ public record SceneStyle(
     /** A style with all surfaces in the colours of an anatomy atlas and translucent skin. */
     public static SceneStyle atlas(List<Surface> surfaces) {
         Map<String, Appearance> appearances = new LinkedHashMap<>();
-        surfaces.forEach(
-                s -> appearances.put(s.name(), SurfaceMaterial.of(s.kind()).appearance()));
+        surfaces.forEach(s ->
+                appearances.put(s.name(), SurfaceMaterial.of(s.kind(), s.name()).appearance()));
         ColourScale scale = ColourScale.sequential(DEFAULT_RANGE_MM, ColourField.DISPLACEMENT.unit());
         return new SceneStyle(
                 appearances,

@@ -30,6 +30,7 @@ public final class StructureLabels {
             case DISC -> s.level() == 0 ? "Disc C7-T1" : "Disc " + level(s.level()) + "-" + below(s.level());
             case LUNG -> lung(name, s.side());
             case SKIN -> "Skin";
+            case PLEURA -> "Pleura" + side(s.side());
             case STERNUM, DIAPHRAGM, LIVER -> capitalized(name);
             default -> capitalized(OrganNames.words(name)) + side(s.side());
         };
@@ -47,6 +48,7 @@ public final class StructureLabels {
             case LUNG -> "Lungs";
             case LIVER -> "Liver";
             case SKIN -> "Skin";
+            case PLEURA -> "Pleura";
             case ORGAN -> "Organs";
             case VESSEL -> "Vessels";
             case MUSCLE -> "Muscles";

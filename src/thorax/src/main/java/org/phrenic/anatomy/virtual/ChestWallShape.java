@@ -1,6 +1,7 @@
 package org.phrenic.anatomy.virtual;
 
 import java.util.List;
+import org.phrenic.anatomy.virtual.shape.ImmutableDoubleArray;
 import org.phrenic.anatomy.virtual.shape.ImplicitSurface;
 import org.phrenic.anatomy.virtual.shape.ProfileCurve;
 import org.phrenic.anatomy.virtual.shape.SmoothBlends;

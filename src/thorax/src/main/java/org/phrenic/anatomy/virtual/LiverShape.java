@@ -33,15 +33,28 @@ final class LiverShape {
 
     private double at(double x, double y, double z, double height) {
         double under = dome.at(x, y, z) + diaphragm.muscleMm() / 2 + measures.diaphragmGapMm();
+        double region = SmoothBlends.roundIntersection(under, aboveVisceral(x, y, z, height), EDGE_MM);
+        region = SmoothBlends.roundIntersection(region, beforeCut(x, y), LEFT_END_MM);
+        return SmoothBlends.roundIntersection(region, x - measures.leftEndX(), LEFT_END_MM);
+    }
+
+    private double aboveVisceral(double x, double y, double z, double height) {
         double slopeX = measures.visceralSlope().at(0);
         double slopeY = measures.visceralSlope().at(1);
         double above = height + slopeX * x + slopeY * y - z;
-        above /= Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY);
-        double region = SmoothBlends.roundIntersection(under, above, EDGE_MM);
+        return above / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY);
+    }
+
+    private double beforeCut(double x, double y) {
         double cut = measures.backCut().at(1);
-        double behind = (y - measures.backCut().at(0) + cut * x) / Math.sqrt(1 + cut * cut);
-        region = SmoothBlends.roundIntersection(region, behind, LEFT_END_MM);
-        return SmoothBlends.roundIntersection(region, x - measures.leftEndX(), LEFT_END_MM);
+        return (y - measures.backCut().at(0) + cut * x) / Math.sqrt(1 + cut * cut);
+    }
+
+    /** The region above the visceral surface and before the cut behind the left lobe; below the diaphragm the liver. */
+    ImplicitSurface visceralRegion() {
+        double height = height();
+        return (x, y, z) ->
+                Math.max(aboveVisceral(x, y, z, height), Math.max(beforeCut(x, y), x - measures.leftEndX()));
     }
 
     TriangleMesh mesh() {

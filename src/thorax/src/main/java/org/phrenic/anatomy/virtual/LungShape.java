@@ -18,13 +18,19 @@ import org.phrenic.mesh.TriangleMesh;
  * pieces, the side (costal, mediastinal and apex) and the base, which meet in the sharp inferior border.
  */
 final class LungShape implements VerticalAxis {
-    private static final double COSTAL_EDGE_MM = 18;
+    /** Radius of the edges between the costal and the mediastinal surface of a lung, mm. */
+    static final double COSTAL_EDGE_MM = 18;
+
     private static final double APEX_EDGE_MM = 12;
     private static final double PIVOT_ABOVE_DOME_MM = 45;
     private static final double BASE_PIVOT_BELOW_DOME_MM = 60;
     private static final int SWEEPS = 12;
+    private static final double PLEURA_EDGE_MM = 11;
+    /** Distance from the costal pleura over which the lower limit changes from its reflection to the diaphragm, mm. */
+    private static final double OFF_WALL_MM = 6;
 
     private final VirtualThoraxParameters.Lungs measures;
+    private final double costalEdgeMm;
     private final ChestWallShape wall;
     private final ImplicitSurface side = this::sideRegion;
     private final ImplicitSurface roof;
@@ -35,25 +41,31 @@ final class LungShape implements VerticalAxis {
     private final double[] apex;
     private final double[] base;
     private final double baseZ;
-    private final Meridians sideLines;
-    private final Meridians baseLines;
 
-    LungShape(VirtualThoraxParameters parameters, ChestWallShape wall, DiaphragmShape dome, Side where) {
-        measures = parameters.lungs();
+    /** @param costalEdgeMm radius of the edges between the costal and the mediastinal surface */
+    LungShape(
+            VirtualThoraxParameters.Lungs measures,
+            VirtualThoraxParameters.Diaphragm diaphragm,
+            ChestWallShape wall,
+            DiaphragmShape dome,
+            Side where,
+            double costalEdgeMm) {
+        this.measures = measures;
+        this.costalEdgeMm = costalEdgeMm;
         this.wall = wall;
         sign = where.sign();
         index = where == Side.RIGHT ? 0 : 1;
         apex = index == 0 ? measures.apexRight().toArray() : measures.apexLeft().toArray();
         base = index == 0 ? measures.baseRight().toArray() : measures.baseLeft().toArray();
-        VirtualThoraxParameters.Diaphragm diaphragm = parameters.diaphragm();
         baseZ = (index == 0 ? diaphragm.right() : diaphragm.left()).at(2);
         this.dome = dome;
         roofOffset = diaphragm.muscleMm() / 2 + measures.diaphragmGapMm();
         roof = (x, y, z) -> dome.at(x, y, z) - roofOffset;
-        double[][] border = new double[Meridians.AZIMUTHS][];
-        Arrays.setAll(border, i -> lowerBorder(Meridians.azimuth(i)));
-        sideLines = new Meridians(side, this, baseZ + PIVOT_ABOVE_DOME_MM, true, border);
-        baseLines = new Meridians(roof, this, baseZ - BASE_PIVOT_BELOW_DOME_MM, true, border);
+    }
+
+    /** The lung as a region. */
+    ImplicitSurface region() {
+        return (x, y, z) -> Math.max(sideRegion(x, y, z), -roof.at(x, y, z));
     }
 
     @Override
@@ -89,23 +101,53 @@ final class LungShape implements VerticalAxis {
         double cap = z - apex[2] + (dx * dx + dy * dy) / (2 * measures.apexRadiusMm());
         cap /= Math.sqrt(1 + (dx * dx + dy * dy) / (measures.apexRadiusMm() * measures.apexRadiusMm()));
         return SmoothBlends.roundIntersection(
-                SmoothBlends.roundIntersection(costal, medial, COSTAL_EDGE_MM), cap, APEX_EDGE_MM);
+                SmoothBlends.roundIntersection(costal, medial, costalEdgeMm), cap, APEX_EDGE_MM);
     }
 
     /** Point of the inferior border at an azimuth: the first intersection of the side with the base, from above. */
     private double[] lowerBorder(double azimuth) {
+        return border(azimuth, h -> heightAboveRoof(azimuth, h));
+    }
+
+    /** Point of the side at an azimuth where a function of the height changes its sign first, from above. */
+    private double[] border(double azimuth, DoubleUnaryOperator above) {
         double high = baseZ + PIVOT_ABOVE_DOME_MM;
         double low = high;
-        while (heightAboveRoof(azimuth, low) > 0) {
+        while (above.applyAsDouble(low) > 0) {
             high = low;
             low -= 3;
-            if (low < baseZ - 150) {
+            if (low < baseZ - 200) {
                 throw new IllegalStateException("lung: the side never meets the diaphragm at azimuth " + azimuth);
             }
         }
-        DoubleUnaryOperator above = h -> heightAboveRoof(azimuth, h);
         double z = RootFinder.illinois(above, low, above.applyAsDouble(low), high, above.applyAsDouble(high));
         return sidePoint(azimuth, z);
+    }
+
+    /**
+     * The parietal pleura of the side without its diaphragmatic part: the costal part down to a line on the chest wall,
+     * the mediastinal part down to the diaphragm.
+     *
+     * @param reflection height of the line on the chest wall at an azimuth about the axis of the wall (rad), mm
+     */
+    TriangleMesh pleura(DoubleUnaryOperator reflection) {
+        double[][] limit = new double[Meridians.AZIMUTHS][];
+        Arrays.setAll(limit, i -> {
+            double azimuth = Meridians.azimuth(i);
+            return border(azimuth, h -> aboveReflection(sidePoint(azimuth, h), reflection));
+        });
+        Meridians lines = new Meridians(side, this, baseZ + PIVOT_ABOVE_DOME_MM, true, limit);
+        int[] counts = RingMesh.counts(lines, PLEURA_EDGE_MM, 0);
+        TriangleMesh mesh = RingMesh.mesh(lines, counts, true);
+        int inner = mesh.vertexCount() - counts[counts.length - 1];
+        return SurfaceRelaxation.relax(mesh, SWEEPS, v -> v < inner ? side : null);
+    }
+
+    /** Height above the line on the wall, off the wall the distance from the diaphragm. */
+    private double aboveReflection(double[] p, DoubleUnaryOperator reflection) {
+        double offWall = -wall.at(p) - measures.wallInsetMm();
+        double share = SmoothBlends.smoothstep(offWall / OFF_WALL_MM);
+        return (1 - share) * (p[2] - reflection.applyAsDouble(wall.azimuth(p))) + share * roof.at(p);
     }
 
     private double heightAboveRoof(double azimuth, double z) {
@@ -117,7 +159,11 @@ final class LungShape implements VerticalAxis {
     }
 
     TriangleMesh mesh(int vertices) {
-        double edge = RingMesh.edgeLengthFor(this::count, vertices);
+        double[][] limit = new double[Meridians.AZIMUTHS][];
+        Arrays.setAll(limit, i -> lowerBorder(Meridians.azimuth(i)));
+        Meridians sideLines = new Meridians(side, this, baseZ + PIVOT_ABOVE_DOME_MM, true, limit);
+        Meridians baseLines = new Meridians(roof, this, baseZ - BASE_PIVOT_BELOW_DOME_MM, true, limit);
+        double edge = RingMesh.edgeLengthFor(length -> count(sideLines, baseLines, length), vertices);
         int[] sideCounts = RingMesh.counts(sideLines, edge, 0);
         int border = sideCounts[sideCounts.length - 1];
         int[] baseCounts = RingMesh.counts(baseLines, edge, border);
@@ -132,7 +178,7 @@ final class LungShape implements VerticalAxis {
         return Clearance.enforce(even, dome, 1, roofOffset);
     }
 
-    private int count(double edge) {
+    private static int count(Meridians sideLines, Meridians baseLines, double edge) {
         int[] sideCounts = RingMesh.counts(sideLines, edge, 0);
         int border = sideCounts[sideCounts.length - 1];
         return RingMesh.vertexCount(sideCounts)

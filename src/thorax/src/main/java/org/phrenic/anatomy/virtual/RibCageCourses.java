@@ -3,6 +3,7 @@ package org.phrenic.anatomy.virtual;
 import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.virtual.shape.ImmutableDoubleArray;
 import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.mesh.Polyline;
 import org.phrenic.mesh.Vectors;

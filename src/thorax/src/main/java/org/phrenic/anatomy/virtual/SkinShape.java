@@ -2,6 +2,7 @@ package org.phrenic.anatomy.virtual;
 
 import java.util.List;
 import java.util.function.DoubleFunction;
+import org.phrenic.anatomy.virtual.shape.ImmutableDoubleArray;
 import org.phrenic.anatomy.virtual.shape.ProfileCurve;
 import org.phrenic.anatomy.virtual.shape.Tube;
 import org.phrenic.mesh.Polyline;

@@ -1,5 +1,6 @@
 package org.phrenic.anatomy.virtual;
 
+import org.phrenic.anatomy.virtual.shape.ImmutableDoubleArray;
 import org.phrenic.anatomy.virtual.shape.ProfileCurve;
 import org.phrenic.mesh.Vectors;
 

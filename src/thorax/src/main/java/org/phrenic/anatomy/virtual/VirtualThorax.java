@@ -91,7 +91,8 @@ public final class VirtualThorax {
             if (found[0] != null) {
                 return known;
             }
-            found[0] = CachedBody.in(cache, key, () -> generate(VirtualThoraxParameters.preset(preset), budget));
+            found[0] = CachedBody.in(cache, key, () -> generate(VirtualThoraxParameters.preset(preset), budget))
+                    .withOrgans(VirtualOrgans.ofPreset(preset, cache));
             return new SoftReference<>(found[0]);
         });
         return found[0];
@@ -99,7 +100,8 @@ public final class VirtualThorax {
 
     /** The thorax of a preset as a cache holds it; empty if it does not. */
     public static Optional<Thorax> read(UserCache cache, String preset, MeshBudget budget) {
-        return CachedBody.read(cache, key(preset, budget));
+        return CachedBody.read(cache, key(preset, budget))
+                .map(body -> body.withOrgans(VirtualOrgans.ofPreset(preset, cache)));
     }
 
     private static String key(String preset, MeshBudget budget) {
@@ -135,7 +137,7 @@ public final class VirtualThorax {
             part.join();
         }
         List.of(discs, diaphragm, lungR, lungL, liver, skin).forEach(part -> structures.addAll(part.join()));
-        return new Thorax(parameters.name(), structures, List.of());
+        return new Thorax(parameters.name(), structures, List.of()).withOrgans(VirtualOrgans.of(parameters));
     }
 
     private static ForkJoinTask<List<Structure>> fork(Callable<List<Structure>> part) {
@@ -215,7 +217,8 @@ public final class VirtualThorax {
     }
 
     private TriangleMesh lung(Side side, int vertices) {
-        return new LungShape(parameters, wall, dome, side).mesh(vertices);
+        return new LungShape(parameters.lungs(), parameters.diaphragm(), wall, dome, side, LungShape.COSTAL_EDGE_MM)
+                .mesh(vertices);
     }
 
     private static List<Structure> structureList(String name, StructureKind kind, Side side, TriangleMesh mesh) {

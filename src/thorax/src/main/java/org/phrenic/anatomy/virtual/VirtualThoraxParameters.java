@@ -1,6 +1,8 @@
 package org.phrenic.anatomy.virtual;
 
 import java.util.List;
+import org.phrenic.anatomy.virtual.organ.OrganParameters;
+import org.phrenic.anatomy.virtual.shape.ImmutableDoubleArray;
 import org.phrenic.document.Key;
 import org.phrenic.document.ShippedFile;
 import org.phrenic.document.YamlDocument;
@@ -22,7 +24,8 @@ public record VirtualThoraxParameters(
         Diaphragm diaphragm,
         Lungs lungs,
         Liver liver,
-        Skin skin) {
+        Skin skin,
+        Organs organs) {
 
     /** Number of vertebrae, T1 to L3. */
     public static final int VERTEBRAE = 15;
@@ -214,7 +217,25 @@ public record VirtualThoraxParameters(
             @Key(count = 2) ImmutableDoubleArray heartMm,
             @Key(value = "heart_centre_mm", count = 2) ImmutableDoubleArray heartCentre,
             @Key(count = 2) ImmutableDoubleArray heartRadiiMm,
-            @Key(count = 2) ImmutableDoubleArray heartFrontShare) {}
+            @Key(count = 2) ImmutableDoubleArray heartFrontShare) {
+
+        /** These measures with another distance from the inner chest wall. */
+        Lungs withWallInset(double insetMm) {
+            return new Lungs(
+                    insetMm,
+                    diaphragmGapMm,
+                    apexRight,
+                    apexLeft,
+                    apexRadiusMm,
+                    baseRight,
+                    baseLeft,
+                    mediastinumMm,
+                    heartMm,
+                    heartCentre,
+                    heartRadiiMm,
+                    heartFrontShare);
+        }
+    }
 
     /**
      * The liver.
@@ -241,6 +262,32 @@ public record VirtualThoraxParameters(
     public record Skin(double exponent, @Key(count = 4) List<ImmutableDoubleArray> sections) {
         public Skin {
             requireRising("sections", sections);
+        }
+    }
+
+    /**
+     * Organs and vessels that no model of breathing needs.
+     *
+     * @param gapMm distance between neighbouring organs
+     * @param pleuraInsetMm distance from the inner chest wall to the parietal pleura
+     * @param pleuralReflection points of the line where the pleura turns from the chest wall to the diaphragm: azimuth
+     *     in degrees (0 back, positive left) and height z, from -180 to 180
+     * @param internalMammary points of the internal mammary vessels behind the costal cartilages: height z and distance
+     *     from the midplane, ordered from below upward
+     * @param superiorEpigastric points of the superior epigastric vessels behind the rectus muscle, as those
+     * @param parts organs and vessels; each leaves room for those before it
+     */
+    public record Organs(
+            @Key(min = 0.1, max = 5) double gapMm,
+            @Key(above = 0, max = 5) double pleuraInsetMm,
+            @Key(count = 2) List<ImmutableDoubleArray> pleuralReflection,
+            @Key(count = 2) List<ImmutableDoubleArray> internalMammary,
+            @Key(count = 2) List<ImmutableDoubleArray> superiorEpigastric,
+            List<OrganParameters> parts) {
+        public Organs {
+            requireRising("pleural_reflection", pleuralReflection);
+            requireRising("internal_mammary", internalMammary);
+            requireRising("superior_epigastric", superiorEpigastric);
         }
     }
 

@@ -1,97 +1,154 @@
 package org.phrenic.simulation.observe;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.IntStream;
 import org.phrenic.engine.force.FallOff;
+import org.phrenic.mesh.Vectors;
 
 /**
- * Motion of an organ that the model does not simulate, for display and for needle paths: it affects neither forces nor
- * observables. Each point is displaced by a weighted mean of the displacements of the {@value #NEAREST} nearest points
- * of a carrier, the diaphragm or the liver:
+ * Motion of an organ that the model does not simulate, for display, images and needle paths: it affects neither forces
+ * nor observables. Each point is displaced by a weighted mean of the displacements of the {@value #NEAREST} nearest
+ * points of its carriers, by Shepard's method with the weights of Franke and Little:
  *
  * <pre>
- * x = X + f(d) Σ w_i (y_i - Y_i) / Σ w_i,   w_i = 1 / (|X - Y_i|² + s²)²
+ * x = X + f(d) H Σ w_i (y_i - Y_i) / Σ w_i,   w_i = ((1 - r_i / R) / (r_i² + s²))²
  * </pre>
  *
- * {@code d} is the distance from the carrier, {@code s} is {@value #SOFTENING_MM} mm. {@code f} is 1 up to
- * {@value #WITH_CARRIER_MM} mm and falls to 0 over the next {@value #FADE_MM} mm: organs of the pelvis stand still. The
- * constants are chosen, not fitted.
+ * {@code r_i} is the distance from carrier point i and {@code R} that of the farthest of them, whose weight is 0;
+ * {@code s} is {@value #SOFTENING_MM} mm. The displacement is a continuous function of the place at rest, so organs
+ * with the same carriers do not pass through one another. {@code d} is the distance from the carriers; {@code f} is 1
+ * up to {@value #WITH_CARRIER_MM} mm and falls to 0 over the next {@value #FADE_MM} mm: organs of the pelvis stand
+ * still. {@code H} is the hold of what stands still, at a distance e: {@code d² / (d² + e²)} is what it takes away,
+ * from all components, or from the horizontal ones alone for an organ that slides along it. The constants are chosen,
+ * not fitted.
  */
 public final class OrganMotion {
+    /** How an organ is held by what stands still. */
+    public enum Hold {
+        /** It is fixed there. */
+        FIXED,
+        /** It slides up and down along it. */
+        SLIDING
+    }
+
     private static final int NEAREST = 24;
-    private static final double SOFTENING_MM = 25;
+    private static final double SOFTENING_MM = 12;
     private static final double WITH_CARRIER_MM = 30;
     private static final double FADE_MM = 200;
 
     private final double[] rest;
-    private final double[] carrierRest;
-    private final int[] carriers;
-    private final double[] weights;
+    private final OrganCarriers carriers;
+    private final boolean sliding;
+    private final int count;
+    private final int[] nearest;
+    private final float[] weights;
+    /** Factor of the horizontal components of each point. */
+    private final double[] horizontal;
+
     private final double[] position;
 
     /**
-     * Binds an organ to a carrier.
+     * Binds an organ to its carriers.
      *
      * @param rest points of the organ at end-expiration, mm
-     * @param carrierRest points of the carrier at end-expiration, mm
      */
-    public OrganMotion(double[] rest, double[] carrierRest) {
+    public OrganMotion(double[] rest, OrganCarriers carriers, Hold hold) {
         this.rest = rest;
-        this.carrierRest = carrierRest.clone();
-        int count = Math.min(NEAREST, carrierRest.length / 3);
-        carriers = new int[rest.length / 3 * count];
-        weights = new double[carriers.length];
+        this.carriers = carriers;
+        sliding = hold == Hold.SLIDING;
+        count = Math.min(NEAREST, carriers.movingPoints().size());
+        nearest = new int[rest.length / 3 * count];
+        weights = new float[nearest.length];
+        horizontal = new double[rest.length / 3];
         position = rest.clone();
-        IntStream.range(0, rest.length / 3).parallel().forEach(point -> bind(point, count));
+        PointClusters clusters = new PointClusters(rest);
+        IntStream.range(0, clusters.count()).parallel().forEach(cluster -> bind(clusters, cluster));
     }
 
-    private void bind(int point, int count) {
-        int first = count * point;
-        double[] squares = new double[count];
-        Arrays.fill(squares, Double.POSITIVE_INFINITY);
-        int farthest = 0;
-        double least = Double.POSITIVE_INFINITY;
-        for (int c = 0; c < carrierRest.length; c += 3) {
-            double dx = carrierRest[c] - rest[3 * point];
-            double dy = carrierRest[c + 1] - rest[3 * point + 1];
-            double dz = carrierRest[c + 2] - rest[3 * point + 2];
-            double square = dx * dx + dy * dy + dz * dz;
-            if (square < squares[farthest]) {
-                squares[farthest] = square;
-                carriers[first + farthest] = c / 3;
-                least = Math.min(least, square);
-                for (int k = 0; k < count; k++) {
-                    farthest = squares[k] > squares[farthest] ? k : farthest;
-                }
+    /** Binds the points of a cluster. Only carriers that can be among the nearest of one of them are looked at. */
+    private void bind(PointClusters clusters, int cluster) {
+        int[] order = clusters.order();
+        int from = clusters.start(cluster);
+        int to = clusters.start(cluster + 1);
+        double[] centre = Arrays.copyOfRange(rest, 3 * order[from], 3 * order[from] + 3);
+        double radius = 0;
+        for (int i = from; i < to; i++) {
+            radius = Math.max(radius, distance(order[i], centre));
+        }
+        int[] near = within(carriers.movingPoints(), centre, count, 2 * radius);
+        int[] held = within(carriers.stillPoints(), centre, 1, 2 * radius);
+        for (int i = from; i < to; i++) {
+            bind(order[i], near, held);
+        }
+    }
+
+    /** The points that are no more than {@code beyond} farther from a place than the nth nearest. */
+    private static int[] within(List<double[]> points, double[] place, int n, double beyond) {
+        double[] distances =
+                points.stream().mapToDouble(p -> Vectors.distance(p, place)).toArray();
+        double[] sorted = distances.clone();
+        Arrays.sort(sorted);
+        return IntStream.range(0, distances.length)
+                .filter(c -> distances[c] <= sorted[n - 1] + beyond)
+                .toArray();
+    }
+
+    private double distance(int point, double[] to) {
+        double dx = rest[3 * point] - to[0];
+        double dy = rest[3 * point + 1] - to[1];
+        double dz = rest[3 * point + 2] - to[2];
+        return Math.sqrt(dx * dx + dy * dy + dz * dz);
+    }
+
+    private void bind(int point, int[] near, int[] held) {
+        double[] distances = new double[near.length];
+        Arrays.setAll(distances, i -> distance(point, carriers.movingPoints().get(near[i])));
+        double[] sorted = distances.clone();
+        Arrays.sort(sorted);
+        // Just beyond the farthest, so that equally distant carriers have weights.
+        double radius = sorted[count - 1] * (1 + 1e-9) + 1e-9;
+        double still = Double.POSITIVE_INFINITY;
+        for (int h : held) {
+            still = Math.min(still, distance(point, carriers.stillPoints().get(h)));
+        }
+        double free = Double.isInfinite(still) ? 1 : still * still / (still * still + sorted[0] * sorted[0] + 1e-9);
+        double share = FallOff.at(Math.max(0, sorted[0] - WITH_CARRIER_MM), FADE_MM) * (sliding ? 1 : free);
+        horizontal[point] = sliding ? free : 1;
+        double sum = 0;
+        for (double r : distances) {
+            sum += r < radius ? weight(r, radius) : 0;
+        }
+        int k = count * point;
+        for (int i = 0; i < near.length && k < count * (point + 1); i++) {
+            if (distances[i] < radius) {
+                nearest[k] = 3 * near[i];
+                weights[k++] = (float) (share * weight(distances[i], radius) / sum);
             }
         }
-        double sum = 0;
-        for (int k = 0; k < count; k++) {
-            double soft = squares[k] + SOFTENING_MM * SOFTENING_MM;
-            weights[first + k] = 1 / (soft * soft);
-            sum += weights[first + k];
-        }
-        double share = FallOff.at(Math.max(0, Math.sqrt(least) - WITH_CARRIER_MM), FADE_MM);
-        for (int k = 0; k < count; k++) {
-            weights[first + k] *= share / sum;
-        }
     }
 
-    /** Positions of the organ for positions of the carrier; valid until the next call. Allocates nothing. */
-    public double[] at(double[] carrier) {
-        int count = 3 * carriers.length / rest.length;
-        for (int point = 0; point < rest.length / 3; point++) {
+    private static double weight(double r, double radius) {
+        double w = (1 - r / radius) / (r * r + SOFTENING_MM * SOFTENING_MM);
+        return w * w;
+    }
+
+    /** Positions of the organ where its carriers are now; valid until the next call. Allocates nothing. */
+    public double[] now() {
+        double[] moved = carriers.displacement();
+        for (int point = 0; point < horizontal.length; point++) {
             double x = 0;
             double y = 0;
             double z = 0;
             for (int k = count * point; k < count * (point + 1); k++) {
-                int c = 3 * carriers[k];
-                x += weights[k] * (carrier[c] - carrierRest[c]);
-                y += weights[k] * (carrier[c + 1] - carrierRest[c + 1]);
-                z += weights[k] * (carrier[c + 2] - carrierRest[c + 2]);
+                double w = weights[k];
+                int c = nearest[k];
+                x += w * moved[c];
+                y += w * moved[c + 1];
+                z += w * moved[c + 2];
             }
-            position[3 * point] = rest[3 * point] + x;
-            position[3 * point + 1] = rest[3 * point + 1] + y;
+            position[3 * point] = rest[3 * point] + horizontal[point] * x;
+            position[3 * point + 1] = rest[3 * point + 1] + horizontal[point] * y;
             position[3 * point + 2] = rest[3 * point + 2] + z;
         }
         return position;

@@ -4,19 +4,29 @@ import java.util.Arrays;
 import java.util.Comparator;
 
 /**
- * Points in clusters of neighbours, by halving along the longest side of their box down to {@value #MOST} points. The
+ * Points in clusters of neighbours, by halving along the longest side of their box down to a number of points. The
  * first point of a cluster is the one nearest to its mean. Not affected by later motion of the points.
  */
 final class PointClusters {
     static final int MOST = 24;
 
+    private final int most;
     private final Integer[] sorted;
     private final int[] order;
     private int[] starts = new int[1];
     private int count;
 
-    /** @param points three numbers each */
+    /** Clusters of at most {@value #MOST} points, three numbers each. */
     PointClusters(double[] points) {
+        this(points, MOST);
+    }
+
+    /**
+     * @param points three numbers each
+     * @param most greatest number of points in a cluster
+     */
+    PointClusters(double[] points, int most) {
+        this.most = most;
         sorted = new Integer[points.length / 3];
         Arrays.setAll(sorted, i -> i);
         split(points, 0, sorted.length);
@@ -24,7 +34,7 @@ final class PointClusters {
     }
 
     private void split(double[] points, int from, int to) {
-        if (to - from <= MOST) {
+        if (to - from <= most) {
             if (to > from) {
                 add(points, from, to);
             }

@@ -17,13 +17,20 @@ class OrganMotionTest {
         return p;
     }
 
+    private static double[] moved(double[] organ, double[] sheetNow) {
+        OrganCarriers carriers = new OrganCarriers();
+        int sheet = carriers.addMoving(sheet(0), v -> true);
+        OrganMotion motion = new OrganMotion(organ, carriers, OrganMotion.Hold.SLIDING);
+        carriers.update(sheet, sheetNow);
+        return motion.now();
+    }
+
     @Test
     void anOrganUnderTheSheetGoesDownWithItAndThePelvisStands() {
         double[] organ = {0, 0, -5, 0, 0, -60, 0, 0, -150, 0, 0, -260};
-        OrganMotion motion = new OrganMotion(organ, sheet(0));
-        assertThat(motion.at(sheet(0))).containsExactly(organ);
-        double[] now = motion.at(sheet(-15));
-        assertThat(now[2]).isCloseTo(-20, within(1e-9));
+        assertThat(moved(organ, sheet(0))).containsExactly(organ);
+        double[] now = moved(organ, sheet(-15));
+        assertThat(now[2]).isCloseTo(-20, within(1e-5));
         assertThat(now[5]).isBetween(-75.0, -70.0);
         assertThat(now[8]).isBetween(-164.0, -151.0);
         assertThat(now[11]).isEqualTo(-260);
@@ -37,8 +44,34 @@ class OrganMotionTest {
         for (int i = 0; i < tilted.length; i += 3) {
             tilted[i + 2] = 0.1 * tilted[i];
         }
-        double[] now = new OrganMotion(organ, sheet(0)).at(tilted);
+        double[] now = moved(organ, tilted);
         assertThat(now[2]).isCloseTo(-18, within(0.5));
         assertThat(now[5]).isCloseTo(-2, within(0.5));
+    }
+
+    @Test
+    void anOrganThatSlidesAlongAPlateGoesDownButStaysBesideItAndAFixedOneStays() {
+        OrganCarriers carriers = new OrganCarriers();
+        int sheet = carriers.addMoving(sheet(0), v -> true);
+        carriers.addStill(sheet(-60), 2000);
+        double[] organ = new double[3 * 60];
+        for (int i = 0; i < 60; i++) {
+            organ[3 * i + 2] = -i;
+        }
+        OrganMotion sliding = new OrganMotion(organ, carriers, OrganMotion.Hold.SLIDING);
+        OrganMotion fixed = new OrganMotion(organ, carriers, OrganMotion.Hold.FIXED);
+        double[] moved = sheet(-20);
+        for (int i = 0; i < moved.length; i += 3) {
+            moved[i + 1] -= 10;
+        }
+        carriers.update(sheet, moved);
+        double[] slid = sliding.now();
+        assertThat(slid[1]).isCloseTo(-10, within(1e-4));
+        assertThat(slid[3 * 59 + 1]).isCloseTo(0, within(0.01));
+        assertThat(slid[3 * 59 + 2]).isLessThan(-59 - 15);
+        double[] held = fixed.now();
+        for (int i = 1; i < 60; i++) {
+            assertThat(held[3 * i + 2]).isLessThan(held[3 * i - 1]).isGreaterThan(-60);
+        }
     }
 }

@@ -1,4 +1,4 @@
-package org.phrenic.anatomy.virtual;
+package org.phrenic.anatomy.virtual.shape;
 
 import java.util.Arrays;
 

@@ -1,0 +1,125 @@
+package org.phrenic.simulation;
+
+import java.util.regex.Pattern;
+import org.phrenic.anatomy.DiaphragmSide;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.cage.SkinningWeights;
+import org.phrenic.model.assembly.Scene;
+import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.simulation.observe.OrganCarriers;
+import org.phrenic.simulation.observe.OrganMotion;
+import org.phrenic.simulation.observe.SkinMotion;
+
+/**
+ * What carries the organs of a scene: the central tendon and the liver carry organs of the abdomen, which slide along
+ * the muscle of the diaphragm and along the spine. What lies in the liver is carried by that alone, organs of the chest
+ * by lungs and central tendon, vessels of the abdominal wall by the skin.
+ */
+final class SceneCarriers {
+    /** Lesions and vessels within the liver. */
+    private static final Pattern IN_LIVER =
+            Pattern.compile("(vessel_)?hepatic_vein.*|portal_vein_[rl]|liver_vessels|.*(lesion|tumou?r).*");
+    /** Vessels that are fixed to the spine. */
+    private static final Pattern FIXED = Pattern.compile("inferior_vena_cava");
+
+    private static final Pattern IN_WALL = Pattern.compile("superior_epigastric_vessels_[rl]");
+    /** Points taken of each vertebra and disc, at most. */
+    private static final int VERTEBRA_SAMPLE = 40;
+
+    private final Scene scene;
+    private final OrganCarriers around = new OrganCarriers();
+    private final OrganCarriers liver = new OrganCarriers();
+    private final OrganCarriers wall = new OrganCarriers();
+    private final OrganCarriers chest = new OrganCarriers();
+    private final int ofSheet;
+    private final int ofLiver;
+    private final double[] sheet;
+    private SkinMotion skin;
+    private boolean inUse;
+
+    SceneCarriers(Scene scene) {
+        this.scene = scene;
+        DiaphragmPart part = scene.diaphragm();
+        sheet = new double[3 * part.diaphragm.sheet().vertexCount()];
+        readSheet(scene.restPositions());
+        ofSheet = around.addMoving(sheet, part.diaphragm::isTendon);
+        chest.addMoving(sheet, part.diaphragm::isTendon);
+        if (scene.liver().isPresent()) {
+            double[] rest = liver(scene.restPositions());
+            ofLiver = around.addMoving(rest, v -> true);
+            liver.addMoving(rest, v -> true);
+        } else {
+            ofLiver = -1;
+        }
+        for (Structure s : scene.thorax().structures()) {
+            if (s.kind() == StructureKind.VERTEBRA || s.kind() == StructureKind.DISC) {
+                around.addStill(s.mesh().positions(), VERTEBRA_SAMPLE);
+            }
+        }
+    }
+
+    /** Adds a lung, which carries organs of the chest; returns its index in {@link #moveLung}. */
+    int addLung(double[] rest) {
+        return chest.addMoving(rest, v -> true);
+    }
+
+    /** States where a lung is. */
+    void moveLung(int lung, double[] now) {
+        if (inUse) {
+            chest.update(lung, now);
+        }
+    }
+
+    private void readSheet(double[] nodes) {
+        System.arraycopy(nodes, 3 * scene.diaphragm().firstNode, sheet, 0, sheet.length);
+    }
+
+    private double[] liver(double[] nodes) {
+        return scene.liver().orElseThrow().positions(scene.restPositions(), nodes);
+    }
+
+    /** Binds an organ, by its name in lower case, to what carries it. */
+    OrganMotion bind(String name, double[] rest, SkinningWeights bones) {
+        inUse = true;
+        if (ofLiver >= 0 && IN_LIVER.matcher(name).matches()) {
+            return new OrganMotion(rest, liver, OrganMotion.Hold.SLIDING);
+        }
+        if (IN_WALL.matcher(name).matches() && bindSkin(bones)) {
+            return new OrganMotion(rest, wall, OrganMotion.Hold.SLIDING);
+        }
+        if (DiaphragmSide.of(StructureKind.ORGAN, name) == DiaphragmSide.ABOVE) {
+            return new OrganMotion(rest, chest, OrganMotion.Hold.SLIDING);
+        }
+        boolean fixed = FIXED.matcher(name).matches();
+        return new OrganMotion(rest, around, fixed ? OrganMotion.Hold.FIXED : OrganMotion.Hold.SLIDING);
+    }
+
+    private boolean bindSkin(SkinningWeights bones) {
+        if (skin == null) {
+            scene.thorax().structuresOf(StructureKind.SKIN).stream().findFirst().ifPresent(s -> {
+                skin = new SkinMotion(scene, s, bones);
+                wall.addMoving(s.mesh().positions(), v -> true);
+            });
+        }
+        return skin != null;
+    }
+
+    /** Takes the places of the carriers from the nodes of the scene. Does nothing while there are no organs. */
+    void update(double time, double[] nodes) {
+        if (!inUse) {
+            return;
+        }
+        readSheet(nodes);
+        around.update(ofSheet, sheet);
+        chest.update(0, sheet);
+        if (ofLiver >= 0) {
+            double[] now = liver(nodes);
+            around.update(ofLiver, now);
+            liver.update(0, now);
+        }
+        if (skin != null) {
+            wall.update(0, skin.at(time, nodes));
+        }
+    }
+}
