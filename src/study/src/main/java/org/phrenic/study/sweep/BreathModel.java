@@ -3,6 +3,7 @@ package org.phrenic.study.sweep;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.Thorax;
@@ -11,6 +12,7 @@ import org.phrenic.model.material.Numerics;
 import org.phrenic.parameter.NumberSetting;
 import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.Settings;
 import org.phrenic.simulation.Simulation;
@@ -25,6 +27,8 @@ import org.phrenic.study.measure.SceneObservables;
  */
 final class BreathModel implements SweepModel {
     static final String NAME = "breath";
+    /** Key of the factor of persons, who stand in place of a body. */
+    static final String PERSON = "person";
 
     /** Sampling interval, s. End-inspiration moves with most parameters. */
     private static final double SAMPLE_S = 0.02;
@@ -38,9 +42,15 @@ final class BreathModel implements SweepModel {
     private final List<String> series;
     private final Set<String> needed = new LinkedHashSet<>();
     private final BodyPool bodies = new BodyPool();
+    private final Cohort cohort = Cohort.shipped();
+    private final boolean ofPersons;
 
-    /** @throws IllegalArgumentException with one sentence, if there is no response or an observable is unknown */
-    BreathModel(Scenario scenario, List<ResponseSpec> responses, List<String> series) {
+    /**
+     * @param ofPersons whether a factor states persons
+     * @throws IllegalArgumentException with one sentence, if there is no response or an observable is unknown
+     */
+    BreathModel(Scenario scenario, List<ResponseSpec> responses, List<String> series, boolean ofPersons) {
+        this.ofPersons = ofPersons;
         this.scenario = scenario.with(Numerics.THREADS, 1);
         this.responses = List.copyOf(responses);
         this.series = List.copyOf(series);
@@ -79,6 +89,9 @@ final class BreathModel implements SweepModel {
         if (BodyFactors.has(key)) {
             return BodyFactors.limits(key);
         }
+        if (key.equals(PERSON)) {
+            return new double[0];
+        }
         Setting<?> setting = setting(key);
         return setting instanceof NumberSetting number
                 ? new double[] {number.minimum(), number.maximum()}
@@ -87,7 +100,8 @@ final class BreathModel implements SweepModel {
 
     private static Setting<?> setting(String key) {
         List<String> known = Stream.concat(
-                        Settings.keys().stream().filter(k -> !RESERVED.contains(k)), BodyFactors.keys().stream())
+                        Settings.keys().stream().filter(k -> !RESERVED.contains(k)),
+                        Stream.concat(Stream.of(PERSON), BodyFactors.keys().stream()))
                 .toList();
         return Settings.all().stream()
                 .filter(setting -> setting.key().equals(key) && known.contains(key))
@@ -100,9 +114,28 @@ final class BreathModel implements SweepModel {
     public void check(String key, String value) {
         if (BodyFactors.has(key)) {
             BodyFactors.check(key, value);
+        } else if (key.equals(PERSON)) {
+            Person.parse(value);
         } else {
             Assignment.read("factor '" + key + "'", setting(key).key(), value);
         }
+    }
+
+    private static Optional<Person> person(SweepPoint point) {
+        int at = point.keys().indexOf(PERSON);
+        return at < 0
+                ? Optional.empty()
+                : Optional.of(Person.parse(point.values().get(at)));
+    }
+
+    @Override
+    public List<String> traitNames() {
+        return ofPersons ? Person.TRAITS : List.of();
+    }
+
+    @Override
+    public List<String> traits(SweepPoint point) {
+        return person(point).map(Person::traits).orElse(List.of());
     }
 
     @Override
@@ -110,13 +143,15 @@ final class BreathModel implements SweepModel {
         List<Assignment> assignments = new ArrayList<>();
         for (int i = 0; i < point.keys().size(); i++) {
             String key = point.keys().get(i);
-            if (!BodyFactors.has(key)) {
+            if (!BodyFactors.has(key) && !key.equals(PERSON)) {
                 assignments.add(Assignment.read(
                         "run " + point.index(), key, point.values().get(i)));
             }
         }
+        Optional<Person> person = person(point);
+        person.ifPresent(p -> assignments.add(Assignment.of("person", RunSettings.ANATOMY, cohort.body(p))));
         Scenario run = scenario.with(assignments);
-        Thorax body = bodies.body(run, BodyFactors.variation(point));
+        Thorax body = bodies.body(run, person.map(cohort::variation).or(() -> BodyFactors.variation(point)));
         try (Simulation simulation = Simulation.of(run, body)) {
             BreathSeries breath = PresetRun.of(simulation, SAMPLE_S, needed);
             double[] values = responses.stream()

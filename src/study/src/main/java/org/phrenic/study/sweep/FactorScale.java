@@ -1,6 +1,8 @@
 package org.phrenic.study.sweep;
 
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.file.Numbers;
@@ -16,11 +18,13 @@ public final class FactorScale {
     private final double low;
     private final double high;
     private final boolean numeric;
+    private final Map<String, Integer> places = new HashMap<>();
 
     private FactorScale(Factor factor, double low, double high) {
         this.factor = factor;
         this.low = low;
         this.high = high;
+        factor.values().forEach(value -> places.putIfAbsent(value, places.size()));
         numeric = !factor.isListed()
                 || factor.values().stream().allMatch(v -> Numbers.parse(v).isPresent());
     }
@@ -83,10 +87,8 @@ public final class FactorScale {
         return low + u * (high - low);
     }
 
-    /** The value as a number for statistics: itself, or its place in the list, from 0. */
+    /** The value as a number for statistics: itself, or its place among the different listed values, from 0. */
     public double number(String text) {
-        return numeric
-                ? Numbers.parse(text).orElse(Double.NaN)
-                : factor.values().indexOf(text);
+        return numeric ? Numbers.parse(text).orElse(Double.NaN) : places.getOrDefault(text, -1);
     }
 }

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.phrenic.document.Key;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.document.YamlWriter;
@@ -37,10 +38,16 @@ public record SweepStudy(
         List<ResponseSpec> responses,
         List<String> series) {
     private static final List<String> KEYS =
-            List.of("title", "model", "scenario", "settings", "factors", "design", "responses", "series");
+            List.of("title", "model", "scenario", "settings", "cohort", "factors", "design", "responses", "series");
     private static final List<String> MODELS = List.of(BreathModel.NAME, IshigamiModel.NAME);
+    /** Factors that a person stands in place of. */
+    private static final String BODY = "body.";
+
     private static final int MOST_POINTS = 1_000_000;
     private static final Set<String> PATHS = Set.of("anatomy", "trace");
+
+    /** The cohort of a study file. */
+    private record CohortSize(@Key(min = 1, max = 1_000_000) int persons, @Key(absent = "1") long seed) {}
 
     public SweepStudy {
         factors = List.copyOf(factors);
@@ -109,15 +116,27 @@ public record SweepStudy(
     }
 
     private static List<Factor> factors(YamlMap yaml, DesignSpec design, Path folder) {
-        if (design.kind() != DesignSpec.Kind.LIST) {
-            return bound(yaml, "factors", Factor.class).stream()
-                    .map(factor -> resolved(factor, folder))
-                    .toList();
+        if (design.kind() == DesignSpec.Kind.LIST) {
+            for (String key : List.of("factors", "cohort")) {
+                if (yaml.has(key)) {
+                    throw yaml.bad(key, "found it besides a list, whose columns are the factors, expected none");
+                }
+            }
+            return design.listedFactors();
         }
-        if (yaml.has("factors")) {
-            throw yaml.bad("factors", "found factors besides a list, whose columns are the factors, expected none");
+        List<Factor> factors = new ArrayList<>();
+        if (yaml.has("factors") || !yaml.has("cohort")) {
+            bound(yaml, "factors", Factor.class).forEach(factor -> factors.add(resolved(factor, folder)));
         }
-        return design.listedFactors();
+        if (yaml.has("cohort")) {
+            CohortSize size = yaml.map("cohort").bind(CohortSize.class);
+            factors.add(Factor.listed(
+                    BreathModel.PERSON,
+                    Cohort.shipped().draw(size.persons(), size.seed()).stream()
+                            .map(Person::text)
+                            .toList()));
+        }
+        return factors;
     }
 
     /** The factor with absolute paths, if it lists files or folders. */
@@ -152,7 +171,10 @@ public record SweepStudy(
         }
         for (int f = 0; f < factors.size(); f++) {
             Factor factor = factors.get(f);
-            YamlMap place = list ? yaml.map("design") : yaml.maps("factors").get(f);
+            boolean drawn = yaml.has("cohort") && factor.key().equals(BreathModel.PERSON);
+            YamlMap place = list
+                    ? yaml.map("design")
+                    : drawn ? yaml.map("cohort") : yaml.maps("factors").get(f);
             if (!columns.add(factor.key())) {
                 throw place.bad("found '" + factor.key() + "' a second time, expected each name once");
             }
@@ -161,6 +183,10 @@ public record SweepStudy(
             } catch (IllegalArgumentException | BadInputException refused) {
                 throw new BadInputException(place.bad(refused.getMessage()).getMessage(), refused);
             }
+        }
+        if (columns.contains(BreathModel.PERSON)
+                && columns.stream().anyMatch(c -> c.startsWith(BODY) || c.equals("anatomy"))) {
+            throw yaml.bad("found persons and another factor of the body, expected one of them");
         }
         long size = design.size(factors);
         if (size < 1 || size > MOST_POINTS) {
@@ -173,7 +199,8 @@ public record SweepStudy(
         if (model.equals(IshigamiModel.NAME)) {
             return new IshigamiModel();
         }
-        return new BreathModel(scenario, responses, series);
+        return new BreathModel(scenario, responses, series, factors.stream().anyMatch(f -> f.key()
+                .equals(BreathModel.PERSON)));
     }
 
     /** The study as the text of a file that depends on no other file but bodies and recordings. */
