@@ -12,12 +12,15 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.PathAdvice;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.scene.camera.Camera;
 import org.phrenic.scene.gl.Renderer;
 import org.phrenic.scene.style.Appearance;
+import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.surface.Markers;
 import org.phrenic.simulation.observe.Surface;
@@ -58,6 +61,18 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level, boolean s
             all.add(Markers.movingBall(ENTRY + level));
         }
         return all;
+    }
+
+    /** A style that shows the body from outside: its skin hides what is within. */
+    public static SceneStyle fromOutside(SceneStyle style, List<Surface> surfaces) {
+        return style.withOverlays(Set.of())
+                .withRestWireframe(false)
+                .withClip(Optional.empty())
+                .withField(ColourField.NONE, "", style.scale())
+                .withAppearances(
+                        surfaces,
+                        (s, usual) ->
+                                s.kind() == StructureKind.SKIN ? new Appearance(true, usual.rgb(), 1, false) : usual);
     }
 
     /** Sets the marker poses in a renderer and returns the style that shows the markers. */

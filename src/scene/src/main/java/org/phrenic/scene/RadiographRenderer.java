@@ -120,7 +120,8 @@ public final class RadiographRenderer implements AutoCloseable {
         return new Camera(middle, view.leftObliqueDeg(), view.cranialDeg(), height, false, middle, height);
     }
 
-    private static double[] range(Radiograph radiograph) {
+    /** Attenuations that are black and white in a picture of the body. */
+    public static double[] range(Radiograph radiograph) {
         CArm arm = radiograph.arm();
         double[] body = new double[arm.columns() * arm.rows()];
         int count = 0;

@@ -60,6 +60,17 @@ public final class Fluoroscope {
      * @param energyKev photon energy, 40 to 80 keV
      */
     public Radiograph take(Frame frame, CArm arm, double energyKev) {
+        return take(frame, arm, energyKev, List.of());
+    }
+
+    /**
+     * Takes a radiograph with needles in it.
+     *
+     * @param frame positions of the surfaces
+     * @param energyKev photon energy, 40 to 80 keV
+     * @param steel needles; what they add to soft tissue counts along their whole length
+     */
+    public Radiograph take(Frame frame, CArm arm, double energyKev, List<SteelRod> steel) {
         PathLengths lengths = new PathLengths(arm, threads);
         for (Part part : parts) {
             Surface surface = part.surface();
@@ -67,6 +78,9 @@ public final class Fluoroscope {
             frame.writePositions(surface, part.index(), p);
             TriangleMesh mesh = part.capped().at(p);
             lengths.add(mesh, part.orientation() * coefficient(part, mesh, energyKev));
+        }
+        for (SteelRod rod : steel) {
+            lengths.add(rod.mesh(), SteelRod.attenuationPerMm(energyKev) - surroundings(energyKev));
         }
         return new Radiograph(arm, lengths.values());
     }

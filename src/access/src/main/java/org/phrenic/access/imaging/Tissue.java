@@ -115,7 +115,8 @@ public enum Tissue {
         return compareTo(RIB) >= 0;
     }
 
-    private static double interpolate(double[] table, double energyKev) {
+    /** Interpolates a table over the energies of the tables in the logarithms of both. */
+    static double interpolate(double[] table, double energyKev) {
         if (!(energyKev >= ENERGIES_KEV[0] && energyKev <= ENERGIES_KEV[ENERGIES_KEV.length - 1])) {
             throw new IllegalArgumentException("photon energy: found " + energyKev + " keV, expected 40 to 80");
         }

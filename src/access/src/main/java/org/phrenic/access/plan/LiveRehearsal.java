@@ -74,6 +74,7 @@ public final class LiveRehearsal implements StepListener {
     private boolean over;
     private long describedNs;
     private volatile NeedleState state;
+    private volatile NeedleAngles anglesNow = new NeedleAngles(0, 0);
 
     /**
      * @param run the run that the rehearsal is added to as a listener, every {@link Rehearsal#FRAME_INTERVAL_S}
@@ -156,6 +157,7 @@ public final class LiveRehearsal implements StepListener {
         }
         if (state == null || done || System.nanoTime() - describedNs > SHOW_NS) {
             describedNs = System.nanoTime();
+            anglesNow = observer.angles(needle, planned());
             state = observer.describe(needle, probe, planned(), aimedMm, breathing.pending(), frame, phase);
         }
     }
@@ -205,7 +207,7 @@ public final class LiveRehearsal implements StepListener {
 
     /** Turns the needle to the angles that it was asked to have last. */
     private void turnNeedle() {
-        NeedleAngles asked = needleTurned.getAndSet(null);
+        NeedleAngles asked = needleTurned.get();
         if (asked == null) {
             return;
         }
@@ -220,6 +222,8 @@ public final class LiveRehearsal implements StepListener {
                 listener.refused(bad.getMessage());
             }
         }
+        anglesNow = observer.angles(needle, planned());
+        needleTurned.compareAndSet(asked, null);
     }
 
     private void hold(boolean on, String origin) {
@@ -307,6 +311,12 @@ public final class LiveRehearsal implements StepListener {
     /** Turns the needle about its point on the skin; the last of several turns within a frame counts. */
     public void turnTo(NeedleAngles to) {
         needleTurned.set(to);
+    }
+
+    /** Angles that the needle has been asked to have, or has. */
+    public NeedleAngles anglesAsked() {
+        NeedleAngles asked = needleTurned.get();
+        return asked != null ? asked : anglesNow;
     }
 
     /** Puts the probe on the skin, moves it, or lifts it; the last of several moves within a frame counts. */

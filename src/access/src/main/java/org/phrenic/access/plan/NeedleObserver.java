@@ -88,6 +88,17 @@ final class NeedleObserver {
                                 inBeam(probe, needle))));
     }
 
+    /** Angles of the needle, or of the planned one. */
+    NeedleAngles angles(NeedleInsertion needle, Planned planned) {
+        double[] target = needle.targetNow();
+        if (needle.shaft().isPlaced()) {
+            return NeedleAngles.of(needle.shaft().direction());
+        }
+        return planned.angles()
+                .orElseGet(() -> NeedleAngles.of(
+                        toward(planned.entry().map(SkinPoint::current).orElse(target), target)));
+    }
+
     private static double inBeam(HeldProbe probe, NeedleInsertion needle) {
         return needle.shaft().isPlaced() && needle.shaft().depth() > 0 ? probe.needleInBeamMm(needle) : 0;
     }

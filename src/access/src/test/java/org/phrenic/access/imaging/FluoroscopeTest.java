@@ -44,6 +44,18 @@ class FluoroscopeTest {
         assertThat(central(List.of(rib))).isCloseTo(40 * ribPerMm, within(0.01));
     }
 
+    /** A needle of 2 mm across the central ray; iron at 60 keV: 1.205 cm2/g. */
+    @Test
+    void aNeedleAddsSteelToWhatItReplaces() {
+        Surface skin = surface("skin", StructureKind.SKIN, Shapes.sphere(100, 4));
+        SteelRod rod = new SteelRod(new double[] {-40, 0, 0}, new double[] {40, 0, 0}, 1);
+        double with = new Fluoroscope(List.of(skin), 1)
+                .take(Frame.still(List.of(skin)), ARM, Fluoroscope.ENERGY_KEV, List.of(rod))
+                .attenuation(32, 32);
+        double steelPerMm = 0.1 * (7.9 * 1.205 - 1.05 * 0.2048);
+        assertThat(with - central(List.of(skin))).isCloseTo(2 * steelPerMm, within(0.02 * 2 * steelPerMm));
+    }
+
     @Test
     void openSheetsAreLeftOutByName() {
         TriangleMesh box = Shapes.box(10, 10, 10);

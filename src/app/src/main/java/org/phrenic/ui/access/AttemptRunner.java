@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.PathOverBreath;
@@ -30,7 +31,7 @@ final class AttemptRunner implements AutoCloseable {
     private final BackgroundWorker work;
     private final RehearsalController controller;
     private final ExecutorService sectionThread = BackgroundWorker.daemonThread("phrenic-section");
-    private final ExecutorService ultrasoundThread = BackgroundWorker.daemonThread("phrenic-ultrasound");
+    private final ExecutorService pictureThread = BackgroundWorker.daemonThread("phrenic-pictures");
     private volatile LiveRehearsal rehearsal;
 
     AttemptRunner(Session session, BackgroundWorker work, RehearsalController controller) {
@@ -53,6 +54,7 @@ final class AttemptRunner implements AutoCloseable {
             boolean played,
             Optional<EntrySelection.Entry> entry) {
         BooleanSupplier current = work.notDiscardedSince();
+        controller.pictures().begin();
         LiveRehearsal.Listener listener = new LiveRehearsal.Listener() {
             @Override
             public void refused(String sentence) {
@@ -63,7 +65,14 @@ final class AttemptRunner implements AutoCloseable {
             public void finished(LiveAttempt attempt) {
                 SwingUtilities.invokeLater(() -> {
                     if (current.getAsBoolean()) {
-                        publishReport(body, about, played ? plan : attempt.toPlan(plan), attempt);
+                        publishReport(
+                                body,
+                                about,
+                                played
+                                        ? plan
+                                        : attempt.toPlan(
+                                                plan.with(controller.pictures().mostHelp())),
+                                attempt);
                         controller.onAttemptEnded(played);
                     }
                 });
@@ -72,41 +81,59 @@ final class AttemptRunner implements AutoCloseable {
         Optional<AccessMap> map = played ? Optional.of(about.map()) : Optional.empty();
         LiveRehearsal watching = new LiveRehearsal(
                 session.live(), body.simulatedScene(), body.frame(), plan, about.target(), map, listener);
-        SectionUpdater feed = new SectionUpdater(
-                sectionThread, body.scene().surfaces(), body.scene().newFrame().get(), (along, across) -> {
-                    if (current.getAsBoolean()) {
-                        controller.fire(l -> l.onSections(along, across));
-                    }
-                });
-        UltrasoundUpdater images = new UltrasoundUpdater(
-                ultrasoundThread,
-                body.scene().surfaces(),
-                about.target(),
-                body.scene().newFrame().get(),
-                controller.pictures()::latencyS,
-                shot -> {
-                    if (current.getAsBoolean()) {
-                        controller.fire(l -> l.onUltrasound(shot));
-                    }
-                });
         entry.ifPresent(e -> watching.enterAt(e.restMm(), e.angles()));
         if (!played && controller.probe().hold().isPresent()) {
             watching.holdProbe(controller.probe().hold());
         }
         rehearsal = watching;
         session.restart(
-                StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), new WithPictures(watching, feed, images));
+                StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), pictures(watching, body, about, plan, current));
         session.restoreSpeed();
     }
 
+    /** The listener that computes sections and pictures beside the needle. */
+    private StepListener pictures(
+            LiveRehearsal needle, RehearsalBody body, TargetAccess about, RehearsalPlan plan, BooleanSupplier current) {
+        List<Surface> surfaces = body.scene().surfaces();
+        SectionUpdater sections = new SectionUpdater(
+                sectionThread,
+                surfaces,
+                body.scene().newFrame().get(),
+                (along, across) -> fire(current, l -> l.onSections(along, across)));
+        UltrasoundUpdater images = new UltrasoundUpdater(
+                pictureThread,
+                surfaces,
+                about.target(),
+                body.scene().newFrame().get(),
+                controller.pictures()::latencyS,
+                shot -> fire(current, l -> l.onUltrasound(shot)));
+        FluoroscopyUpdater xray = new FluoroscopyUpdater(
+                new FluoroscopyUpdater.FrameWorkplace(
+                        pictureThread, surfaces, body.scene().newFrame().get()),
+                about.target(),
+                plan.needle(),
+                controller.pictures(),
+                shot -> fire(current, l -> l.onFluoroscopy(shot)));
+        return new WithPictures(needle, sections, images, xray);
+    }
+
+    /** Hands on an event of a run that is still the present one. */
+    private void fire(BooleanSupplier current, Consumer<RehearsalController.Listener> event) {
+        if (current.getAsBoolean()) {
+            controller.fire(event);
+        }
+    }
+
     /** Hands on the steps of the run to the needle, and its frames to sections and pictures too. */
-    private record WithPictures(LiveRehearsal needle, SectionUpdater sections, UltrasoundUpdater images)
+    private record WithPictures(
+            LiveRehearsal needle, SectionUpdater sections, UltrasoundUpdater images, FluoroscopyUpdater xray)
             implements StepListener {
         @Override
         public void onStep(Frame frame, RespiratoryPhase label) {
             needle.onStep(frame, label);
             sections.offer(frame, needle.state());
             images.offer(frame, needle.imageMoment(), needle.state());
+            xray.offer(frame, needle.state());
         }
 
         @Override
@@ -156,6 +183,6 @@ final class AttemptRunner implements AutoCloseable {
     @Override
     public void close() {
         sectionThread.shutdownNow();
-        ultrasoundThread.shutdownNow();
+        pictureThread.shutdownNow();
     }
 }

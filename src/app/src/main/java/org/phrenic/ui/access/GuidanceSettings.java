@@ -2,13 +2,24 @@ package org.phrenic.ui.access;
 
 import org.phrenic.access.plan.Aids;
 
-/** How pictures are shown in a rehearsal. May be read on any thread. */
+/** How pictures are shown in a rehearsal, and what is shown of the body. May be read on any thread. */
 public final class GuidanceSettings {
     /** Usual time from the moment of an ultrasound image to its display, s. */
     public static final double DEFAULT_LATENCY_S = 0.1;
 
+    /**
+     * Angles of the C-arm, degrees.
+     *
+     * @param leftObliqueDeg toward the patient's left
+     * @param cranialDeg toward the head
+     */
+    public record ArmAngles(double leftObliqueDeg, double cranialDeg) {}
+
     private volatile double latencyS = DEFAULT_LATENCY_S;
+    private volatile boolean xrayOn;
+    private volatile ArmAngles armAngles = new ArmAngles(0, 0);
     private volatile Aids aids = Aids.SEE_THROUGH;
+    private Aids mostHelp = Aids.SEE_THROUGH;
 
     public double latencyS() {
         return latencyS;
@@ -18,6 +29,22 @@ public final class GuidanceSettings {
         latencyS = seconds;
     }
 
+    public boolean isXrayOn() {
+        return xrayOn;
+    }
+
+    public void setXrayOn(boolean on) {
+        xrayOn = on;
+    }
+
+    public ArmAngles armAngles() {
+        return armAngles;
+    }
+
+    public void setArmAngles(ArmAngles angles) {
+        armAngles = angles;
+    }
+
     /** What is shown of the body. */
     public Aids aids() {
         return aids;
@@ -25,6 +52,19 @@ public final class GuidanceSettings {
 
     void setAids(Aids shown) {
         aids = shown;
+        if (shown.compareTo(mostHelp) < 0) {
+            mostHelp = shown;
+        }
+    }
+
+    /** Begins an attempt. */
+    void begin() {
+        mostHelp = aids;
+    }
+
+    /** The most help that has been shown in the attempt. */
+    Aids mostHelp() {
+        return mostHelp;
     }
 
     boolean isSeeThrough() {

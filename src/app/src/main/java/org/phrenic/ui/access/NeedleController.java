@@ -18,15 +18,12 @@ import org.phrenic.ui.view.SceneViewport;
 public final class NeedleController {
     private static final double MM_PER_NOTCH = 2;
     private static final double DEFAULT_MM_PER_S = 50;
-    private static final long SAME_TURN_NS = 300_000_000;
 
     private final Session session;
     private final RehearsalController rehearsal;
     private final SceneViewport view;
     private double commandedDepthMm;
     private double speedMmPerS = DEFAULT_MM_PER_S;
-    private NeedleAngles turnedTo = new NeedleAngles(0, 0);
-    private long turnedNs;
 
     NeedleController(Session session, RehearsalController rehearsal, SceneViewport view) {
         this.session = session;
@@ -98,17 +95,15 @@ public final class NeedleController {
 
     /** Turns the needle by hand: in the axial plane, and toward the head, degrees. */
     public void turnBy(double axialDeg, double cranialDeg) {
-        rehearsal.state().filter(NeedleState::hasNeedle).ifPresent(now -> {
-            // Keys come faster than looks at the needle.
-            boolean goesOn = System.nanoTime() - turnedNs < SAME_TURN_NS;
-            turnTo((goesOn ? turnedTo : now.angles()).turned(axialDeg, cranialDeg));
-        });
+        rehearsal
+                .usableNeedle()
+                .filter(needle ->
+                        rehearsal.state().filter(NeedleState::hasNeedle).isPresent())
+                .ifPresent(needle -> turnTo(needle.anglesAsked().turned(axialDeg, cranialDeg)));
     }
 
     /** Turns the needle by hand to some angles. */
     void turnTo(NeedleAngles angles) {
-        turnedTo = angles;
-        turnedNs = System.nanoTime();
         command(needle -> needle.turnTo(angles));
     }
 

@@ -6,15 +6,18 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.phrenic.access.path.TargetAccess;
+import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.LiveRehearsal;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.scene.AccessMapField;
 import org.phrenic.scene.BodySection;
 import org.phrenic.scene.NeedleMarkers;
 import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.PickResult;
 import org.phrenic.simulation.live.LiveScene;
+import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.AppearanceModel;
@@ -38,6 +41,9 @@ public final class RehearsalController implements Session.Listener {
 
         /** Another ultrasound image; empty when the probe is lifted. */
         default void onUltrasound(Optional<UltrasoundShot> shot) {}
+
+        /** Another X-ray picture. */
+        default void onFluoroscopy(FluoroscopyShot shot) {}
 
         /** Other sections. */
         default void onSections(BodySection along, BodySection across) {}
@@ -69,12 +75,13 @@ public final class RehearsalController implements Session.Listener {
     Optional<RehearsalPlan> exercise = Optional.empty();
     Optional<RehearsalPlan> plan = Optional.empty();
     Optional<TargetAccess> study = Optional.empty();
+    Optional<AccessMapField> colours = Optional.empty();
 
     public RehearsalController(Session session, AppearanceModel appearance, SceneViewport view) {
         this.session = session;
         this.appearance = appearance;
         this.view = view;
-        preparation = new RehearsalPreparation(session, appearance, worker, this);
+        preparation = new RehearsalPreparation(session, worker, this);
         attempt = new AttemptRunner(session, worker, this);
         entrySelection = new EntrySelection(session, this, worker);
         pickMode = new PickMode(session, this, view);
@@ -215,6 +222,25 @@ public final class RehearsalController implements Session.Listener {
     /** Latency of the images and what is shown of the body. */
     public GuidanceSettings pictures() {
         return pictures;
+    }
+
+    /** Shows more or less of the body. */
+    public void setAids(Aids shown) {
+        pictures.setAids(shown);
+        showBody();
+        fireState();
+    }
+
+    /** Shows the body as the aids have it: see-through with its access map, or from outside. */
+    void showBody() {
+        if (!pictures.isSeeThrough() && body.isPresent()) {
+            List<Surface> surfaces = body.get().scene().surfaces();
+            appearance.overrideStyle(style -> NeedleMarkers.fromOutside(style, surfaces), Optional.empty());
+        } else {
+            colours.ifPresentOrElse(
+                    map -> appearance.overrideStyle(map::applyTo, colours),
+                    () -> appearance.overrideStyle(style -> style, Optional.empty()));
+        }
     }
 
     void note(String sentence) {

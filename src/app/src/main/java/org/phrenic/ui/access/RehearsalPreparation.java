@@ -17,7 +17,6 @@ import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
-import org.phrenic.ui.view.AppearanceModel;
 
 /**
  * The stages before an attempt: the body is loaded, one breath is recorded, the target is placed and its access map
@@ -29,17 +28,14 @@ final class RehearsalPreparation {
     private static final long SEED = 1;
 
     private final Session session;
-    private final AppearanceModel appearance;
     private final BackgroundWorker worker;
     private final RehearsalController rehearsal;
     private Scenario recorded = Scenario.defaults();
     private List<BreathMoment> cycle = List.of();
     private double diameterMm = DEFAULT_DIAMETER_MM;
 
-    RehearsalPreparation(
-            Session session, AppearanceModel appearance, BackgroundWorker worker, RehearsalController rehearsal) {
+    RehearsalPreparation(Session session, BackgroundWorker worker, RehearsalController rehearsal) {
         this.session = session;
-        this.appearance = appearance;
         this.worker = worker;
         this.rehearsal = rehearsal;
     }
@@ -59,7 +55,8 @@ final class RehearsalPreparation {
         rehearsal.body = Optional.empty();
         cycle = List.of();
         clearTarget();
-        appearance.overrideStyle(style -> style, Optional.empty());
+        rehearsal.colours = Optional.empty();
+        rehearsal.showBody();
         rehearsal.fireState();
         worker.run(
                 () -> RehearsalBody.of(scene),
@@ -147,7 +144,8 @@ final class RehearsalPreparation {
                 studied -> {
                     rehearsal.plan = Optional.of(studied.plan());
                     rehearsal.study = Optional.of(studied.study());
-                    appearance.overrideStyle(studied.colours()::applyTo, Optional.of(studied.colours()));
+                    rehearsal.colours = Optional.of(studied.colours());
+                    rehearsal.showBody();
                     rehearsal.entrySelection().clear();
                     rehearsal.startAttempt(false);
                 },
@@ -182,6 +180,7 @@ final class RehearsalPreparation {
 
     void open(RehearsalPlan exercise) {
         rehearsal.exercise = Optional.of(exercise);
+        rehearsal.pictures().setAids(exercise.aids());
         clearTarget();
         boolean loaded = rehearsal.body.isPresent() && rehearsal.stage != RehearsalStage.LOADING;
         if (loaded && breatheAlike(session.scenario(), exercise.scenario())) {

@@ -3,8 +3,6 @@ package org.phrenic.ui.access;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
-import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import java.util.function.DoubleSupplier;
 import javax.swing.Timer;
@@ -24,15 +22,12 @@ import org.phrenic.simulation.observe.Surface;
 final class UltrasoundUpdater {
     private static final long MIN_INTERVAL_NS = 45_000_000;
 
-    private final Executor executor;
-    private final AtomicBoolean busy = new AtomicBoolean();
+    private final FrameWorker worker;
     private final List<Surface> surfaces;
     private final TargetLesion target;
-    private final Frame frame;
     private final DoubleSupplier latencyS;
     private final Consumer<Optional<UltrasoundShot>> listener;
     private Ultrasound ultrasound;
-    private long lastNs;
     private boolean shown;
 
     /**
@@ -47,10 +42,9 @@ final class UltrasoundUpdater {
             Frame frame,
             DoubleSupplier latencyS,
             Consumer<Optional<UltrasoundShot>> listener) {
-        this.executor = executor;
+        worker = new FrameWorker(executor, frame, MIN_INTERVAL_NS);
         this.surfaces = surfaces;
         this.target = target;
-        this.frame = frame;
         this.latencyS = latencyS;
         this.listener = listener;
     }
@@ -63,32 +57,18 @@ final class UltrasoundUpdater {
                 shown = false;
                 show(Optional.empty(), ns);
             }
-            return;
-        }
-        if (state == null || ns - lastNs < MIN_INTERVAL_NS || !busy.compareAndSet(false, true)) {
-            return;
-        }
-        shown = true;
-        lastNs = ns;
-        frame.copyFrom(now);
-        try {
-            executor.execute(() -> compute(moment.get(), state, ns));
-        } catch (RejectedExecutionException closing) {
-            // The window is being closed.
-            busy.set(false);
+        } else if (state != null) {
+            shown = true;
+            worker.offer(now, frame -> compute(frame, moment.get(), state, ns));
         }
     }
 
-    private void compute(ImageMoment moment, NeedleState state, long takenNs) {
-        try {
-            if (ultrasound == null) {
-                ultrasound = new Ultrasound(surfaces, CurvilinearProbe.abdominal(), 1, Optional.of(target));
-            }
-            BModeImage image = moment.take(ultrasound, frame);
-            show(Optional.of(UltrasoundShot.of(image, state)), takenNs);
-        } finally {
-            busy.set(false);
+    private void compute(Frame frame, ImageMoment moment, NeedleState state, long takenNs) {
+        if (ultrasound == null) {
+            ultrasound = new Ultrasound(surfaces, CurvilinearProbe.abdominal(), 1, Optional.of(target));
         }
+        BModeImage image = moment.take(ultrasound, frame);
+        show(Optional.of(UltrasoundShot.of(image, state)), takenNs);
     }
 
     /** Shows an image when its latency has passed. */

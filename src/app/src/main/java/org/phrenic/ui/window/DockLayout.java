@@ -9,6 +9,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import org.phrenic.ui.session.WindowPreferences;
+import org.phrenic.ui.session.Workspace;
 
 /** The view in the middle and docks at the left, right and bottom, which can be hidden; keeps their sizes. */
 final class DockLayout extends JPanel {
@@ -26,6 +27,7 @@ final class DockLayout extends JPanel {
     }
 
     private static final int DIVIDER_SIZE = 5;
+    private static final int PICTURE_WIDTH = 392;
     private static final int MIN_VIEW_SIZE = 280;
 
     private final transient WindowPreferences preferences;
@@ -33,7 +35,10 @@ final class DockLayout extends JPanel {
     private final JSplitPane right = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
     private final JSplitPane bottom = new JSplitPane(JSplitPane.VERTICAL_SPLIT);
     private final transient Map<Place, Integer> sizes = new EnumMap<>(Place.class);
+    private String keys = "";
     private boolean laidOut;
+    /** Whether the docks of another workspace are being set. */
+    private boolean changing;
 
     DockLayout(WindowPreferences preferences, JComponent view) {
         super(new BorderLayout());
@@ -49,14 +54,30 @@ final class DockLayout extends JPanel {
             pane.setContinuousLayout(true);
         }
         for (Place place : Place.values()) {
-            sizes.put(place, preferences.number("dock." + place.name(), place.size));
+            sizes.put(place, place.size);
         }
         add(bottom);
     }
 
+    /** Takes the sizes that the docks of a workspace had last; pictures need more room than lists. */
+    void useSizesOf(Workspace workspace) {
+        saveSizes();
+        keys = workspace == Workspace.CLINICIAN ? "dock.clinician." : "dock.";
+        for (Place place : Place.values()) {
+            int usual = workspace == Workspace.CLINICIAN && place == Place.LEFT ? PICTURE_WIDTH : place.size;
+            sizes.put(place, preferences.number(keys + place.name(), usual));
+        }
+        changing = true;
+    }
+
+    /** The docks of a workspace are set. */
+    void endChange() {
+        changing = false;
+    }
+
     /** Sets the dock of a place; null hides the place. */
     void setDock(Place place, JComponent dock) {
-        if (laidOut && dock(place) != null) {
+        if (laidOut && dock(place) != null && !changing) {
             sizes.put(place, size(place));
         }
         if (dock != null) {
@@ -113,9 +134,12 @@ final class DockLayout extends JPanel {
     }
 
     void saveSizes() {
+        if (keys.isEmpty()) {
+            return;
+        }
         for (Place place : Place.values()) {
             int size = dock(place) != null && laidOut ? size(place) : sizes.get(place);
-            preferences.setNumber("dock." + place.name(), size);
+            preferences.setNumber(keys + place.name(), size);
         }
     }
 }

@@ -13,6 +13,7 @@ import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.ui.access.AttemptReportWriter;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.access.panel.AttemptsDock;
+import org.phrenic.ui.access.panel.FluoroscopyDock;
 import org.phrenic.ui.access.panel.RehearsalDock;
 import org.phrenic.ui.access.panel.SectionDock;
 import org.phrenic.ui.access.panel.UltrasoundDock;
@@ -55,6 +56,7 @@ public final class DockManager {
     private AttemptsDock attempts;
     private SectionDock sections;
     private UltrasoundDock ultrasound;
+    private FluoroscopyDock xray;
 
     DockManager(
             Session session,
@@ -89,6 +91,7 @@ public final class DockManager {
     /** Arranges the docks of a workspace; hidden places stay hidden. */
     void arrange(Workspace workspace) {
         boolean research = workspace == Workspace.RESEARCHER;
+        layout.useSizesOf(workspace);
         left.removeAll();
         right.removeAll();
         bottom.removeAll();
@@ -106,6 +109,7 @@ public final class DockManager {
         } else {
             createRehearsalDocks();
             left.addTab("Ultrasound", null, ultrasound, "The live image of the probe, and its controls");
+            left.addTab("X-ray", null, xray, "The picture of a C-arm, and its angles");
             left.addTab("Section", null, sections, "The body cut along the needle, and at its tip");
             addOrgans();
             right.addTab("Rehearse", null, rehearsal, "Exercise, breath, target, entry, needle");
@@ -117,6 +121,7 @@ public final class DockManager {
             boolean filled = research || place != DockLayout.Place.BOTTOM;
             layout.setDock(place, shown && filled ? docks.get(place) : null);
         }
+        layout.endChange();
     }
 
     private void addOrgans() {
@@ -132,6 +137,7 @@ public final class DockManager {
         attempts = new AttemptsDock(session, rehearsalController, new AttemptReportWriter(view), null);
         sections = new SectionDock(rehearsalController);
         ultrasound = new UltrasoundDock(session, rehearsalController);
+        xray = new FluoroscopyDock(session, rehearsalController);
         rehearsalController.addListener(new RehearsalController.Listener() {
             @Override
             public void onAttemptEnded(Rehearsal report) {
@@ -160,7 +166,7 @@ public final class DockManager {
         List<Component> all = new ArrayList<>(
                 List.of(left, right, bottom, organs, display, parameters, breath, forces, settings, plots, timeline));
         if (rehearsal != null) {
-            all.addAll(List.of(rehearsal, attempts, sections, ultrasound));
+            all.addAll(List.of(rehearsal, attempts, sections, ultrasound, xray));
         }
         return all;
     }

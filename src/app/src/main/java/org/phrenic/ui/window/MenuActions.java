@@ -150,6 +150,11 @@ final class MenuActions {
         addNeedle("Turn to the patient's right", degrees, "LEFT", n -> n.turnBy(-TURN_DEG, 0));
         addNeedle("Turn to the head", degrees, "UP", n -> n.turnBy(0, TURN_DEG));
         addNeedle("Turn to the feet", degrees, "DOWN", n -> n.turnBy(0, -TURN_DEG));
+        // The split panes around the view take the arrow keys otherwise.
+        needle.subList(needle.size() - 4, needle.size()).forEach(turn -> {
+            window.view().getInputMap().put(turn.accelerator(), turn.name());
+            window.view().getActionMap().put(turn.name(), turn);
+        });
     }
 
     private void addProbeActions() {

@@ -4,6 +4,7 @@ import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JToggleButton;
 import org.phrenic.access.path.AccessMap;
+import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.simulation.live.RunStatus;
@@ -46,7 +47,12 @@ final class EntryPanel extends AccessPanel {
         showCurrent();
     }
 
+    private boolean isAdvised() {
+        return rehearsal.pictures().aids() != Aids.PICTURES;
+    }
+
     private void showLegend() {
+        legend.setVisible(rehearsal.pictures().aids() == Aids.SEE_THROUGH);
         Optional<AccessMap.Counts> counts =
                 rehearsal.study().map(study -> study.map().counts());
         counts.ifPresentOrElse(
@@ -60,7 +66,7 @@ final class EntryPanel extends AccessPanel {
 
     private void showAdvice() {
         Optional<PathAdvice> advice = rehearsal.entrySelection().advice();
-        breathAdvice.setVisible(advice.isPresent());
+        breathAdvice.setVisible(advice.isPresent() && isAdvised());
         advice.ifPresent(a -> {
             StringBuilder rest = new StringBuilder(a.way());
             a.reasons().forEach(reason -> rest.append("\n").append(Controls.capitalise(reason)));
@@ -80,7 +86,7 @@ final class EntryPanel extends AccessPanel {
 
     private void showCurrent() {
         Optional<NeedleState> state = rehearsal.state().filter(NeedleState::hasNeedle);
-        currentAdvice.setVisible(state.isPresent());
+        currentAdvice.setVisible(state.isPresent() && isAdvised());
         state.ifPresent(this::showCurrent);
     }
 

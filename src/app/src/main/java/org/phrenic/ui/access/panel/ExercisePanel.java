@@ -5,6 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.session.Session;
@@ -22,6 +26,8 @@ final class ExercisePanel extends AccessPanel {
             button("Begin again", "The same target again, from the start (R)", rehearsal::retry);
     private final JButton demo = button("Show me", "Plays the exercise as an example", rehearsal::playExample);
     private final transient List<RehearsalPlan> exercises = new ArrayList<>(RehearsalPlan.exercises());
+    private final JComboBox<Aids> aids = Controls.describe(
+            new JComboBox<>(Aids.values()), "Help", "What is shown: the see-through body, sections, pictures alone");
     private boolean updating;
 
     ExercisePanel(Session session, RehearsalController rehearsal) {
@@ -29,7 +35,16 @@ final class ExercisePanel extends AccessPanel {
         exercise.addItem("Practice: a target of your own");
         exercises.forEach(this::addExercise);
         exercise.addActionListener(e -> onSelection());
-        addAll(exercise, description, row(restart, demo));
+        aids.setRenderer(Controls.renderer(value -> ((Aids) value).label()));
+        aids.addActionListener(e -> {
+            if (!updating) {
+                rehearsal.setAids((Aids) aids.getSelectedItem());
+            }
+        });
+        JPanel help = new JPanel(new MigLayout("insets 0, gap 6, novisualpadding", "[][grow, fill, 0::]"));
+        help.add(new JLabel("Help"));
+        help.add(aids, "wmin 0");
+        addAll(exercise, description, row(restart, demo), help);
         follow(session);
     }
 
@@ -55,6 +70,7 @@ final class ExercisePanel extends AccessPanel {
         restart.setEnabled(rehearsal.study().isPresent() && rehearsal.stage().canStartAttempt());
         demo.setEnabled(restart.isEnabled()
                 && chosen.filter(plan -> !plan.steps().isEmpty()).isPresent());
+        aids.setSelectedItem(rehearsal.pictures().aids());
         updating = false;
     }
 

@@ -8,6 +8,7 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.access.attempt.TargetingError;
+import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.ui.access.NeedleController;
@@ -85,9 +86,12 @@ final class NeedlePanel extends AccessPanel {
     private void showNeedle() {
         Optional<NeedleState> state = rehearsal.state().filter(NeedleState::hasNeedle);
         Optional<NeedleState> placed = state.filter(NeedleState::placed);
-        depthText.setText(placed.map(s -> NumberFormats.text("Depth %.0f of %.0f mm", s.depthMm(), s.aimedDepthMm()))
+        depthText.setText(placed.map(s -> error.isVisible()
+                        ? NumberFormats.text("Depth %.0f of %.0f mm", s.depthMm(), s.aimedDepthMm())
+                        : NumberFormats.text("Depth %.0f mm", s.depthMm()))
                 .orElse("Not in the body"));
         Optional<String> distance = state.flatMap(NeedleState::targetingError).map(NeedlePanel::text);
+        error.setVisible(rehearsal.pictures().aids() != Aids.PICTURES);
         error.setTextIfChanged(distance.orElse("Tip to target: -"));
         if (!depth.getValueIsAdjusting()) {
             updating = true;
@@ -102,6 +106,11 @@ final class NeedlePanel extends AccessPanel {
                 .orElse(" "));
         setEnabled(state.isPresent() && isReady(), aim);
         setEnabled(placed.isPresent() && isReady(), sample, remove, withdraw);
+    }
+
+    /** Whether the distance of the tip from the target is told. */
+    boolean isTold() {
+        return error.isVisible();
     }
 
     private static String text(TargetingError error) {

@@ -2,11 +2,13 @@ package org.phrenic.ui.access.panel;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.access.attempt.AttemptEvent;
 import org.phrenic.access.attempt.AttemptRecord;
+import org.phrenic.access.attempt.ProbeUse;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.plan.Goals;
 import org.phrenic.access.plan.PathAdvice;
@@ -40,7 +42,9 @@ public final class ReportCard extends JPanel {
                 sampleText(record));
         goals.setTextIfChanged(String.join("\n", goals(rehearsal)));
         goals.setVisible(asks);
-        measures.setTextIfChanged(String.join("\n", measures(record)));
+        List<String> lines = measures(record);
+        lines.addAll(0, guidance(rehearsal));
+        measures.setTextIfChanged(String.join("\n", lines));
         setVisible(true);
         revalidate();
         repaint();
@@ -100,6 +104,22 @@ public final class ReportCard extends JPanel {
         addEvent(r, AttemptEvent.Kind.SKIN_PUNCTURE, "Skin", lines);
         addEvent(r, AttemptEvent.Kind.CAPSULE_PUNCTURE, "Capsule", lines);
         addEvent(r, AttemptEvent.Kind.SAMPLE, "Sample", lines);
+        return lines;
+    }
+
+    /** Who aimed, what was shown, and how the probe was used. */
+    private static List<String> guidance(Rehearsal rehearsal) {
+        List<String> lines = new ArrayList<>();
+        long aims = rehearsal.plan().aimsByProgram();
+        String aimed = aims == 0 ? "Aimed by hand" : "Aimed by the program, " + aims + " times";
+        lines.add(aimed + "; help: " + rehearsal.plan().aids().label().toLowerCase(Locale.ROOT));
+        ProbeUse probe = rehearsal.probe();
+        if (probe.isUsed()) {
+            lines.add("Probe " + number(probe.probeS()) + " s; tip in the body and out of the beam "
+                    + number(probe.tipUnseenS()) + " s");
+            lines.add("Needle in the beam " + number(probe.needleInBeamMm()) + " mm on average, "
+                    + Math.round(100 * probe.needleInBeamShare()) + " %");
+        }
         return lines;
     }
 

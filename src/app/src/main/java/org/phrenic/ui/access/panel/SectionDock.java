@@ -3,6 +3,7 @@ package org.phrenic.ui.access.panel;
 import java.util.List;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.scene.BodySection;
@@ -12,6 +13,7 @@ import org.phrenic.ui.access.RehearsalController;
 public final class SectionDock extends JPanel implements RehearsalController.Listener {
     private static final double ALONG_HALF_MM = 105;
     private static final double ACROSS_HALF_MM = 36;
+    private static final String HIDDEN_HINT = "Hidden: pictures alone";
     private static final String NO_ENTRY_HINT = "Choose an entry (E)\nor take the best path (B)";
 
     private final transient RehearsalController rehearsal;
@@ -40,13 +42,22 @@ public final class SectionDock extends JPanel implements RehearsalController.Lis
 
     @Override
     public void onState() {
-        if (rehearsal.state().filter(NeedleState::hasNeedle).isEmpty()) {
+        if (isHidden()) {
+            List.of(along, across).forEach(view -> view.show(null, PathAdvice.Level.FREE, false, HIDDEN_HINT));
+        } else if (rehearsal.state().filter(NeedleState::hasNeedle).isEmpty()) {
             List.of(along, across).forEach(view -> view.show(null, PathAdvice.Level.FREE, false, NO_ENTRY_HINT));
         }
     }
 
+    private boolean isHidden() {
+        return rehearsal.pictures().aids() == Aids.PICTURES;
+    }
+
     @Override
     public void onSections(BodySection alongNeedle, BodySection acrossNeedle) {
+        if (isHidden()) {
+            return;
+        }
         rehearsal.state().filter(NeedleState::hasNeedle).ifPresent(state -> {
             PathAdvice.Level level = rehearsal.entrySelection().levelNow(state);
             along.show(alongNeedle, level, state.placed(), "");

@@ -1,10 +1,15 @@
 package org.phrenic.ui.access.panel;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import javax.imageio.ImageIO;
+import javax.swing.JTabbedPane;
+import javax.swing.SwingUtilities;
+import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.ultrasound.ProbePose;
 import org.phrenic.access.ultrasound.ScannedSkin;
@@ -25,6 +30,8 @@ import org.phrenic.ui.window.PhrenicWindow;
  * light-small dark-large dark-small} that are wanted.
  */
 public final class RehearsalGallery {
+    private static final String RESOLUTION = "resolution=" + System.getProperty("gallery.resolution", "medium");
+
     private RehearsalGallery() {}
 
     public static void main(String[] arguments) throws Exception {
@@ -36,6 +43,8 @@ public final class RehearsalGallery {
                 show(folder, arguments[i], large ? 1600 : 1280, large ? 1000 : 800, arguments[i].startsWith("dark"));
             }
             code = 0;
+        } catch (Exception | AssertionError e) {
+            e.printStackTrace();
         } finally {
             System.exit(code);
         }
@@ -50,7 +59,7 @@ public final class RehearsalGallery {
         node.putInt("x", 0);
         node.putInt("y", 0);
         node.putBoolean("dark", dark);
-        Session session = new Session(Scenario.defaults());
+        Session session = new Session(Scenario.defaults().with(RESOLUTION));
         PhrenicWindow window = EventThread.get(() -> {
             PhrenicWindow made = new PhrenicWindow(new WindowPreferences(node), session);
             made.show();
@@ -60,7 +69,7 @@ public final class RehearsalGallery {
         RehearsalController rehearsal = window.docks().rehearsalController();
         until(() ->
                 rehearsal.stage() == RehearsalStage.READY && rehearsal.state().isPresent());
-        EventThread.run(() -> rehearsal.open(RehearsalPlan.exercises().get(0)));
+        EventThread.run(() -> rehearsal.open(RehearsalPlan.exercises().get(0).with(List.of(RESOLUTION))));
         until(() -> rehearsal.stage() != RehearsalStage.READY);
         until(() ->
                 rehearsal.stage() == RehearsalStage.READY && rehearsal.state().isPresent());
@@ -79,6 +88,21 @@ public final class RehearsalGallery {
         until(() -> rehearsal.state().get().depthMm() > 57);
         Thread.sleep(1200);
         picture(window, folder.resolve(name + "-in.png"));
+        EventThread.run(() -> rehearsal.setAids(Aids.PICTURES));
+        Thread.sleep(2500);
+        picture(window, folder.resolve(name + "-pictures.png"));
+        EventThread.run(() -> {
+            rehearsal.setAids(Aids.SECTIONS);
+            rehearsal.pictures().setXrayOn(true);
+            tab(window, "X-ray");
+        });
+        Thread.sleep(3000);
+        picture(window, folder.resolve(name + "-xray.png"));
+        EventThread.run(() -> {
+            rehearsal.setAids(Aids.SEE_THROUGH);
+            rehearsal.pictures().setXrayOn(false);
+            tab(window, "Ultrasound");
+        });
         EventThread.run(rehearsal.needle()::moveToTarget);
         Thread.sleep(1000);
         EventThread.run(rehearsal.needle()::takeSample);
@@ -89,6 +113,24 @@ public final class RehearsalGallery {
         picture(window, folder.resolve(name + "-report.png"));
         EventThread.run(window::close);
         node.removeNode();
+    }
+
+    private static void tab(PhrenicWindow window, String title) {
+        JTabbedPane tabs = (JTabbedPane) SwingUtilities.getAncestorOfClass(
+                JTabbedPane.class, named(window.frame().getRootPane(), "ultrasound"));
+        tabs.setSelectedIndex(tabs.indexOfTab(title));
+    }
+
+    private static Component named(Container in, String name) {
+        for (Component child : in.getComponents()) {
+            Component found = name.equals(child.getName())
+                    ? child
+                    : child instanceof Container deeper ? named(deeper, name) : null;
+            if (found != null) {
+                return found;
+            }
+        }
+        return null;
     }
 
     /** Puts the probe 45 mm beside the entry and turns it so that entry and target lie in its plane. */

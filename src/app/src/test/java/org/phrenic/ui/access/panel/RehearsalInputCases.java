@@ -76,7 +76,7 @@ abstract class RehearsalInputCases {
     }
 
     /** Where a place is in the view, pixels. */
-    private static double[] pixel(double[] at) {
+    static double[] pixel(double[] at) {
         return WindowHarness.onEdt(() -> {
             double[] xy = new double[2];
             SceneViewport view = window.window().view();
@@ -93,7 +93,7 @@ abstract class RehearsalInputCases {
                 * view.camera().mmPerPixel(view.getHeight());
     }
 
-    private static double[] middleOfTheLiver() {
+    static double[] middleOfTheLiver() {
         double[] box = WindowHarness.onEdt(() -> window.session().scene().orElseThrow().surfaces().stream()
                 .filter(surface -> surface.kind() == StructureKind.LIVER)
                 .findFirst()
@@ -108,7 +108,7 @@ abstract class RehearsalInputCases {
                 () -> rehearsal().study().map(TargetAccess::target).orElseThrow());
     }
 
-    private static void clickView(double[] pixel) {
+    static void clickView(double[] pixel) {
         window.click(window.window().view(), pixel[0], pixel[1]);
     }
 

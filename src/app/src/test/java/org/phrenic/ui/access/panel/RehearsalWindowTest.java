@@ -22,7 +22,7 @@ import org.phrenic.ui.window.WindowHarness;
  * Rehearsal of liver access on the virtual body at low resolution, breathing fast: place, insert, hit, miss, report.
  */
 @Timeout(180)
-class RehearsalWindowTest extends RehearsalInputCases {
+class RehearsalWindowTest extends RehearsalProbeCases {
     /** Longest that an event may keep the window, ms of processor time. */
     private static final double LONGEST_EVENT_MS = 50;
 

@@ -1,0 +1,180 @@
+package org.phrenic.ui.access.panel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.event.MouseEvent;
+import java.util.Optional;
+import javax.swing.JComboBox;
+import javax.swing.JToggleButton;
+import org.junit.jupiter.api.Test;
+import org.phrenic.access.plan.Aids;
+import org.phrenic.access.plan.NeedleState;
+import org.phrenic.access.plan.ProbeState;
+import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.mesh.Vectors;
+import org.phrenic.scene.NeedleMarkers;
+import org.phrenic.ui.access.UltrasoundShot;
+import org.phrenic.ui.view.RenderLoop;
+import org.phrenic.ui.view.SceneViewport;
+import org.phrenic.ui.window.WindowHarness;
+
+/**
+ * The probe in the hand, the needle aimed by hand, X-ray and what is hidden of the body, by keys and mouse. The window
+ * is that of {@link RehearsalWindowTest}.
+ */
+abstract class RehearsalProbeCases extends RehearsalInputCases {
+    private static final double SLIDE_MM = 2;
+
+    private static ProbeState probe() {
+        return state().probe().orElseThrow();
+    }
+
+    private static void putProbe() throws Exception {
+        window.key("shift U");
+        clinic.until("no probe", () -> state().probe().isEmpty());
+        double[] onSkin = pixel(middleOfTheLiver());
+        window.key("U");
+        clickView(onSkin);
+        clinic.until(
+                "a probe", () -> rehearsal().state().flatMap(NeedleState::probe).isPresent());
+    }
+
+    private static UltrasoundDock ultrasound() {
+        return WindowHarness.onEdt(() -> descendant(window.window().frame().getRootPane(), UltrasoundDock.class));
+    }
+
+    private static <T> T descendant(java.awt.Container at, Class<T> kind) {
+        for (java.awt.Component child : at.getComponents()) {
+            T found = kind.isInstance(child)
+                    ? kind.cast(child)
+                    : child instanceof java.awt.Container deeper ? descendant(deeper, kind) : null;
+            if (found != null) {
+                return found;
+            }
+        }
+        return null;
+    }
+
+    private static double[] place() {
+        return WindowHarness.onEdt(
+                () -> rehearsal().probe().hold().orElseThrow().pointRest());
+    }
+
+    @Test
+    void aProbeIsPutOnTheSkinByAClickAndMovedByKeys() throws Exception {
+        putProbe();
+        clinic.until("an image", () -> ultrasound().view().shot().isPresent());
+        double[] first = place();
+        double rotation = WindowHarness.onEdt(() -> rehearsal().probe().angles().rotationDeg());
+        window.key("shift LEFT");
+        clinic.until("slid", () -> Vectors.distance(probe().hold().pointRest(), first) > 0.5 * SLIDE_MM);
+        assertThat(Vectors.distance(place(), first)).isCloseTo(SLIDE_MM, within(0.5));
+        assertThat(place()[2])
+                .as("at no rotation the marker is toward the head")
+                .isGreaterThan(first[2]);
+        window.key("COMMA");
+        window.key("control UP");
+        window.key("control LEFT");
+        clinic.until("turned", () -> probe().hold().angles().rockDeg() == 2);
+        assertThat(probe().hold().angles().rotationDeg()).isEqualTo(rotation + 5);
+        assertThat(probe().hold().angles().tiltDeg()).isEqualTo(2);
+        UltrasoundShot shot =
+                WindowHarness.onEdt(() -> ultrasound().view().shot().orElseThrow());
+        clinic.until(
+                "an image of the moved probe",
+                () -> ultrasound().view().shot().orElseThrow().state().timeS()
+                        > shot.state().timeS());
+        window.key("control DOWN");
+        window.key("control RIGHT");
+        window.key("PERIOD");
+        window.key("shift U");
+        clinic.until("lifted", () -> state().probe().isEmpty());
+        clinic.until("no image", () -> ultrasound().view().shot().isEmpty());
+    }
+
+    @Test
+    void draggingTheProbeSlidesItAndDraggingTheHubTurnsTheNeedle() throws Exception {
+        putProbe();
+        double[] first = place();
+        SceneViewport view = window.window().view();
+        double[] at = pixel(WindowHarness.onEdt(() -> probe().pose().face()));
+        window.mouse(view, at[0], at[1], MouseEvent.MOUSE_MOVED, MouseEvent.MOUSE_PRESSED);
+        window.mouse(view, at[0] + 20, at[1] + 12, MouseEvent.MOUSE_DRAGGED);
+        clinic.until("slid", () -> Vectors.distance(probe().hold().pointRest(), first) > 4);
+        window.mouse(view, at[0] + 20, at[1] + 12, MouseEvent.MOUSE_RELEASED);
+        assertThat(place()[2]).as("dragged down").isLessThan(first[2]);
+
+        window.key("K");
+        clinic.until("an entry", () -> state().hasNeedle());
+        window.key("shift U");
+        clinic.until("lifted", () -> state().probe().isEmpty());
+        NeedleState before = WindowHarness.onEdt(RehearsalInputCases::state);
+        double[] hub = pixel(before.hub());
+        window.mouse(view, hub[0], hub[1], MouseEvent.MOUSE_MOVED, MouseEvent.MOUSE_PRESSED);
+        window.mouse(view, hub[0], hub[1] + 25, MouseEvent.MOUSE_DRAGGED, MouseEvent.MOUSE_RELEASED);
+        clinic.until(
+                "turned to the head",
+                () -> state().angles().cranialDeg() > before.angles().cranialDeg() + 3);
+    }
+
+    @Test
+    void aNeedleInTheImagePlaneIsSeenAndItsReportSaysSo() throws Exception {
+        putProbe();
+        window.key("K");
+        clinic.until("an entry", () -> state().hasNeedle() && state().aimedByHand());
+        double cranial = WindowHarness.onEdt(() -> state().angles().cranialDeg());
+        window.key("UP");
+        window.key("UP");
+        clinic.until("turned", () -> Math.abs(state().angles().cranialDeg() - cranial - 2) < 1e-6);
+        window.key("DOWN");
+        window.key("DOWN");
+        clinic.until("turned back", () -> Math.abs(state().angles().cranialDeg() - cranial) < 1e-6);
+        window.key("H");
+        clinic.until("a held breath", () -> window.session().scenario().hold());
+        window.key("shift I");
+        clinic.until("10 mm in", () -> clinic.isAt(10));
+        window.key("shift I");
+        clinic.until("20 mm in", () -> clinic.isAt(20) || !state().moving());
+        window.key("X");
+        clinic.until("a sample", () -> state().samples() == 1);
+        window.screenshot("rehearse-probe");
+        Rehearsal attempt = clinic.ended();
+        window.key("H");
+        assertThat(attempt.plan().aimsByProgram()).isZero();
+        assertThat(attempt.probe().probeS()).isGreaterThan(attempt.record().insideS());
+        assertThat(attempt.probe().needleInBeamMm()).as("mm in the beam").isPositive();
+        assertThat(WindowHarness.onEdt(() -> clinic.attempts().card().text())).contains("Aimed by hand", "Probe");
+    }
+
+    private static boolean seesThrough() {
+        return window.window()
+                .view()
+                .frame()
+                .flatMap(RenderLoop.RenderedFrame::needleMarks)
+                .filter(NeedleMarkers::seeThrough)
+                .isPresent();
+    }
+
+    @Test
+    void picturesAloneHideTheInsideAndXrayShowsTheNeedle() throws Exception {
+        clinic.begin();
+        JComboBox<?> help = window.control(JComboBox.class, "Help");
+        WindowHarness.doOnEdt(() -> help.setSelectedItem(Aids.PICTURES));
+        clinic.until("a body seen from outside", () -> !seesThrough());
+        assertThat(WindowHarness.onEdt(() -> descendant(window.window().frame().getRootPane(), NeedlePanel.class)
+                        .isTold()))
+                .as("the distance of the tip from the target is told")
+                .isFalse();
+        WindowHarness.doOnEdt(() -> help.setSelectedItem(Aids.SEE_THROUGH));
+        clinic.until("a body seen through", RehearsalProbeCases::seesThrough);
+        JToggleButton beam = window.control(JToggleButton.class, "X-ray on");
+        WindowHarness.doOnEdt(beam::doClick);
+        FluoroscopyDock xray =
+                WindowHarness.onEdt(() -> descendant(window.window().frame().getRootPane(), FluoroscopyDock.class));
+        clinic.until("a picture", () -> xray.shot().isPresent());
+        WindowHarness.doOnEdt(beam::doClick);
+        Optional<NeedleState> shown = WindowHarness.onEdt(() -> xray.shot().map(s -> s.state()));
+        assertThat(shown).isPresent();
+    }
+}
