@@ -44,15 +44,12 @@ public final class Hashes {
         MessageDigest digest = digest();
         ByteBuffer chunk = ByteBuffer.allocate(CHUNK_BYTES);
         for (double[] array : arrays) {
-            for (double value : array) {
-                if (!chunk.hasRemaining()) {
-                    digest.update(chunk.flip());
-                    chunk.clear();
-                }
-                chunk.putLong(Double.doubleToRawLongBits(value));
+            for (int from = 0; from < array.length; from += CHUNK_BYTES / Double.BYTES) {
+                int count = Math.min(CHUNK_BYTES / Double.BYTES, array.length - from);
+                chunk.clear().asDoubleBuffer().put(array, from, count);
+                digest.update(chunk.array(), 0, Double.BYTES * count);
             }
         }
-        digest.update(chunk.flip());
         return HexFormat.of().formatHex(digest.digest());
     }
 

@@ -3,6 +3,7 @@ package org.phrenic.anatomy;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.phrenic.engine.math.DisjointSets;
+import org.phrenic.file.ComputedArrays;
 import org.phrenic.mesh.Geodesics;
 import org.phrenic.mesh.HarmonicField;
 import org.phrenic.mesh.MeshTopology;
@@ -40,24 +41,30 @@ public final class Diaphragm {
             DiaphragmFaces faces,
             boolean[] inserted,
             double[] distance,
-            boolean[] tendon) {
+            boolean[] tendon,
+            ComputedArrays computed) {
         this.sheet = sheet;
         this.topology = topology;
         this.faces = faces;
         this.inserted = inserted;
         this.distance = distance;
         this.tendon = tendon;
-        this.fibre = computeFibreDirections();
+        this.fibre = computed.get("fibres", sheet.triangles().length, this::computeFibreDirections);
     }
 
     /** Creates a diaphragm with a tendon of three leaflets. */
     public static Diaphragm withTrefoilTendon(TriangleMesh sheet) {
+        return withTrefoilTendon(sheet, ComputedArrays.none());
+    }
+
+    /** Creates a diaphragm with a tendon of three leaflets, with fibres that may be known. */
+    public static Diaphragm withTrefoilTendon(TriangleMesh sheet, ComputedArrays computed) {
         MeshTopology topology = new MeshTopology(sheet);
         DiaphragmFaces faces = new DiaphragmFaces(sheet, topology);
         boolean[] inserted = outerBorder(topology, faces);
         double[] distance = distancesFromInsertion(sheet, topology, inserted);
         boolean[] tendon = CentralTendon.of(sheet, TENDON_SHARE);
-        return new Diaphragm(sheet, topology, faces, inserted, distance, tendon);
+        return new Diaphragm(sheet, topology, faces, inserted, distance, tendon, computed);
     }
 
     /** Creates a diaphragm whose tendon is everything above a horizontal plane, as in the paper. */
@@ -69,8 +76,8 @@ public final class Diaphragm {
         for (int i = 0; i < tendon.length; i++) {
             tendon[i] = sheet.z(i) > height;
         }
-        return new Diaphragm(
-                sheet, topology, faces, inserted, distancesFromInsertion(sheet, topology, inserted), tendon);
+        double[] distance = distancesFromInsertion(sheet, topology, inserted);
+        return new Diaphragm(sheet, topology, faces, inserted, distance, tendon, ComputedArrays.none());
     }
 
     /** Marks the largest connected component of border vertices; openings are separate components. */

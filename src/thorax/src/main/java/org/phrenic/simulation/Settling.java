@@ -1,25 +1,13 @@
 package org.phrenic.simulation;
 
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.util.Arrays;
-import java.util.List;
-import java.util.Map;
-import java.util.Optional;
-import org.phrenic.anatomy.Structure;
-import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.force.SlowMotionRelease;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.integrator.StabilityLimit;
 import org.phrenic.engine.integrator.StepPolicy;
 import org.phrenic.engine.integrator.Stepper;
-import org.phrenic.file.Hashes;
-import org.phrenic.file.UserCache;
 import org.phrenic.model.assembly.Scene;
-import org.phrenic.model.material.Numerics;
-import org.phrenic.model.organ.OrganSettings;
-import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 
 /**
@@ -42,7 +30,7 @@ final class Settling {
      */
     private static final double DAMPING = 6;
 
-    private static final String KIND = "settled";
+    private static final String SHAPE = "settled shape";
 
     private final Scenario scenario;
     private final Scene scene;
@@ -55,29 +43,24 @@ final class Settling {
     }
 
     /**
-     * Settles the scene, or puts it into the shape that the cache knows, which is then its rest shape.
+     * Settles the scene, or puts it into the settled shape that is known, which is then its rest shape.
      *
      * @return displacement, rms mm
      */
-    double settle(UserCache cache) {
-        if (cache.isOff()) {
-            return settle();
-        }
-        String key = key();
-        Optional<ByteBuffer> known =
-                cache.read(KIND, key).filter(shape -> shape.remaining() == Double.BYTES * (1 + rest().length));
-        if (known.isPresent()) {
-            double moved = known.get().getDouble();
-            known.get().asDoubleBuffer().get(rest());
+    double settled() {
+        int numbers = rest().length;
+        boolean known = scene.computed().has(SHAPE, numbers + 1);
+        double[] shape = scene.computed().get(SHAPE, numbers + 1, () -> {
+            double moved = settle();
+            double[] all = Arrays.copyOf(rest(), numbers + 1);
+            all[numbers] = moved;
+            return all;
+        });
+        if (known) {
+            System.arraycopy(shape, 0, rest(), 0, numbers);
             putAtRest();
-            return moved;
         }
-        double moved = settle();
-        ByteBuffer shape =
-                ByteBuffer.allocate(Double.BYTES * (1 + rest().length)).order(ByteOrder.LITTLE_ENDIAN);
-        shape.putDouble(moved).asDoubleBuffer().put(rest());
-        cache.write(KIND, key, shape.rewind());
-        return moved;
+        return shape[numbers];
     }
 
     private double settle() {
@@ -118,48 +101,5 @@ final class Settling {
         System.arraycopy(rest, 0, system.positions(), 0, rest.length);
         Arrays.fill(system.velocities(), 0);
         system.invalidate();
-    }
-
-    /**
-     * Everything that decides the settled shape: the body and all settings but those of the run's length and output.
-     */
-    private String key() {
-        Map<String, Object> settings = scenario.toMap();
-        for (var setting : List.of(
-                RunSettings.NAME,
-                RunSettings.ANATOMY,
-                RunSettings.DURATION,
-                RunSettings.STEPS,
-                RunSettings.RECORD_EVERY,
-                RunSettings.MESHES_EVERY,
-                RunSettings.CHANGES,
-                Numerics.THREADS)) {
-            settings.remove(setting.key());
-        }
-        String trace = scenario.trace().map(Hashes::sha256).orElse("");
-        return body() + "\n" + settings + "\n" + trace;
-    }
-
-    /** A virtual body by its name, another by its content. */
-    private String body() {
-        Thorax thorax = scene.thorax();
-        if (scenario.isVirtual() && thorax == SimulationRun.loadThorax(scenario)) {
-            return scenario.anatomy() + " " + OrganSettings.budget(scenario).vertices();
-        }
-        StringBuilder text = new StringBuilder();
-        for (Structure s : thorax.structures()) {
-            text.append(s.name())
-                    .append(' ')
-                    .append(s.kind())
-                    .append(' ')
-                    .append(s.level())
-                    .append(' ');
-            text.append(s.side())
-                    .append(' ')
-                    .append(Hashes.sha256(s.mesh().positions()))
-                    .append(' ');
-            text.append(Hashes.sha256(s.mesh().triangles())).append('\n');
-        }
-        return text.append(thorax.notInScan().stream().sorted().toList()).toString();
     }
 }

@@ -12,6 +12,7 @@ import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.integrator.StabilityLimit;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.engine.parallel.Workers;
+import org.phrenic.file.ComputedArrays;
 import org.phrenic.file.Hashes;
 import org.phrenic.file.UserCache;
 import org.phrenic.model.assembly.BreathDrive;
@@ -71,8 +72,8 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Assembles a simulation whose settled shape is read from a cache or kept there; the results are the same bit for
-     * bit.
+     * Assembles a simulation. What takes long to compute (fibres, tensions at rest, stability limit, settled shape) is
+     * read from a cache or kept there; the results are the same bit for bit.
      */
     public static Simulation of(Scenario scenario, Thorax thorax, UserCache cache) {
         SceneAssembly.requireBreathing(thorax);
@@ -81,11 +82,17 @@ public final class Simulation implements AutoCloseable {
                 thorax,
                 RibAxisTable.preset(RibAxisTable.WILSON_CT),
                 scenario.get(OrganSettings.STERNUM) != SternumModel.OFF);
+        ComputedArrays computed = SceneKey.arrays(cache, scenario, thorax);
         Workers workers = Workers.of(scenario.threads());
+        // Threads that wait for work take processor time from the assembly.
+        workers.useCallerOnly(true);
         try {
-            Scene scene = SceneAssembly.assemble(scenario, thorax, new RampedValues(scenario), drive, cage, workers);
-            StabilityLimit limit = StabilityLimit.of(scene.system());
-            double moved = new Settling(scenario, scene, limit).settle(cache);
+            Scene scene = SceneAssembly.assemble(
+                    scenario, thorax, new RampedValues(scenario), drive, cage, workers, computed);
+            workers.useCallerOnly(false);
+            StabilityLimit limit = StoredLimit.of(scene.system(), computed);
+            double moved = new Settling(scenario, scene, limit).settled();
+            computed.keep();
             Stepper stepper = new Stepper(
                     scenario.integrator().create(scene.system()),
                     scenario.timeStepS(),

@@ -47,20 +47,42 @@ public final class RestPressure {
         for (int i = 0; i < vertices; i++) {
             free[diaphragm.firstNode + i] = !diaphragm.diaphragm.isInserted(i);
         }
-        Prestress solver = new Prestress(
-                scene.restPositions(), springs.nodeA(), springs.nodeB(), free, wallNormals(scene, diaphragm, leans));
-        tension = new double[springs.count()];
-        double spacing = Math.sqrt(MeshMeasure.area(diaphragm.diaphragm.sheet()) / vertices);
-        // Laplace's law for a dome, shared by the two faces, times the width of tissue that an edge represents.
-        Arrays.fill(tension, nominal * DOME_RADIUS_MM / 2 / 2 * spacing);
-        solver.solve(pressing, tension, ITERATIONS);
+        int count = springs.count();
+        double[] solved = scene.computed().get("rest pressure", count + pressing.length, () -> {
+            double[] normals = wallNormals(scene, diaphragm, leans);
+            return solve(
+                    new Prestress(scene.restPositions(), springs.nodeA(), springs.nodeB(), free, normals),
+                    springs,
+                    pressing,
+                    Math.sqrt(MeshMeasure.area(diaphragm.diaphragm.sheet()) / vertices));
+        });
+        tension = Arrays.copyOf(solved, count);
         setRestLengths(springs);
-        double[] left = solver.unbalancedForce(pressing, tension);
+        double[] left = Arrays.copyOfRange(solved, count, solved.length);
         residual = shareAtAssembly > 0 ? relativeResidual(left, pressing, free) : 0;
         Arrays.setAll(left, i -> -left[i]);
         load = new ConstantLoad(scene.layout(), left);
         load.setLoadFactor(shareAtAssembly);
         scene.system().add(load);
+    }
+
+    /** The tension of each spring before the limit of its rest length, then the forces that stay unbalanced, mN. */
+    private double[] solve(Prestress solver, SpringList springs, double[] pressing, double spacing) {
+        double[] solved = new double[springs.count()];
+        // Laplace's law for a dome, shared by the two faces, times the width of tissue that an edge represents.
+        Arrays.fill(solved, nominal * DOME_RADIUS_MM / 2 / 2 * spacing);
+        solver.solve(pressing, solved, ITERATIONS);
+        double[] limited = new double[solved.length];
+        double[] stiffness = springs.stiffness();
+        double[] length = springs.rest();
+        for (int e = 0; e < solved.length; e++) {
+            double rest = limitedRestLength(length[e], length[e] - solved[e] / stiffness[e]);
+            limited[e] = stiffness[e] * (length[e] - rest);
+        }
+        double[] left = solver.unbalancedForce(pressing, limited);
+        double[] both = Arrays.copyOf(solved, solved.length + left.length);
+        System.arraycopy(left, 0, both, solved.length, left.length);
+        return both;
     }
 
     /** Nodal forces of the nominal pressure, caller's order, mN. */

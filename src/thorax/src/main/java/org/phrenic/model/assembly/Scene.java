@@ -15,6 +15,7 @@ import org.phrenic.engine.force.Attachments;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
+import org.phrenic.file.ComputedArrays;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.LiverPart;
 import org.phrenic.model.organ.LungPart;
@@ -38,6 +39,7 @@ public final class Scene {
     private final BreathDrive drive;
     private final RibCagePose pose;
     private final Workers workers;
+    private final ComputedArrays computed;
     private MassSpringBuilder nodes = new MassSpringBuilder();
     private int springCount;
     private final SceneTuning tuning;
@@ -68,13 +70,15 @@ public final class Scene {
             RampedValues values,
             BreathDrive drive,
             RibCagePose pose,
-            Workers workers) {
+            Workers workers,
+            ComputedArrays computed) {
         this.settings = settings;
         this.thorax = thorax;
         this.values = values;
         this.drive = drive;
         this.pose = pose;
         this.workers = workers;
+        this.computed = computed;
         tuning = new SceneTuning(values);
     }
 
@@ -84,6 +88,11 @@ public final class Scene {
 
     public Thorax thorax() {
         return thorax;
+    }
+
+    /** Arrays of this scene that may be known from an earlier run. */
+    public ComputedArrays computed() {
+        return computed;
     }
 
     public RibCagePose pose() {
@@ -313,16 +322,6 @@ public final class Scene {
     public void tunes(List<Parameter> parameters, Supplier<TissueTuner.Action> action) {
         RampedValue[] ramped = parameters.stream().map(values::of).toArray(RampedValue[]::new);
         tuning.whenSettled(() -> new TissueTuner(ramped, action.get()));
-    }
-
-    /** Tunable view of springs. Create it when the scene has settled at rest. */
-    public TunableSprings tunable(Springs springs) {
-        return new TunableSprings(springs, layout(), positions);
-    }
-
-    /** Tunable view of attachments. */
-    public TunableAttachments tunable(Attachments springs) {
-        return new TunableAttachments(springs, positions, firstLungNode());
     }
 
     /** Ends the assembly and releases its temporary data. */

@@ -134,7 +134,7 @@ public final class BoneAttachments extends ScenePart {
         List<Parameter> parameters = new ArrayList<>(stiffness);
         parameters.add(STERNUM_COUPLING);
         scene.tunes(parameters, () -> {
-            TunableAttachments tunable = scene.tunable(springs);
+            TunableAttachments tunable = new TunableAttachments(springs, scene.restPositions(), scene.firstLungNode());
             int lung = stiffness.size() - 1;
             return (value, assembled, asAssembled) -> tunable.tune(
                     asAssembled, value[0] / assembled[0], value[lung] / assembled[lung], coupled ? value[lung + 1] : 1);

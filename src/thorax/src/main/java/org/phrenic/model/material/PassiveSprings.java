@@ -34,7 +34,7 @@ final class PassiveSprings extends ScenePart {
     }
 
     private static TissueTuner.Action tuning(Scene scene, Springs springs) {
-        TunableSprings tunable = scene.tunable(springs);
+        TunableSprings tunable = new TunableSprings(springs, scene.layout(), scene.restPositions());
         int firstLungNode = scene.firstLungNode();
         return (value, assembled, asAssembled) -> {
             if (asAssembled) {

@@ -20,6 +20,7 @@ import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.ComputedArrays;
 import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
@@ -68,6 +69,7 @@ public final class SceneAssembly {
      * Assembles a scene.
      *
      * @param values of its parameters during the run
+     * @param computed arrays that may be known from an earlier run
      */
     public static Scene assemble(
             SettingValues settings,
@@ -75,9 +77,10 @@ public final class SceneAssembly {
             RampedValues values,
             BreathDrive drive,
             RibCage cage,
-            Workers workers) {
+            Workers workers,
+            ComputedArrays computed) {
         RibCagePose pose = new RibCagePose(cage, new RibRotation.Drive(values, drive));
-        return new SceneAssembly(settings, new Scene(settings, thorax, values, drive, pose, workers)).build();
+        return new SceneAssembly(settings, new Scene(settings, thorax, values, drive, pose, workers, computed)).build();
     }
 
     /**
@@ -207,6 +210,6 @@ public final class SceneAssembly {
             return Diaphragm.withTendonAbovePlane(
                     sheet, heights[(int) (heights.length * (1 - Diaphragm.TENDON_SHARE))]);
         }
-        return Diaphragm.withTrefoilTendon(sheet);
+        return Diaphragm.withTrefoilTendon(sheet, scene.computed());
     }
 }

@@ -66,7 +66,7 @@ public final class SheetSprings extends ScenePart {
     }
 
     private TissueTuner.Action tuning(Scene scene) {
-        TunableSprings springs = scene.tunable(scene.sheetSprings());
+        TunableSprings springs = new TunableSprings(scene.sheetSprings(), scene.layout(), scene.restPositions());
         DiaphragmPart sheet = scene.diaphragm();
         RestPressure pressure = scene.restPressure();
         return (value, assembled, asAssembled) -> {
