@@ -2,6 +2,7 @@ package org.phrenic.model.organ;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.cage.MovingChestWall;
@@ -35,6 +36,12 @@ public final class LungBaseMotion implements PrescribedMotion {
     private static final double APPOSED_MM = 8;
 
     private static final double LATERAL = 0.5;
+    /**
+     * A track that comes back to the wall after more points than these, as one from the flank over the tendon to the
+     * xiphoid, slides where it comes back. Shorter gaps are dents of the surfaces.
+     */
+    private static final int LONGEST_GAP = 8;
+
     private static final double OPEN_MM = 15;
     private static final double REACH_MM = 140;
     /** Time constant with which anchors approach their target positions without jumps. */
@@ -141,13 +148,24 @@ public final class LungBaseMotion implements PrescribedMotion {
     /** Finds the first apposed point of each track and the share of the sliding that its vertex follows. */
     private void findApposedPoints(double[] outward) {
         for (int i = 0; i < slidingShare.length; i++) {
-            int p = start[i];
-            while (p < start[i + 1] && !(at(p, gapAtRest) < APPOSED_MM && at(p, outward) > LATERAL)) {
-                p++;
-            }
+            int p = firstApposed(
+                    start[i], start[i + 1], q -> at(q, gapAtRest) < APPOSED_MM && at(q, outward) > LATERAL);
             firstApposedPoint[i] = p;
             slidingShare[i] = Math.max(0, 1 - RecessTracks.SPACING_MM * (p - start[i]) / REACH_MM);
         }
+    }
+
+    /** The first point from which on a track lies on the wall, but for short gaps; its end if there is none. */
+    static int firstApposed(int from, int to, IntPredicate apposed) {
+        int first = to;
+        int last = to;
+        for (int q = from; q < to; q++) {
+            if (apposed.test(q)) {
+                first = last == to || q - last > LONGEST_GAP ? q : first;
+                last = q;
+            }
+        }
+        return first;
     }
 
     /** Computes the distance of each vertex from the face along its normal, and the remaining offset. */
