@@ -23,6 +23,7 @@ public final class MovingAnatomy {
     private final MovingStructure liver;
     private final Optional<MovingStructure> diaphragm;
     private final Optional<PleuralReflection> pleura;
+    private final List<MovingStructure> pleurae;
     private double timeS;
 
     /**
@@ -41,6 +42,9 @@ public final class MovingAnatomy {
         requireMotion(StructureKind.LIVER, "a liver that stands still (liver: false)");
         requireMotion(StructureKind.LUNG, "lungs that stand still (lungs: off)");
         diaphragm = find(StructureKind.DIAPHRAGM);
+        pleurae = structures.stream()
+                .filter(s -> s.surface().kind() == StructureKind.PLEURA)
+                .toList();
         pleura = diaphragm.map(d -> new PleuralReflection(d.surface().rest()));
     }
 
@@ -110,6 +114,11 @@ public final class MovingAnatomy {
     /** The diaphragm, or empty if the body has none. */
     public Optional<MovingStructure> diaphragm() {
         return diaphragm;
+    }
+
+    /** The surfaces of the parietal pleura; empty if the body has none, and then its reflection is a rule. */
+    public List<MovingStructure> pleurae() {
+        return pleurae;
     }
 
     /** The pleural reflection on the diaphragm, or empty if the body has no diaphragm. */

@@ -102,6 +102,11 @@ public final class MovingStructure {
         };
     }
 
+    /** Bounding box in world axes, low corner and high corner, mm. */
+    public double[] box() {
+        return box.clone();
+    }
+
     public TriangleTree tree() {
         return tree;
     }

@@ -38,6 +38,11 @@ public final class AccessMap {
     /** Bit of a path that is longer than the needle or enters the skin from inside. */
     private static final int OUT_OF_REACH = 1 << 30;
 
+    /** Bit of a place of the skin that is no entry. */
+    private static final int NO_ENTRY = 1 << 29;
+    /** A crossing of the pleura counts as so much longer a path when the best entry is chosen, mm. */
+    private static final double PLEURA_COST_MM = 30;
+
     /** Accessibility of the target from a skin point. */
     public enum Access {
         /** Free at every moment of the breath. */
@@ -75,13 +80,15 @@ public final class AccessMap {
     private final String[] nearest;
     private final double[][] targets;
     private final TriangleMesh skin;
+    private final SkinEntries entries;
 
     private AccessMap(MovingAnatomy anatomy, List<BreathMoment> cycle, Set<NoGoZone> avoided) {
         this.cycle = List.copyOf(cycle);
         this.avoided = avoided;
         skin = anatomy.skin().surface().rest();
+        entries = new SkinEntries(anatomy);
         int n = skin.vertexCount();
-        avoidedBits = NoGoZone.bits(avoided) | OUT_OF_REACH;
+        avoidedBits = NoGoZone.bits(avoided) | OUT_OF_REACH | NO_ENTRY;
         touched = new int[cycle.size()][n];
         margins = new float[cycle.size()][n];
         margin = new float[n];
@@ -129,6 +136,10 @@ public final class AccessMap {
 
     private void evaluate(
             int moment, int v, TriangleMesh skinNow, double[] normals, PathAnalyzer analyzer, Needle needle) {
+        if (entries.place(v) != SkinEntries.Place.ENTRY) {
+            touched[moment][v] = NO_ENTRY;
+            return;
+        }
         double[] entry = Arrays.copyOfRange(skinNow.positions(), 3 * v, 3 * v + 3);
         double[] target = targets[moment];
         double[] path = Vectors.subtract(target, entry);
@@ -186,7 +197,18 @@ public final class AccessMap {
 
     /** Whether the needle is long enough to reach the target from a vertex at a moment. Obstacles are ignored. */
     public boolean isInReach(int moment, int vertex) {
-        return (touched[moment][vertex] & OUT_OF_REACH) == 0;
+        return (touched[moment][vertex] & (OUT_OF_REACH | NO_ENTRY)) == 0;
+    }
+
+    /** What the place of a vertex is: skin that a needle may enter, or not. */
+    public SkinEntries.Place place(int vertex) {
+        return entries.place(vertex);
+    }
+
+    /** Whether a path from a vertex that is free at a moment crosses the pleura then. */
+    public boolean crossesPleura(int vertex) {
+        return IntStream.range(0, touched.length)
+                .anyMatch(m -> isFree(m, vertex) && (touched[m][vertex] & NoGoZone.PLEURA.bit()) != 0);
     }
 
     /** Zones that the path touches at a moment. */
@@ -251,7 +273,7 @@ public final class AccessMap {
     /**
      * Selects the best entry point. Candidates are the vertices with the most free moments. Among them, vertices with a
      * sufficient margin are preferred, or those with the largest margin if none is sufficient. The shortest path
-     * decides.
+     * decides; a crossing of the pleura counts as {@value #PLEURA_COST_MM} mm.
      *
      * @return empty if no path is ever free
      */
@@ -271,7 +293,7 @@ public final class AccessMap {
         return IntStream.of(candidates)
                 .filter(v -> margin.applyAsDouble(v) >= Math.min(largest, sufficientMm))
                 .boxed()
-                .min(Comparator.comparingDouble(this::lengthMm));
+                .min(Comparator.comparingDouble(v -> lengthMm(v) + (crossesPleura(v) ? PLEURA_COST_MM : 0)));
     }
 
     public Counts counts() {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.document.OrderedValues;
 
@@ -13,7 +14,7 @@ import org.phrenic.document.OrderedValues;
  *
  * @param timeS simulated time of the frame, s
  * @param crossings crossed structures in order of entry; a structure entered twice is listed twice
- * @param space intercostal space that the path passes through, if any
+ * @param way the way by which the path enters the trunk
  * @param approaches lungs, bones and other organs within {@link PathAnalyzer#MAX_DISTANCE_MM}, nearest first
  * @param costalGrooveMm distance to the nearest costal groove, mm, at most {@link PathAnalyzer#MAX_DISTANCE_MM}
  * @param costalGrooveRib rib of that groove; empty if none is in range
@@ -25,12 +26,22 @@ public record PathAnalysis(
         double timeS,
         double lengthMm,
         List<Crossing> crossings,
-        Optional<IntercostalSpace> space,
+        EntryWay way,
         List<Approach> approaches,
         double costalGrooveMm,
         String costalGrooveRib,
         double capsuleAngleDeg,
         Set<NoGoZone> noGo) {
+    /** The intercostal space that the path passes through, if any. */
+    public Optional<IntercostalSpace> space() {
+        return way.space();
+    }
+
+    /** Whether the path crosses the pleura, in its recess or through a lung. */
+    public boolean crossesPleura() {
+        return noGo.contains(NoGoZone.PLEURA);
+    }
+
     /** The first crossing of a structure. */
     public Optional<Crossing> crossing(String name) {
         return crossings.stream().filter(c -> c.name().equals(name)).findFirst();
@@ -54,8 +65,16 @@ public record PathAnalysis(
         }
         String vessels = "runs close below " + costalGrooveRib + ", where its vessels and nerve are";
         addIfTouched(reasons, NoGoZone.VESSELS, avoided, vessels);
-        addIfTouched(reasons, NoGoZone.PLEURA, avoided, "crosses the pleural recess");
-        addIfTouched(reasons, NoGoZone.ORGAN, avoided, "crosses another organ");
+        addIfTouched(reasons, NoGoZone.PLEURA, avoided, "crosses the pleura, " + way.label());
+        if (avoided.contains(NoGoZone.ORGAN) && noGo.contains(NoGoZone.ORGAN)) {
+            String crossed = crossings.stream()
+                    .filter(c -> NoGoZone.of(c.kind()).equals(Optional.of(NoGoZone.ORGAN)))
+                    .filter(c -> !c.name().equals(Crossing.RECESS))
+                    .map(Crossing::label)
+                    .distinct()
+                    .collect(Collectors.joining(", "));
+            reasons.add(crossed.isEmpty() ? "touches another organ" : "crosses " + crossed);
+        }
         return reasons;
     }
 
@@ -69,7 +88,9 @@ public record PathAnalysis(
         OrderedValues map = new OrderedValues()
                 .with("time_s", timeS)
                 .with("length_mm", lengthMm)
-                .with("space", space.map(IntercostalSpace::label).orElse("none"))
+                .with("space", space().map(IntercostalSpace::label).orElse("none"))
+                .with("way", way.label())
+                .with("crosses_pleura", crossesPleura())
                 .with("crossings", crossings.stream().map(Crossing::toMap).toList())
                 .with(
                         "closest",

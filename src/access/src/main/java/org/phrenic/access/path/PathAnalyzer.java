@@ -10,13 +10,11 @@ import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.MovingStructure;
 import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
-import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.engine.math.Triangles;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.query.SegmentProbe;
-import org.phrenic.mesh.query.TriangleTree;
 
 /**
  * Finds the structures that a straight path crosses or approaches in the current frame. Not thread-safe.
@@ -34,7 +32,7 @@ public final class PathAnalyzer {
     private final MovingAnatomy anatomy;
     private final double radius;
     private final SegmentProbe probe = new SegmentProbe();
-    private final TriangleTree.Hit hit = new TriangleTree.Hit();
+    private final EntryWays ways;
 
     /**
      * Safety margin of a path.
@@ -49,6 +47,7 @@ public final class PathAnalyzer {
     /** @param needle the needle; structures closer than its radius count as touched */
     public PathAnalyzer(MovingAnatomy anatomy, Needle needle) {
         this.anatomy = anatomy;
+        ways = new EntryWays(anatomy);
         radius = needle.radiusMm();
     }
 
@@ -57,7 +56,7 @@ public final class PathAnalyzer {
         List<Crossing> crossings = new ArrayList<>();
         List<Approach> approaches = new ArrayList<>();
         for (MovingStructure s : anatomy.structures()) {
-            if (s.surface().kind() != StructureKind.SKIN) {
+            if (s.surface().kind() != StructureKind.SKIN && s.surface().kind() != StructureKind.PLEURA) {
                 crossings.addAll(crossingsOf(s, entry, end));
             }
             if (s.noGo().isPresent()) {
@@ -69,7 +68,7 @@ public final class PathAnalyzer {
         }
         approaches.sort(Approach.NEAREST_FIRST);
         double wallDepth = chestWallDepth(entry, end);
-        recess(pleuralDepth(entry, end), wallDepth, crossings).ifPresent(crossings::add);
+        recess(entry, end, wallDepth, crossings).ifPresent(crossings::add);
         crossings.sort(Comparator.comparingDouble(Crossing::fromMm).thenComparing(Crossing::name));
         double groove = MAX_DISTANCE_MM;
         String grooveRib = "";
@@ -84,7 +83,7 @@ public final class PathAnalyzer {
                 anatomy.timeS(),
                 Vectors.distance(entry, end),
                 List.copyOf(crossings),
-                space(entry, end, wallDepth),
+                ways.of(entry, end, wallDepth),
                 List.copyOf(approaches),
                 groove,
                 grooveRib,
@@ -179,8 +178,25 @@ public final class PathAnalyzer {
         return new Margin(Math.max(0, margin), nearest);
     }
 
-    /** Depth at which a path enters the diaphragm from the pleural recess; infinite if it does not. */
+    /** Depth at which a path crosses the pleura; infinite if it does not. */
     private double pleuralDepth(double[] entry, double[] end) {
+        if (anatomy.pleurae().isEmpty()) {
+            return recessDepth(entry, end);
+        }
+        double first = NONE;
+        for (MovingStructure pleura : anatomy.pleurae()) {
+            int count = intersect(pleura, entry, end);
+            for (int i = 0; i < count; i++) {
+                first = Math.min(first, probe.depth(i));
+            }
+        }
+        return first;
+    }
+
+    /**
+     * Depth at which a path enters the diaphragm from the pleural recess, of a body without a surface of the pleura.
+     */
+    private double recessDepth(double[] entry, double[] end) {
         if (anatomy.diaphragm().isEmpty()) {
             return NONE;
         }
@@ -206,17 +222,31 @@ public final class PathAnalyzer {
     }
 
     /** The segment of a path between chest wall and diaphragm that contains no lung. */
-    private static Optional<Crossing> recess(double pleuralDepth, double wallDepth, List<Crossing> crossings) {
-        if (pleuralDepth == NONE) {
+    private Optional<Crossing> recess(double[] entry, double[] end, double wallDepth, List<Crossing> crossings) {
+        double pleural = pleuralDepth(entry, end);
+        if (pleural == NONE) {
             return Optional.empty();
         }
-        double from = Double.isNaN(wallDepth) ? pleuralDepth : Math.min(wallDepth, pleuralDepth);
+        if (!anatomy.pleurae().isEmpty()) {
+            double to = crossings.stream()
+                    .filter(c -> c.kind() == StructureKind.DIAPHRAGM || c.kind() == StructureKind.LUNG)
+                    .filter(c -> c.toMm() > pleural)
+                    .mapToDouble(c -> Math.max(pleural, c.fromMm()))
+                    .min()
+                    .orElse(Vectors.distance(entry, end));
+            return Optional.of(recess(pleural, to));
+        }
+        double from = Double.isNaN(wallDepth) ? pleural : Math.min(wallDepth, pleural);
         for (Crossing c : crossings) {
-            if (c.kind() == StructureKind.LUNG && c.fromMm() < pleuralDepth) {
-                from = Math.max(from, Math.min(c.toMm(), pleuralDepth));
+            if (c.kind() == StructureKind.LUNG && c.fromMm() < pleural) {
+                from = Math.max(from, Math.min(c.toMm(), pleural));
             }
         }
-        return Optional.of(new Crossing(Crossing.RECESS, "pleural recess", StructureKind.OTHER, from, pleuralDepth));
+        return Optional.of(recess(from, pleural));
+    }
+
+    private static Crossing recess(double from, double to) {
+        return new Crossing(Crossing.RECESS, "pleural recess", StructureKind.OTHER, from, to);
     }
 
     /** Depth of the path's nearest point to a rib or costal cartilage; NaN if none is in range. */
@@ -233,38 +263,9 @@ public final class PathAnalyzer {
         return depth;
     }
 
-    private static boolean isCage(MovingStructure s) {
+    static boolean isCage(MovingStructure s) {
         StructureKind kind = s.surface().kind();
         return kind == StructureKind.RIB || kind == StructureKind.COSTAL_CARTILAGE;
-    }
-
-    /** The intercostal space between the neighbouring ribs, or their cartilages, that a path passes through. */
-    private Optional<IntercostalSpace> space(double[] entry, double[] end, double wallDepth) {
-        if (Double.isNaN(wallDepth)) {
-            return Optional.empty();
-        }
-        double[] at = Vectors.addScaled(entry, Vectors.normalize(Vectors.subtract(end, entry)), wallDepth);
-        int above = 0;
-        int below = Integer.MAX_VALUE;
-        Side side = Side.MIDLINE;
-        double nearest = MAX_DISTANCE_MM;
-        for (MovingStructure s : anatomy.hazards()) {
-            double[] local = s.toLocal(at);
-            if (!isCage(s) || !s.tree().closest(local[0], local[1], local[2], MAX_DISTANCE_MM, hit)) {
-                continue;
-            }
-            double[] point = s.toWorld(new double[] {hit.x, hit.y, hit.z});
-            if (point[2] > at[2]) {
-                above = Math.max(above, s.surface().level());
-            } else {
-                below = Math.min(below, s.surface().level());
-            }
-            if (hit.distanceSquared < nearest * nearest) {
-                nearest = Math.sqrt(hit.distanceSquared);
-                side = s.surface().side();
-            }
-        }
-        return above > 0 && below == above + 1 ? Optional.of(new IntercostalSpace(above, side)) : Optional.empty();
     }
 
     /**

@@ -18,15 +18,13 @@ import org.phrenic.engine.parallel.Workers;
 /**
  * Access to a target, computed before a needle is placed.
  *
- * @param bySpace skin points in reach of the needle, grouped by the intercostal space of their path at the first moment
+ * @param bySpace skin points in reach of the needle, grouped by the way of their path at the first moment
  */
 public record TargetAccess(TargetLesion target, AccessMap map, List<SpaceCount> bySpace) {
-    private static final String OTHER = "over bone or below the costal margin";
-
     /**
-     * Number of skin points whose path passes through an intercostal space.
+     * Number of skin points whose path enters by one way.
      *
-     * @param space name such as "7th intercostal space, right"
+     * @param space name of the way, such as "7th intercostal space, right" or "subxiphoid"
      * @param free points whose path is free during the whole breath
      * @param part points whose path is free during part of the breath
      * @param never points whose path is never free
@@ -60,10 +58,12 @@ public record TargetAccess(TargetLesion target, AccessMap map, List<SpaceCount> 
         double[] skin = anatomy.skin().positions();
         for (int v = 0; v < map.size(); v++) {
             if (map.isInReach(0, v)) {
-                String key = analyzer.analyze(Arrays.copyOfRange(skin, 3 * v, 3 * v + 3), map.target(0))
-                        .space()
-                        .map(s -> String.format(Locale.ROOT, "%02d %s", s.number(), s.label()))
-                        .orElse("99 " + OTHER);
+                EntryWay way = analyzer.analyze(Arrays.copyOfRange(skin, 3 * v, 3 * v + 3), map.target(0))
+                        .way();
+                int number = way.space()
+                        .map(IntercostalSpace::number)
+                        .orElse(90 + way.kind().ordinal());
+                String key = String.format(Locale.ROOT, "%02d %s", number, way.label());
                 counts.computeIfAbsent(key, k -> new int[3])[map.access(v).ordinal()]++;
             }
         }

@@ -11,7 +11,6 @@ import java.util.stream.Collectors;
 import org.phrenic.access.CostalGroove;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.Approach;
-import org.phrenic.access.path.IntercostalSpace;
 import org.phrenic.access.path.PathAnalysis;
 import org.phrenic.access.path.PathAnalyzer;
 import org.phrenic.access.path.PathOverBreath;
@@ -75,7 +74,7 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
     private static String way(PathAnalysis path) {
         double angle = path.capsuleAngleDeg();
         return String.format(Locale.ROOT, "%.0f mm to the target", path.lengthMm())
-                + path.space().map(IntercostalSpace::label).map(s -> ", " + s).orElse("")
+                + ", " + path.way().label()
                 + (Double.isNaN(angle) ? "" : String.format(Locale.ROOT, ", %.0f\u00b0 to the liver's surface", angle));
     }
 

@@ -19,7 +19,6 @@ import org.phrenic.access.attempt.ProbeUse;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.Approach;
-import org.phrenic.access.path.IntercostalSpace;
 import org.phrenic.access.path.PathAnalysis;
 import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.access.path.TargetAccess;
@@ -110,8 +109,9 @@ public final class RehearsalReport {
                 "Hit: the tip was within the target when a sample was taken. Axial: along the needle, positive where"
                         + " the target's middle lies deeper; lateral: distance of the middle from the needle's line.",
                 "Pleural recess: the space between the inner rib cage and the diaphragm where no lung lies; crossed by"
-                        + " a path that enters the diaphragm more than "
-                        + mm(PleuralReflection.HEIGHT_ABOVE_ORIGIN_MM) + " mm above its lower rim.",
+                        + " a path through the pleura, or, in a body without a surface of it, one that enters the"
+                        + " diaphragm more than " + mm(PleuralReflection.HEIGHT_ABOVE_ORIGIN_MM)
+                        + " mm above its lower rim.",
                 "Vessels below a rib: within " + mm(CostalGroove.NEUROVASCULAR_ZONE_MM)
                         + " mm of the rib's lower border.",
                 "Capsule pulled: distance between the needle and where it went through the capsule, which moves with"
@@ -248,7 +248,7 @@ public final class RehearsalReport {
         document.section("The path over a breath");
         PathAnalysis rest = path.analyses().get(0);
         document.paragraph("At end-expiration: "
-                + rest.space().map(IntercostalSpace::label).orElse("no intercostal space") + ", "
+                + rest.way().label() + ", "
                 + mm(rest.lengthMm()) + " mm to the middle of the target, "
                 + rest.crossings().stream()
                         .map(c -> c.label() + " from " + mm(c.fromMm()) + " to " + mm(c.toMm()) + " mm")

@@ -175,6 +175,7 @@ class LiveAttemptTest {
         CompletableFuture<LiveAttempt> ended = new CompletableFuture<>();
         try (LiveRun run = new LiveRun(plan.scenario(), new Listener(loaded));
                 Workers workers = Workers.of(2)) {
+            run.showOrgans();
             run.setSpeed(Double.POSITIVE_INFINITY);
             run.play();
             LiveScene scene = loaded.get(PATIENCE_S, TimeUnit.SECONDS);

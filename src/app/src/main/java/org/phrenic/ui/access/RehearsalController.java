@@ -95,6 +95,7 @@ public final class RehearsalController implements Session.Listener {
         if (!isActive()) {
             stage = RehearsalStage.LOADING;
             session.returnToLive();
+            session.live().showOrgans();
             view.setMarkSource(() -> state().map(state ->
                     new NeedleMarkers(state, entrySelection.levelNow(state), pictures.isSeeThrough())));
             session.scene().ifPresentOrElse(this::setBody, this::fireState);

@@ -22,7 +22,7 @@ final class OrganBuilder {
     private static final double CHEST_INSET_MM = 2;
 
     /** The internal mammary vessels lie on the wall, between pleura and cartilages. */
-    private static final double MAMMARY_OFF_WALL_MM = -0.2;
+    private static final double MAMMARY_OFF_WALL_MM = 0.4;
     /** The superior epigastric vessels lie in the rectus sheath, behind the muscle. */
     private static final double EPIGASTRIC_OFF_WALL_MM = 5;
 

@@ -40,6 +40,7 @@ public final class LiveRun implements AutoCloseable {
     private final Thread thread;
     private SceneLoader loading;
     private long sceneCount;
+    private boolean organs;
 
     /** Loads a scenario. The run is paused until {@link #play}. */
     public LiveRun(Scenario first, Listener listener) {
@@ -150,6 +151,14 @@ public final class LiveRun implements AutoCloseable {
         listener.changed();
     }
 
+    /** Loads this scene again, and later ones, with the further organs of the body, unless it has them. */
+    public synchronized void showOrgans() {
+        if (!organs) {
+            organs = true;
+            load(settings.current());
+        }
+    }
+
     /** Loads another scene while the current one continues. Cancels a load in progress. */
     public synchronized void load(Scenario scenario) {
         if (loop.closed) {
@@ -161,7 +170,7 @@ public final class LiveRun implements AutoCloseable {
             before.cancel();
         }
         long id = ++sceneCount;
-        loading = new SceneLoader(scenario, id, listener, before, new SceneLoader.Outcome() {
+        loading = new SceneLoader(scenario, id, organs, listener, before, new SceneLoader.Outcome() {
             @Override
             public void loaded(RunningScene made) {
                 if (!loop.commands.submit(() -> acceptLoaded(made))) {
@@ -298,11 +307,8 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /**
-     * Sets the step listener and calls it at multiples of an interval of simulated time, also after a reset and in
-     * later scenes. Replaces the previous listener.
-     *
-     * @param everyS interval, s, rounded to whole steps
-     * @param watch called on the simulation's thread
+     * Sets the step listener and calls it at multiples of an interval of simulated time, rounded to whole steps, also
+     * after a reset and in later scenes. Replaces the previous listener. It is called on the simulation's thread.
      */
     public void listenToSteps(double everyS, StepListener watch) {
         listenToSteps(StepListener.Trigger.every(everyS), watch);

@@ -24,11 +24,16 @@ final class SceneLoader {
     private final long id;
     private final LiveRun.Listener listener;
     private final Outcome end;
+    private final boolean organs;
     private final Thread thread;
     private volatile boolean cancelled;
 
-    /** @param after a loader that must finish before this one starts, or null */
-    SceneLoader(Scenario scenario, long id, LiveRun.Listener listener, SceneLoader after, Outcome end) {
+    /**
+     * @param organs whether the scene has the further organs of its body
+     * @param after a loader that must finish before this one starts, or null
+     */
+    SceneLoader(Scenario scenario, long id, boolean organs, LiveRun.Listener listener, SceneLoader after, Outcome end) {
+        this.organs = organs;
         this.scenario = scenario;
         this.id = id;
         this.listener = listener;
@@ -82,7 +87,7 @@ final class SceneLoader {
         Simulation simulation = Simulation.of(scenario, thorax, UserCache.ofUser());
         try {
             enterStage("surfaces", SCENE_SHARE);
-            SceneSurfaces surfaces = new SceneSurfaces(simulation);
+            SceneSurfaces surfaces = organs ? SceneSurfaces.withOrgans(simulation) : new SceneSurfaces(simulation);
             RunningScene running = new RunningScene(simulation, surfaces, thorax, id);
             enterStage("done", 1);
             return running;
