@@ -21,6 +21,11 @@ public final class SelectiveMass {
     private final double lightness;
     private final double[] masses;
     private double total = Double.NaN;
+    private final double[] mean = new double[3];
+    /** Work space of {@link #addedOmegaSquared}; null before its first use. */
+    private double[] translation;
+
+    private double[] stiffness;
 
     /**
      * @param nodes internal numbers of the group's free nodes
@@ -43,7 +48,11 @@ public final class SelectiveMass {
 
     private double total() {
         if (Double.isNaN(total)) {
-            total = Arrays.stream(nodes).mapToDouble(n -> masses[n]).sum();
+            double sum = 0;
+            for (int n : nodes) {
+                sum += masses[n];
+            }
+            total = sum;
         }
         return total;
     }
@@ -68,7 +77,7 @@ public final class SelectiveMass {
      * @param u velocities or accelerations
      */
     public void addInertia(double factor, double[] u, double[] out) {
-        double[] mean = mean(u);
+        mean(u, mean);
         double share = -factor * relief();
         add(out, share * mean[0], share * mean[1], share * mean[2]);
     }
@@ -88,15 +97,17 @@ public final class SelectiveMass {
         return 1 - 1 / lightness;
     }
 
-    /** Mean of velocities over the group, weighted by mass. */
-    public double[] mean(double[] u) {
-        double[] sum = new double[3];
+    /** Puts the mean of velocities over the group, weighted by mass, into the first three numbers of {@code out}. */
+    public void mean(double[] u, double[] out) {
+        Arrays.fill(out, 0, 3, 0);
         for (int n : nodes) {
             for (int axis = 0; axis < 3; axis++) {
-                sum[axis] += masses[n] * u[3 * n + axis];
+                out[axis] += masses[n] * u[3 * n + axis];
             }
         }
-        return Arrays.stream(sum).map(s -> s / total()).toArray();
+        for (int axis = 0; axis < 3; axis++) {
+            out[axis] /= total();
+        }
     }
 
     private void add(double[] out, double x, double y, double z) {
@@ -127,7 +138,7 @@ public final class SelectiveMass {
 
     /** What the group's lighter translation takes from the kinetic energy Σ m v² / 2, µJ. */
     double energyRelief(double[] v) {
-        double[] mean = mean(v);
+        mean(v, mean);
         double squared = mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2];
         return 0.5 * relief() * total() * squared;
     }
@@ -138,8 +149,12 @@ public final class SelectiveMass {
      * products with one stiffness do not exceed the sum of their largest.
      */
     public double addedOmegaSquared(ParticleSystem system) {
-        double[] u = new double[3 * masses.length];
-        double[] out = new double[u.length];
+        if (translation == null) {
+            translation = new double[3 * masses.length];
+            stiffness = new double[3 * masses.length];
+        }
+        double[] u = translation;
+        double[] out = stiffness;
         double trace = 0;
         for (int axis = 0; axis < 3; axis++) {
             Arrays.fill(u, 0);

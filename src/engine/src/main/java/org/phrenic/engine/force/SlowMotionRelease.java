@@ -38,6 +38,7 @@ public final class SlowMotionRelease implements ForceField {
     private final double relief;
 
     private final double[] groupMean = new double[3];
+    private final double[] groupVelocity = new double[3];
     private double now = Double.NaN;
     private boolean active = true;
     /** Weight of v in the next u; 1 sets u to v, 0 keeps it. */
@@ -88,11 +89,16 @@ public final class SlowMotionRelease implements ForceField {
         now = weight == 0 ? now : time;
         Optional<SelectiveMass> group = system.selectiveMass();
         if (weight > 0 && group.isPresent()) {
-            double[] mean = group.get().mean(velocities);
+            group.get().mean(velocities, groupVelocity);
             for (int axis = 0; axis < 3; axis++) {
-                groupMean[axis] += weight * (mean[axis] - groupMean[axis]);
+                groupMean[axis] = advanced(groupMean[axis], groupVelocity[axis], weight);
             }
         }
+    }
+
+    /** The next mean; with weight 1 it is v to the last bit, whatever the mean was, so a restored state forgets. */
+    private static double advanced(double mean, double v, double weight) {
+        return weight == 1 ? v : mean + weight * (v - mean);
     }
 
     @Override
@@ -107,9 +113,9 @@ public final class SlowMotionRelease implements ForceField {
         for (int n = layout.start(block); n < end; n++) {
             double g = gamma[n];
             int i = 3 * n;
-            double ux = mean[i] + share * (v[i] - mean[i]);
-            double uy = mean[i + 1] + share * (v[i + 1] - mean[i + 1]);
-            double uz = mean[i + 2] + share * (v[i + 2] - mean[i + 2]);
+            double ux = advanced(mean[i], v[i], share);
+            double uy = advanced(mean[i + 1], v[i + 1], share);
+            double uz = advanced(mean[i + 2], v[i + 2], share);
             mean[i] = ux;
             mean[i + 1] = uy;
             mean[i + 2] = uz;

@@ -106,4 +106,23 @@ class SlowMotionReleaseTest {
         system.forces(0, system.positions(), new double[3], force);
         assertThat(force).containsExactly(0, 0, 0);
     }
+
+    /** After a divergence the state is restored at an earlier time: what the velocity has been is forgotten. */
+    @Test
+    void aRestoredStateForgetsTheMeanOfADivergedOne() {
+        ParticleSystem diverged = SampleSystems.oneNode(KG);
+        diverged.setViscosityPerMass(RATE);
+        SlowMotionRelease release = new SlowMotionRelease(diverged, TIME_S);
+        diverged.add(release);
+        double[] force = new double[3];
+        for (double speed : new double[] {0.1, 1e300, Double.NaN}) {
+            diverged.velocities()[0] = speed;
+            diverged.forces(2, diverged.positions(), diverged.velocities(), force);
+        }
+        release.invalidate();
+        diverged.velocities()[0] = 0.3;
+        diverged.forces(1, diverged.positions(), diverged.velocities(), force);
+        // With u = v to the last bit the force is γ v.
+        assertThat(force[0]).isEqualTo(diverged.viscosities()[0] * 0.3);
+    }
 }

@@ -3,6 +3,7 @@ package org.phrenic.study.error;
 import java.util.List;
 import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.ReportNumbers;
 
@@ -93,8 +94,13 @@ public record BudgetPlan(
         double relativeEdge = Math.sqrt((double) Resolution.MEDIUM.diaphragmVertices() / sheetVertices);
         double samples = Math.ceil(BreathRunner.SAMPLE_S / (scenario.timeStepS() * relativeEdge));
         double step = BreathRunner.SAMPLE_S / samples;
+        double scaled = step / scenario.timeStepS() * scenario.get(Numerics.MASS_SCALING);
         return scenario.with(
-                "lungs=embedded", "sternum=kinematic", "liver=false", "time_step_s=" + step, "mass_scaling_s=" + step);
+                "lungs=embedded",
+                "sternum=kinematic",
+                "liver=false",
+                "time_step_s=" + step,
+                "mass_scaling_s=" + scaled);
     }
 
     /** Simulated time, s. */
