@@ -44,6 +44,11 @@ public record ScenarioStore(Path folder) {
                 System.getProperty("os.name", ""), System::getenv, Path.of(System.getProperty("user.home", "."))));
     }
 
+    /** The folder of the platform for the data of this application; the settings are in one of its folders. */
+    public Path dataFolder() {
+        return folder.toAbsolutePath().getParent();
+    }
+
     /** Names of the stored scenarios, in alphabetical order. */
     public List<String> names() {
         if (!Files.isDirectory(folder)) {

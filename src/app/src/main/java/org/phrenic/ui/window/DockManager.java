@@ -5,11 +5,13 @@ import java.awt.Component;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.ui.access.AttemptHistory;
 import org.phrenic.ui.access.AttemptReportWriter;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.access.panel.AttemptsDock;
@@ -52,6 +54,7 @@ public final class DockManager {
     private final RehearsalController rehearsalController;
     private final Session session;
     private final SceneViewport view;
+    private Optional<AttemptHistory> history = Optional.empty();
     private RehearsalDock rehearsal;
     private AttemptsDock attempts;
     private SectionDock sections;
@@ -124,6 +127,14 @@ public final class DockManager {
         layout.endChange();
     }
 
+    /** Keeps the attempts of rehearsals over sessions. */
+    void keepAttempts(AttemptHistory kept) {
+        history = Optional.of(kept);
+        if (attempts != null) {
+            attempts.keepIn(kept);
+        }
+    }
+
     private void addOrgans() {
         left.addTab("Organs", null, ScrollablePanel.scrollPane(organs), "What is shown of the body, and how");
     }
@@ -135,6 +146,7 @@ public final class DockManager {
         }
         rehearsal = new RehearsalDock(session, rehearsalController, breath::selectPreset);
         attempts = new AttemptsDock(session, rehearsalController, new AttemptReportWriter(view), null);
+        history.ifPresent(attempts::keepIn);
         sections = new SectionDock(rehearsalController);
         ultrasound = new UltrasoundDock(session, rehearsalController);
         xray = new FluoroscopyDock(session, rehearsalController);

@@ -21,9 +21,11 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.style.SceneBackground;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunStatus;
+import org.phrenic.ui.access.AttemptHistory;
 import org.phrenic.ui.dock.ParameterDock;
 import org.phrenic.ui.scan.ScanImporter;
 import org.phrenic.ui.session.FileOpener;
+import org.phrenic.ui.session.ScenarioStore;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.WindowPreferences;
 import org.phrenic.ui.session.Workspace;
@@ -91,6 +93,8 @@ public final class PhrenicWindow {
                 WindowPreferences preferences = WindowPreferences.ofUser();
                 file.ifPresent(preferences::addRecent);
                 PhrenicWindow window = new PhrenicWindow(preferences, session);
+                window.docks.keepAttempts(
+                        AttemptHistory.in(ScenarioStore.ofUser().dataFolder()));
                 window.show();
                 scan.ifPresent(window.files::open);
                 closed[0] = window.closed;

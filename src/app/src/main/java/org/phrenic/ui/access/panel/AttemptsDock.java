@@ -20,6 +20,9 @@ import net.miginfocom.swing.MigLayout;
 import org.phrenic.access.attempt.AttemptRecord;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.OutputException;
+import org.phrenic.ui.access.AttemptHistory;
 import org.phrenic.ui.access.AttemptReportWriter;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.session.NumberFormats;
@@ -47,6 +50,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
     private final transient Session session;
     private final transient AttemptReportWriter writer;
     private final transient Supplier<Optional<Path>> chooser;
+    private transient Optional<AttemptHistory> history = Optional.empty();
     private final transient List<Rehearsal> attempts = new ArrayList<>();
     private final Model model = new Model();
     private final JTable table = new JTable(model) {
@@ -67,6 +71,12 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
             "Save report...",
             "Write the report (HTML with pictures, and JSON) and the plan that repeats the attempt into a folder",
             () -> selected().ifPresent(this::save));
+
+    private final WrappingLabel curve = WrappingLabel.secondary("Learning curve");
+    private final JButton export = Controls.button(
+            "Export CSV...", "Write the attempts of all sessions, a row each, into a file", () -> FileDialogs.save(
+                            this, "Attempts of all sessions", "attempts.csv")
+                    .ifPresent(this::export));
 
     /** @param chooser asks for the folder of a report; null for a dialog */
     public AttemptsDock(
@@ -91,6 +101,10 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
         body.add(buttons, "wmin 0");
         body.add(Controls.heading("Attempts of this session"));
         body.add(tableScroll(), "wmin 0");
+        body.add(curve, "wmin 0");
+        body.add(export, "wmin 0");
+        curve.setVisible(false);
+        export.setVisible(false);
         add(ScrollablePanel.scrollPane(body), BorderLayout.CENTER);
         rehearsal.addListener(this);
     }
@@ -133,8 +147,42 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
         revalidate();
     }
 
+    /** Keeps attempts over sessions. */
+    public void keepIn(AttemptHistory kept) {
+        history = Optional.of(kept);
+        export.setVisible(true);
+    }
+
+    private void export(Path file) {
+        try {
+            history.orElseThrow().export(file);
+            session.note("Saved " + file + ".");
+        } catch (OutputException | BadInputException e) {
+            session.refuse(e.getMessage());
+        }
+    }
+
+    /** Adds an attempt by hand to the history, and tells the learning curve of its exercise. */
+    private void keep(Rehearsal attempt) {
+        if (history.isEmpty()) {
+            return;
+        }
+        try {
+            boolean byHand = attempt.plan().steps().stream()
+                    .anyMatch(step -> step.place().startsWith("by hand"));
+            if (byHand) {
+                history.get().add(attempt);
+            }
+            curve.setTextIfChanged(history.get().learningCurve(attempt.plan().title()));
+            curve.setVisible(!curve.getText().isEmpty());
+        } catch (OutputException | BadInputException e) {
+            session.refuse(e.getMessage());
+        }
+    }
+
     @Override
     public void onAttemptEnded(Rehearsal attempt) {
+        keep(attempt);
         attempts.add(attempt);
         model.fireTableRowsInserted(attempts.size() - 1, attempts.size() - 1);
         table.setRowSelectionInterval(attempts.size() - 1, attempts.size() - 1);

@@ -4,6 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.event.MouseEvent;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import javax.swing.JComboBox;
 import javax.swing.JToggleButton;
@@ -14,6 +18,8 @@ import org.phrenic.access.plan.ProbeState;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.scene.NeedleMarkers;
+import org.phrenic.ui.access.AttemptHistory;
+import org.phrenic.ui.access.PickMode;
 import org.phrenic.ui.access.UltrasoundShot;
 import org.phrenic.ui.view.RenderLoop;
 import org.phrenic.ui.view.SceneViewport;
@@ -35,7 +41,10 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
         clinic.until("no probe", () -> state().probe().isEmpty());
         double[] onSkin = pixel(middleOfTheLiver());
         window.key("U");
+        clinic.until("a click that is awaited", () -> rehearsal().pickMode().mode() == PickMode.Kind.PROBE);
         clickView(onSkin);
+        clinic.until("what was clicked on", () -> rehearsal().pickMode().mode() == PickMode.Kind.NONE);
+        clinic.until("a place", () -> rehearsal().probe().hold().isPresent());
         clinic.until(
                 "a probe", () -> rehearsal().state().flatMap(NeedleState::probe).isPresent());
     }
@@ -145,6 +154,22 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
         assertThat(attempt.probe().probeS()).isGreaterThan(attempt.record().insideS());
         assertThat(attempt.probe().needleInBeamMm()).as("mm in the beam").isPositive();
         assertThat(WindowHarness.onEdt(() -> clinic.attempts().card().text())).contains("Aimed by hand", "Probe");
+        assertHistoryKeeps(attempt);
+    }
+
+    /** Two sessions of one sample each. */
+    private void assertHistoryKeeps(Rehearsal attempt) throws Exception {
+        Path file = folder.resolve("attempts.csv");
+        new AttemptHistory(file, "one").add(attempt);
+        AttemptHistory later = new AttemptHistory(file, "other");
+        later.add(attempt);
+        double mm = attempt.record().samples().get(0).distanceMm();
+        assertThat(later.learningCurve(attempt.plan().title()))
+                .contains("2 samples in 2 sessions", String.format(Locale.ROOT, "%.1f \u00b1 0.0 mm off", mm));
+        later.export(folder.resolve("copy.csv"));
+        List<String> lines = Files.readAllLines(folder.resolve("copy.csv"));
+        assertThat(lines).hasSize(3).allMatch(line -> line.split(",", -1).length == 15);
+        assertThat(lines.get(2)).startsWith("other,").contains(",see-through,");
     }
 
     private static boolean seesThrough() {

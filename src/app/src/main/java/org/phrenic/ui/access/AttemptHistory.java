@@ -1,0 +1,161 @@
+package org.phrenic.ui.access;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.LocalDateTime;
+import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.phrenic.access.attempt.AttemptRecord;
+import org.phrenic.access.attempt.TargetingError;
+import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.file.AtomicFile;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.OutputException;
+
+/**
+ * The attempts of all sessions, a row each in a CSV file on this machine: the learning curve of its user.
+ *
+ * @param file the CSV file; made by the first attempt
+ * @param session begin of the session, which tells sessions apart
+ */
+public record AttemptHistory(Path file, String session) {
+    private static final String HEADER =
+            "session,time,exercise,help,hit,distance_mm,axial_mm,lateral_mm,time_s,no_go_s,"
+                    + "probe_s,tip_out_of_beam_s,needle_in_beam_mm,needle_in_beam_share,aims_by_program";
+
+    private static final int TITLE = 2;
+    private static final int HIT = 4;
+    private static final int DISTANCE = 5;
+    /** Attempts at either end of a learning curve whose mean is taken. */
+    private static final int ENDS = 5;
+
+    /** The history in a folder, from a session that begins now. */
+    public static AttemptHistory in(Path folder) {
+        return new AttemptHistory(folder.resolve("attempts.csv"), now());
+    }
+
+    private static String now() {
+        return LocalDateTime.now().truncatedTo(ChronoUnit.SECONDS).toString();
+    }
+
+    /**
+     * Adds an attempt.
+     *
+     * @throws OutputException if the file cannot be written
+     */
+    public void add(Rehearsal attempt) {
+        List<String> lines = new ArrayList<>(lines());
+        if (lines.isEmpty()) {
+            lines.add(HEADER);
+        }
+        lines.add(row(attempt));
+        AtomicFile.write(file, String.join("\n", lines) + "\n");
+    }
+
+    private String row(Rehearsal attempt) {
+        AttemptRecord record = attempt.record();
+        List<TargetingError> samples = record.samples();
+        List<String> cells =
+                new ArrayList<>(List.of(session, now(), quoted(attempt.plan().title())));
+        cells.add(attempt.plan().aids().key());
+        cells.add(Boolean.toString(record.hit()));
+        if (samples.isEmpty()) {
+            cells.addAll(List.of("", "", ""));
+        } else {
+            TargetingError last = samples.get(samples.size() - 1);
+            cells.addAll(List.of(number(last.distanceMm()), number(last.axialMm()), number(last.lateralMm())));
+        }
+        cells.add(number(record.timeS()));
+        cells.add(number(record.inNoGoS()));
+        cells.add(number(attempt.probe().probeS()));
+        cells.add(number(attempt.probe().tipUnseenS()));
+        cells.add(number(attempt.probe().needleInBeamMm()));
+        cells.add(number(attempt.probe().needleInBeamShare()));
+        cells.add(Long.toString(attempt.plan().aimsByProgram()));
+        return String.join(",", cells);
+    }
+
+    /** A title without what separates cells and rows. */
+    private static String quoted(String title) {
+        return title.replaceAll("[,\"\\r\\n]+", " ").strip();
+    }
+
+    private static String number(double value) {
+        return String.format(Locale.ROOT, "%.2f", value);
+    }
+
+    private List<String> lines() {
+        try {
+            return Files.isRegularFile(file) ? Files.readAllLines(file, StandardCharsets.UTF_8) : List.of();
+        } catch (IOException e) {
+            throw new BadInputException(file + ": cannot be read: " + e.getMessage(), e);
+        }
+    }
+
+    /** The learning curve of an exercise in words; empty before its first sample. */
+    public String learningCurve(String exercise) {
+        List<String[]> rows = lines().stream()
+                .skip(1)
+                .map(line -> line.split(",", -1))
+                .filter(cells ->
+                        cells.length > DISTANCE && cells[TITLE].equals(quoted(exercise)) && !cells[DISTANCE].isEmpty())
+                .toList();
+        if (rows.isEmpty()) {
+            return "";
+        }
+        double[] mm =
+                rows.stream().mapToDouble(r -> Double.parseDouble(r[DISTANCE])).toArray();
+        long hits = rows.stream().filter(r -> Boolean.parseBoolean(r[HIT])).count();
+        long sessions = rows.stream().map(r -> r[0]).distinct().count();
+        String ends = mm.length < 2 * ENDS
+                ? ""
+                : String.format(
+                        Locale.ROOT,
+                        "; the first %d %.1f mm, the last %d %.1f mm",
+                        ENDS,
+                        mean(mm, 0, ENDS),
+                        ENDS,
+                        mean(mm, mm.length - ENDS, mm.length));
+        return String.format(
+                Locale.ROOT,
+                "This exercise: %d samples in %d sessions, %d hits, %.1f \u00b1 %.1f mm off%s.",
+                mm.length,
+                sessions,
+                hits,
+                mean(mm, 0, mm.length),
+                deviation(mm),
+                ends);
+    }
+
+    private static double mean(double[] values, int from, int to) {
+        double sum = 0;
+        for (int i = from; i < to; i++) {
+            sum += values[i];
+        }
+        return sum / (to - from);
+    }
+
+    /** Standard deviation of a sample; 0 for one value. */
+    private static double deviation(double[] values) {
+        double mean = mean(values, 0, values.length);
+        double squares = 0;
+        for (double value : values) {
+            squares += (value - mean) * (value - mean);
+        }
+        return values.length < 2 ? 0 : Math.sqrt(squares / (values.length - 1));
+    }
+
+    /**
+     * Writes a copy of the history.
+     *
+     * @throws OutputException if it cannot be written
+     */
+    public void export(Path to) {
+        List<String> lines = lines();
+        AtomicFile.write(to, lines.isEmpty() ? HEADER + "\n" : String.join("\n", lines) + "\n");
+    }
+}
