@@ -10,8 +10,10 @@ import org.phrenic.mesh.Vectors;
  *
  * @param gauge Birmingham (Stubs) gauge
  * @param lengthMm distance from hub to tip, mm
+ * @param coreMm length of the core that a core needle cuts when it fires, from the tip on, mm; 0 for a needle that
+ *     takes its sample at the tip
  */
-public record Needle(int gauge, double lengthMm) {
+public record Needle(int gauge, double lengthMm, double coreMm) {
     /** Outer diameter of needle tubing by gauge, mm (ISO 9626 nominal sizes). */
     private static final Map<Integer, Double> DIAMETER_MM =
             Map.of(14, 2.1, 15, 1.8, 16, 1.6, 17, 1.4, 18, 1.2, 19, 1.1, 20, 0.9, 21, 0.8, 22, 0.7);
@@ -19,15 +21,33 @@ public record Needle(int gauge, double lengthMm) {
     private static final double MIN_LENGTH_MM = 20;
     private static final double MAX_LENGTH_MM = 300;
 
-    /** @throws IllegalArgumentException if the gauge or length is outside the range of biopsy needles */
+    /** Usual throws of core needles, mm. */
+    private static final double MIN_CORE_MM = 10;
+
+    private static final double MAX_CORE_MM = 22;
+
+    /** A needle that takes its sample at the tip. */
+    public Needle(int gauge, double lengthMm) {
+        this(gauge, lengthMm, 0);
+    }
+
+    /** @throws IllegalArgumentException if the gauge, core or length is outside the range of biopsy needles */
     public Needle {
         if (!DIAMETER_MM.containsKey(gauge)) {
             throw new IllegalArgumentException("found a needle of " + gauge + " G, expected 14 to 22 G");
+        }
+        if (!isCore(coreMm)) {
+            throw new IllegalArgumentException("found a core of " + coreMm + " mm, expected 0 for none or "
+                    + MIN_CORE_MM + " to " + MAX_CORE_MM + " mm");
         }
         if (!(lengthMm >= MIN_LENGTH_MM && lengthMm <= MAX_LENGTH_MM)) {
             throw new IllegalArgumentException("found a needle " + lengthMm + " mm long, expected " + MIN_LENGTH_MM
                     + " to " + MAX_LENGTH_MM + " mm");
         }
+    }
+
+    private static boolean isCore(double mm) {
+        return mm == 0 || (mm >= MIN_CORE_MM && mm <= MAX_CORE_MM);
     }
 
     /** The usual needle for focal lesions: 18 G, 150 mm. */

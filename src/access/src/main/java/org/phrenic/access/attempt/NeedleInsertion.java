@@ -263,6 +263,10 @@ public final class NeedleInsertion {
         log.event(AttemptEvent.Kind.SAMPLE, shaft.isTipAnchored() ? "liver" : "", shaft.depth());
         TargetingError error = targetingError();
         log.sampled(error);
+        if (needle.coreMm() > 0) {
+            // What the core needle comes near when it fires.
+            log.addExposure(analyzer.analyze(shaft.entry(), shaft.at(shaft.depth() + needle.coreMm())), 0);
+        }
         return error;
     }
 
@@ -293,7 +297,7 @@ public final class NeedleInsertion {
     }
 
     public TargetingError targetingError() {
-        return TargetingError.of(shaft.tip(), shaft.direction(), targetNow(), target);
+        return TargetingError.of(shaft.tip(), shaft.direction(), targetNow(), target, needle.coreMm());
     }
 
     /** Current warnings, as short phrases: touched zones and displaced capsule. */

@@ -1,35 +1,54 @@
 package org.phrenic.access.attempt;
 
 import java.util.Map;
+import java.util.OptionalDouble;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.mesh.Vectors;
 
 /**
- * Position of the needle tip relative to the centre of the target.
+ * Position of a sample relative to the centre of the target. The sample of a core needle is a core that begins at the
+ * tip, and is measured from its middle; that of another needle is at the tip.
  *
- * @param axialMm distance from the tip to the centre along the needle, mm; negative if the tip is past the centre
+ * @param axialMm distance from the sample to the centre along the needle, mm; negative if the sample is past the centre
  * @param lateralMm distance of the centre from the axis of the needle, mm
- * @param hit whether the tip is inside the target
+ * @param hit whether the tip, or a part of the core, is inside the target
+ * @param coreInTargetMm length of the core inside the target, mm; empty without a core
  */
-public record TargetingError(double axialMm, double lateralMm, boolean hit) {
-    static TargetingError of(double[] tip, double[] direction, double[] centre, TargetLesion target) {
+public record TargetingError(double axialMm, double lateralMm, boolean hit, OptionalDouble coreInTargetMm) {
+    static TargetingError of(double[] tip, double[] direction, double[] centre, TargetLesion target, double coreMm) {
         double[] d = Vectors.subtract(centre, tip);
         double axial = Vectors.dot(d, direction);
         double lateral = Vectors.length(Vectors.addScaled(d, direction, -axial));
-        return new TargetingError(axial, lateral, Vectors.length(d) <= target.radiusMm());
+        if (coreMm == 0) {
+            return new TargetingError(axial, lateral, Vectors.length(d) <= target.radiusMm(), OptionalDouble.empty());
+        }
+        double inTarget = chord(axial, lateral, target.radiusMm(), coreMm);
+        return new TargetingError(axial - coreMm / 2, lateral, inTarget > 0, OptionalDouble.of(inTarget));
     }
 
-    /** Distance between tip and target centre, mm. */
+    /** Length of the part from 0 to {@code coreMm} of a line that lies in a ball. */
+    private static double chord(double axial, double lateral, double radius, double coreMm) {
+        double squared = radius * radius - lateral * lateral;
+        if (squared <= 0) {
+            return 0;
+        }
+        double half = Math.sqrt(squared);
+        return Math.max(0, Math.min(coreMm, axial + half) - Math.max(0, axial - half));
+    }
+
+    /** Distance between sample and target centre, mm. */
     public double distanceMm() {
         return Math.sqrt(axialMm * axialMm + lateralMm * lateralMm);
     }
 
     public Map<String, Object> toMap() {
-        return new OrderedValues()
+        OrderedValues map = new OrderedValues()
                 .with("hit", hit)
                 .with("distance_mm", distanceMm())
                 .with("axial_mm", axialMm)
                 .with("lateral_mm", lateralMm);
+        coreInTargetMm.ifPresent(mm -> map.put("core_in_target_mm", mm));
+        return map;
     }
 }

@@ -194,11 +194,13 @@ public record RehearsalPlan(
 
     private static Needle needle(YamlMap yaml) {
         YamlMap needle = yaml.mapOrEmpty("needle");
-        needle.requireOnly(List.of("gauge", "length_mm"));
+        needle.requireOnly(List.of("gauge", "length_mm", "core_mm"));
         Needle standard = Needle.standard();
         try {
             return new Needle(
-                    (int) needle.integer("gauge", standard.gauge()), needle.number("length_mm", standard.lengthMm()));
+                    (int) needle.integer("gauge", standard.gauge()),
+                    needle.number("length_mm", standard.lengthMm()),
+                    needle.number("core_mm", 0));
         } catch (IllegalArgumentException none) {
             throw yaml.bad("needle", none.getMessage());
         }
@@ -263,6 +265,9 @@ public record RehearsalPlan(
             map.put("difficulty", difficulty);
         }
         OrderedValues tube = new OrderedValues().with("gauge", needle.gauge()).with("length_mm", needle.lengthMm());
+        if (needle.coreMm() > 0) {
+            tube.put("core_mm", needle.coreMm());
+        }
         return map.with("scenario", scenarioFile)
                 .with("target", targetSpec.toMap())
                 .with("needle", tube)

@@ -156,9 +156,19 @@ public final class RehearsalReport {
             return "No sample was taken.";
         }
         TargetingError last = record.samples().get(record.samples().size() - 1);
-        return (record.hit() ? "Hit" : "Missed") + ": the tip was " + mm(last.distanceMm())
+        return (record.hit() ? "Hit" : "Missed")
+                + (last.coreInTargetMm().isEmpty() ? ": the tip was " : ": the middle of the core was ")
+                + mm(last.distanceMm())
                 + " mm from the middle of a target of " + mm(rehearsal.target().diameterMm()) + " mm ("
-                + mm(last.axialMm()) + " mm along the needle, " + mm(last.lateralMm()) + " mm aside)." + motion();
+                + mm(last.axialMm()) + " mm along the needle, " + mm(last.lateralMm()) + " mm aside)." + core(last)
+                + motion();
+    }
+
+    private String core(TargetingError sample) {
+        return sample.coreInTargetMm().isEmpty()
+                ? ""
+                : " Of its core of " + mm(record.needle().coreMm()) + " mm, "
+                        + mm(sample.coreInTargetMm().getAsDouble()) + " mm lay in the target.";
     }
 
     private String motion() {

@@ -33,9 +33,13 @@ class NeedleInsertionTest {
     }
 
     private NeedleInsertion session(double diameterMm) {
+        return session(diameterMm, Needle.standard());
+    }
+
+    private NeedleInsertion session(double diameterMm, Needle needle) {
         scene.update(body.still(0));
         TargetLesion target = TargetLesion.at(scene, new double[] {90, 0, 0}, diameterMm);
-        NeedleInsertion session = new NeedleInsertion(scene, target, Needle.standard(), NoGoZone.defaults());
+        NeedleInsertion session = new NeedleInsertion(scene, target, needle, NoGoZone.defaults());
         frames = -1;
         next(session);
         return session;
@@ -71,6 +75,45 @@ class NeedleInsertionTest {
             assertThat(seen.hit()).isEqualTo(miss <= 10);
             assertThat(session.record().hit()).isEqualTo(miss <= 10);
         }
+    }
+
+    /** 6 mm beside the middle of a ball of 20 mm, the line is within it from 8 mm before to 8 mm behind the middle. */
+    @Test
+    void aCoreCountsByItsLengthInTheTarget() {
+        for (double tip : new double[] {60, 77, 85, 95, 99}) {
+            NeedleInsertion session = session(20, new Needle(18, 150, 20));
+            session.place(new double[] {0, 0, 6}, new double[] {90, 0, 6});
+            session.advance(tip, AT_ONCE);
+            next(session);
+            double off = 6 + down(frames * FRAME_S);
+            double half = Math.sqrt(100 - off * off);
+            double expected = Math.max(0, Math.min(tip + 20, 90 + half) - Math.max(tip, 90 - half));
+            TargetingError sample = session.sample();
+            assertThat(sample.coreInTargetMm().orElseThrow()).isCloseTo(expected, within(TOLERANCE_MM));
+            assertThat(sample.axialMm()).as("from the middle of the core").isCloseTo(80 - tip, within(TOLERANCE_MM));
+            assertThat(sample.hit()).isEqualTo(expected > 0);
+        }
+    }
+
+    /** Turns by hand before the puncture are no redirection, several in the skin are one. */
+    @Test
+    void turnsByHandBetweenTwoMovementsAreOneRedirection() {
+        NeedleInsertion session = session(20);
+        session.placeAtRest(new double[] {0, 0, 0}, new NeedleAngles(90, 0));
+        assertThat(session.shaft().direction()[0]).as("to the left").isCloseTo(1, within(1e-12));
+        session.turn(new NeedleAngles(90, 30));
+        assertThat(session.shaft().direction()[2]).as("to the head").isCloseTo(0.5, within(1e-12));
+        session.turn(NeedleAngles.of(new double[] {1, 0, 0}));
+        session.advance(15, AT_ONCE);
+        next(session);
+        assertThat(session.record().count(AttemptEvent.Kind.REDIRECTION)).isZero();
+        session.turn(new NeedleAngles(88, 0));
+        session.turn(new NeedleAngles(86, 0));
+        assertThat(session.record().count(AttemptEvent.Kind.REDIRECTION)).isEqualTo(1);
+        session.advance(16, AT_ONCE);
+        next(session);
+        session.turn(new NeedleAngles(85, 0));
+        assertThat(session.record().count(AttemptEvent.Kind.REDIRECTION)).isEqualTo(2);
     }
 
     @Test

@@ -66,12 +66,20 @@ public final class ReportCard extends JPanel {
             return "The needle was removed without a sample.";
         }
         TargetingError last = record.samples().get(record.samples().size() - 1);
-        return NumberFormats.text(
-                "The tip was %.1f mm from the middle of the target: %.1f mm %s, %.1f mm aside.",
-                last.distanceMm(),
-                Math.abs(last.axialMm()),
-                last.axialMm() < 0 ? "too deep" : "short of it",
-                last.lateralMm());
+        String core = last.coreInTargetMm().isEmpty()
+                ? ""
+                : NumberFormats.text(
+                        " Of the core of %.0f mm, %.1f mm lay in it.",
+                        record.needle().coreMm(), last.coreInTargetMm().getAsDouble());
+        String what = core.isEmpty() ? "The tip" : "The middle of the core";
+        return what
+                + NumberFormats.text(
+                        " was %.1f mm from the middle of the target: %.1f mm %s, %.1f mm aside.",
+                        last.distanceMm(),
+                        Math.abs(last.axialMm()),
+                        last.axialMm() < 0 ? "too deep" : "short of it",
+                        last.lateralMm())
+                + core;
     }
 
     private static List<String> goals(Rehearsal rehearsal) {
