@@ -29,7 +29,8 @@ import picocli.CommandLine.ParameterException;
             BenchStabilityCommand.class,
             BenchBodiesCommand.class,
             BenchFitsCommand.class,
-            BenchWindowCommand.class
+            BenchWindowCommand.class,
+            BenchExercisesCommand.class
         },
         synopsisSubcommandLabel = "[COMMAND]",
         footer = {

@@ -1,0 +1,93 @@
+package org.phrenic.cli;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.access.plan.RobotOperator;
+import org.phrenic.cli.report.ConsoleProgress;
+import org.phrenic.cli.report.ExitCode;
+import org.phrenic.cli.report.TextTable;
+import org.phrenic.document.OrderedValues;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.BadInputException;
+import org.phrenic.study.ExerciseStudy;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code phrenic bench exercises}: lets a robot with a known hand do exercises many times. */
+@Command(
+        name = "exercises",
+        description = "Measure how hard exercises are: a robot with a reaction time, the latency of the image and an"
+                + " unsteady hand does each many times, breathing freely and with a held breath.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic bench exercises",
+            "  phrenic bench exercises data/exercises/2-dome-target.yaml --attempts 20 --set resolution=low",
+            "",
+            Disclaimer.TEXT
+        })
+final class BenchExercisesCommand extends ReportingCommand {
+    private static final int MOST_ATTEMPTS = 10_000;
+
+    @Parameters(arity = "0..*", paramLabel = "PLAN", description = "Plans of rehearsals; the exercises without any.")
+    private List<Path> plans = new ArrayList<>();
+
+    @Option(
+            names = "--attempts",
+            paramLabel = "N",
+            defaultValue = "50",
+            description = "Attempts in either way of breathing (${DEFAULT-VALUE}).")
+    private int attempts;
+
+    @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Sets a value of the scenarios; may be repeated.")
+    private List<String> set = new ArrayList<>();
+
+    @Override
+    public Integer call() {
+        if (attempts < 1 || attempts > MOST_ATTEMPTS) {
+            throw new BadInputException("--attempts: found " + attempts + ", expected 1 to " + MOST_ATTEMPTS);
+        }
+        List<RehearsalPlan> exercises = plans.isEmpty()
+                ? RehearsalPlan.exercises()
+                : plans.stream().map(RehearsalPlan::read).toList();
+        ConsoleProgress progress = progress();
+        List<ExerciseStudy.Result> results = new ArrayList<>();
+        try {
+            for (RehearsalPlan plan : exercises) {
+                results.addAll(ExerciseStudy.of(plan.with(set), RobotOperator.Hand.STANDARD, attempts, progress));
+            }
+        } finally {
+            progress.end();
+        }
+        RobotOperator.Hand hand = RobotOperator.Hand.STANDARD;
+        OrderedValues report = new OrderedValues()
+                .with("reaction_s", hand.reactionS())
+                .with("latency_s", hand.latencyS())
+                .with("hand_deg", hand.angleDeg())
+                .with("hand_depth_mm", hand.depthMm())
+                .with(
+                        "results",
+                        results.stream().map(ExerciseStudy.Result::toMap).toList())
+                .with("notice", Disclaimer.TEXT);
+        print(report, () -> table(results));
+        return ExitCode.SUCCESS;
+    }
+
+    private String table(List<ExerciseStudy.Result> results) {
+        TextTable table = new TextTable(false, false, true, true, true)
+                .row("exercise", "breath", "attempts", "hit_percent", "median_error_mm");
+        for (ExerciseStudy.Result r : results) {
+            table.row(
+                    r.exercise(),
+                    r.held() ? "held" : "free",
+                    Integer.toString(r.attempts()),
+                    String.format(Locale.ROOT, "%.0f", 100 * r.hitShare()),
+                    String.format(Locale.ROOT, "%.1f", r.medianMm()));
+        }
+        return withDisclaimer(table.text());
+    }
+}
