@@ -58,12 +58,14 @@ final class CurveChart {
                 svg.label(across.at(tick), height - BOTTOM + 15, "middle", text);
             }
         }
-        layers.forEach(layer -> draw(svg, across, up, layer));
+        for (int i = 0; i < layers.size(); i++) {
+            draw(svg, across, up, layers.get(i), i == 0 ? SvgCanvas.WIDE_BAND : SvgCanvas.NARROW_BAND);
+        }
         svg.label((LEFT + width - RIGHT) / 2, height - 8, "middle", label);
         return new Picture(svg.dataUrl(), alternative, caption);
     }
 
-    private static void draw(SvgCanvas svg, PlotAxis across, PlotAxis up, Layer layer) {
+    private static void draw(SvgCanvas svg, PlotAxis across, PlotAxis up, Layer layer, String bandColour) {
         double[] x = across.at(layer.x);
         double[] high = up.at(layer.high);
         if (layer.low != layer.high) {
@@ -77,7 +79,7 @@ final class CurveChart {
                 ringX[2 * n - 1 - i] = x[i];
                 ringY[2 * n - 1 - i] = low[i];
             }
-            svg.area(ringX, ringY, SvgCanvas.FIRST, 0.18);
+            svg.area(ringX, ringY, bandColour);
             return;
         }
         if (!layer.dots) {

@@ -11,6 +11,8 @@ final class SvgCanvas {
     static final String PALE = "#dddddd";
     static final String FIRST = "#0072b2";
     static final String SECOND = "#e69f00";
+    static final String WIDE_BAND = "#cfe3f1";
+    static final String NARROW_BAND = "#9fc8e4";
 
     private final StringBuilder text = new StringBuilder();
 
@@ -33,21 +35,21 @@ final class SvgCanvas {
         return this;
     }
 
-    SvgCanvas area(double[] x, double[] y, String colour, double opacity) {
-        text.append(ReportNumbers.format(
-                "<polygon points=\"%s\" fill=\"%s\" fill-opacity=\"%.2f\"/>", points(x, y), colour, opacity));
+    SvgCanvas area(double[] x, double[] y, String colour) {
+        text.append(ReportNumbers.format("<polygon points=\"%s\" fill=\"%s\" stroke=\"none\"/>", points(x, y), colour));
         return this;
     }
 
     SvgCanvas bar(double x, double y, double width, double height, String colour) {
         text.append(ReportNumbers.format(
-                "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"%s\"/>",
+                "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"%s\" stroke=\"none\"/>",
                 x, y, width, height, colour));
         return this;
     }
 
     SvgCanvas dot(double x, double y, String colour) {
-        text.append(ReportNumbers.format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\"/>", x, y, colour));
+        text.append(ReportNumbers.format(
+                "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\" stroke=\"none\"/>", x, y, colour));
         return this;
     }
 
