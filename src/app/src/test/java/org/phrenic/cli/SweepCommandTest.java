@@ -75,9 +75,9 @@ class SweepCommandTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"ishigami", "small", "liver-motion", "cohort"})
+    @ValueSource(strings = {"ishigami", "small", "liver-motion", "cohort", "access"})
     void theStudiesThatComeWithTheProgramHavePlans(String name) {
         SweepPlan plan = SweepPlan.of(SweepStudy.read(STUDIES.resolve(name + ".yaml")));
-        assertThat(plan.size()).isIn(5120, 16, 512, 1000);
+        assertThat(plan.size()).isIn(5120, 16, 512, 1000, 200);
     }
 }

@@ -1,20 +1,10 @@
 package org.phrenic.study.sweep;
 
-import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
-import org.phrenic.anatomy.Thorax;
-import org.phrenic.document.KeySuggestion;
-import org.phrenic.model.material.Numerics;
-import org.phrenic.parameter.NumberSetting;
-import org.phrenic.parameter.Setting;
-import org.phrenic.scenario.Assignment;
-import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.scenario.Settings;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.study.BreathSeries;
@@ -27,31 +17,18 @@ import org.phrenic.study.measure.SceneObservables;
  */
 final class BreathModel implements SweepModel {
     static final String NAME = "breath";
-    /** Key of the factor of persons, who stand in place of a body. */
-    static final String PERSON = "person";
 
     /** Sampling interval, s. End-inspiration moves with most parameters. */
     private static final double SAMPLE_S = 0.02;
 
-    /** Settings that do not change a breath, or that a study sets itself. */
-    private static final Set<String> RESERVED =
-            Set.of("name", "threads", "steps", "changes", "record_every_s", "meshes_every_s");
-
-    private final Scenario scenario;
+    private final SceneFactors factors;
     private final List<ResponseSpec> responses;
     private final List<String> series;
     private final Set<String> needed = new LinkedHashSet<>();
-    private final BodyPool bodies = new BodyPool();
-    private final Cohort cohort = Cohort.shipped();
-    private final boolean ofPersons;
 
-    /**
-     * @param ofPersons whether a factor states persons
-     * @throws IllegalArgumentException with one sentence, if there is no response or an observable is unknown
-     */
-    BreathModel(Scenario scenario, List<ResponseSpec> responses, List<String> series, boolean ofPersons) {
-        this.ofPersons = ofPersons;
-        this.scenario = scenario.with(Numerics.THREADS, 1);
+    /** @throws IllegalArgumentException with one sentence, if there is no response or an observable is unknown */
+    BreathModel(SceneFactors factors, List<ResponseSpec> responses, List<String> series) {
+        this.factors = factors;
         this.responses = List.copyOf(responses);
         this.series = List.copyOf(series);
         if (responses.isEmpty()) {
@@ -63,15 +40,10 @@ final class BreathModel implements SweepModel {
                 .toList();
         for (String name : needed) {
             if (!known.contains(name)) {
-                throw new IllegalArgumentException("found an unknown observable '" + name + "', " + near(name, known));
+                throw new IllegalArgumentException(
+                        "found an unknown observable '" + name + "', " + SceneFactors.near(name, known));
             }
         }
-    }
-
-    private static String near(String name, List<String> known) {
-        return KeySuggestion.nearest(name, known)
-                .map(nearest -> "did you mean '" + nearest + "'?")
-                .orElse("expected one of " + String.join(", ", known));
     }
 
     @Override
@@ -86,73 +58,28 @@ final class BreathModel implements SweepModel {
 
     @Override
     public double[] limits(String key) {
-        if (BodyFactors.has(key)) {
-            return BodyFactors.limits(key);
-        }
-        if (key.equals(PERSON)) {
-            return new double[0];
-        }
-        Setting<?> setting = setting(key);
-        return setting instanceof NumberSetting number
-                ? new double[] {number.minimum(), number.maximum()}
-                : new double[0];
-    }
-
-    private static Setting<?> setting(String key) {
-        List<String> known = Stream.concat(
-                        Settings.keys().stream().filter(k -> !RESERVED.contains(k)),
-                        Stream.concat(Stream.of(PERSON), BodyFactors.keys().stream()))
-                .toList();
-        return Settings.all().stream()
-                .filter(setting -> setting.key().equals(key) && known.contains(key))
-                .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException(
-                        "factor '" + key + "': found an unknown factor, " + near(key, known)));
+        return factors.limits(key);
     }
 
     @Override
     public void check(String key, String value) {
-        if (BodyFactors.has(key)) {
-            BodyFactors.check(key, value);
-        } else if (key.equals(PERSON)) {
-            Person.parse(value);
-        } else {
-            Assignment.read("factor '" + key + "'", setting(key).key(), value);
-        }
-    }
-
-    private static Optional<Person> person(SweepPoint point) {
-        int at = point.keys().indexOf(PERSON);
-        return at < 0
-                ? Optional.empty()
-                : Optional.of(Person.parse(point.values().get(at)));
+        factors.check(key, value);
     }
 
     @Override
     public List<String> traitNames() {
-        return ofPersons ? Person.TRAITS : List.of();
+        return factors.traitNames();
     }
 
     @Override
     public List<String> traits(SweepPoint point) {
-        return person(point).map(Person::traits).orElse(List.of());
+        return factors.traits(point);
     }
 
     @Override
     public SweepOutcome evaluate(SweepPoint point) {
-        List<Assignment> assignments = new ArrayList<>();
-        for (int i = 0; i < point.keys().size(); i++) {
-            String key = point.keys().get(i);
-            if (!BodyFactors.has(key) && !key.equals(PERSON)) {
-                assignments.add(Assignment.read(
-                        "run " + point.index(), key, point.values().get(i)));
-            }
-        }
-        Optional<Person> person = person(point);
-        person.ifPresent(p -> assignments.add(Assignment.of("person", RunSettings.ANATOMY, cohort.body(p))));
-        Scenario run = scenario.with(assignments);
-        Thorax body = bodies.body(run, person.map(cohort::variation).or(() -> BodyFactors.variation(point)));
-        try (Simulation simulation = Simulation.of(run, body)) {
+        Scenario run = factors.scenario(point);
+        try (Simulation simulation = Simulation.of(run, factors.body(point, run))) {
             BreathSeries breath = PresetRun.of(simulation, SAMPLE_S, needed);
             double[] values = responses.stream()
                     .mapToDouble(response -> response.of(breath))

@@ -7,6 +7,11 @@ public interface SweepModel {
     /** Names of the responses. */
     List<String> responses();
 
+    /** How many of the responses are analysed; the others make a map of directions. */
+    default int analysed() {
+        return responses().size();
+    }
+
     /** Names of the time series that each run records; may be empty. */
     List<String> series();
 

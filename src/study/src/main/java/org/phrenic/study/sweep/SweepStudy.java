@@ -22,7 +22,7 @@ import org.phrenic.scenario.Settings;
  * A study as its file states it. Immutable.
  *
  * @param title of the report
- * @param model {@code breath} or {@code ishigami}
+ * @param model {@code breath}, {@code access} or {@code ishigami}
  * @param scenario of all runs, apart from the factors
  * @param factors that are varied
  * @param design of the points
@@ -39,7 +39,7 @@ public record SweepStudy(
         List<String> series) {
     private static final List<String> KEYS =
             List.of("title", "model", "scenario", "settings", "cohort", "factors", "design", "responses", "series");
-    private static final List<String> MODELS = List.of(BreathModel.NAME, IshigamiModel.NAME);
+    private static final List<String> MODELS = List.of(BreathModel.NAME, AccessModel.NAME, IshigamiModel.NAME);
     /** Factors that a person stands in place of. */
     private static final String BODY = "body.";
 
@@ -77,7 +77,7 @@ public record SweepStudy(
         yaml.requireOnly(KEYS);
         String model = yaml.text("model", BreathModel.NAME);
         if (!MODELS.contains(model)) {
-            throw yaml.bad("model", "found '" + model + "', expected " + String.join(" or ", MODELS));
+            throw yaml.bad("model", "found '" + model + "', expected " + String.join(", ", MODELS));
         }
         DesignSpec design = yaml.map("design").bind(DesignSpec.class).withPointsOf(folder);
         SweepStudy study = new SweepStudy(
@@ -131,7 +131,7 @@ public record SweepStudy(
         if (yaml.has("cohort")) {
             CohortSize size = yaml.map("cohort").bind(CohortSize.class);
             factors.add(Factor.listed(
-                    BreathModel.PERSON,
+                    SceneFactors.PERSON,
                     Cohort.shipped().draw(size.persons(), size.seed()).stream()
                             .map(Person::text)
                             .toList()));
@@ -171,7 +171,7 @@ public record SweepStudy(
         }
         for (int f = 0; f < factors.size(); f++) {
             Factor factor = factors.get(f);
-            boolean drawn = yaml.has("cohort") && factor.key().equals(BreathModel.PERSON);
+            boolean drawn = yaml.has("cohort") && factor.key().equals(SceneFactors.PERSON);
             YamlMap place = list
                     ? yaml.map("design")
                     : drawn ? yaml.map("cohort") : yaml.maps("factors").get(f);
@@ -184,7 +184,7 @@ public record SweepStudy(
                 throw new BadInputException(place.bad(refused.getMessage()).getMessage(), refused);
             }
         }
-        if (columns.contains(BreathModel.PERSON)
+        if (columns.contains(SceneFactors.PERSON)
                 && columns.stream().anyMatch(c -> c.startsWith(BODY) || c.equals("anatomy"))) {
             throw yaml.bad("found persons and another factor of the body, expected one of them");
         }
@@ -199,8 +199,9 @@ public record SweepStudy(
         if (model.equals(IshigamiModel.NAME)) {
             return new IshigamiModel();
         }
-        return new BreathModel(scenario, responses, series, factors.stream().anyMatch(f -> f.key()
-                .equals(BreathModel.PERSON)));
+        boolean ofPersons = factors.stream().anyMatch(f -> f.key().equals(SceneFactors.PERSON));
+        SceneFactors scene = new SceneFactors(scenario, ofPersons);
+        return model.equals(AccessModel.NAME) ? new AccessModel(scene) : new BreathModel(scene, responses, series);
     }
 
     /** The study as the text of a file that depends on no other file but bodies and recordings. */
@@ -208,7 +209,7 @@ public record SweepStudy(
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("title", title);
         map.put("model", model);
-        if (model.equals(BreathModel.NAME)) {
+        if (!model.equals(IshigamiModel.NAME)) {
             map.put("settings", scenario.toMap());
         }
         if (design.kind() != DesignSpec.Kind.LIST) {

@@ -46,7 +46,7 @@ public final class SweepReport {
         this.leftS = leftS;
         this.width = width;
         factors = results.plan().study().factors().stream().map(Factor::key).toList();
-        analyses = IntStream.range(0, results.plan().model().responses().size())
+        analyses = IntStream.range(0, results.plan().model().analysed())
                 .mapToObj(r -> ResponseAnalysis.of(results, r))
                 .toList();
     }
@@ -65,6 +65,10 @@ public final class SweepReport {
         Map<String, Object> responses = new LinkedHashMap<>();
         analyses.forEach(a -> responses.put(a.name(), a.toMap(factors)));
         map.put("responses", responses);
+        Map<String, Object> ways = new WayMap(results).toMap();
+        if (!ways.isEmpty()) {
+            map.put("free_ways_percent", ways);
+        }
         map.put("notice", Disclaimer.TEXT);
         return map;
     }
@@ -156,6 +160,7 @@ public final class SweepReport {
                         Column.number("greatest")),
                 analyses.stream().map(SweepReport::summary).toList());
         analyses.forEach(a -> response(page, a));
+        new WayMap(results).addTo(page);
         new SeriesBands(results).addTo(page);
         page.section("Machines");
         results.machines().forEach((machine, count) -> page.paragraph(machine + ": " + count + " runs."));
