@@ -15,6 +15,7 @@ import java.util.logging.Level;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
 import java.util.logging.SimpleFormatter;
+import java.util.stream.Stream;
 import javax.swing.DefaultListModel;
 import javax.swing.JButton;
 import javax.swing.JDialog;
@@ -23,6 +24,8 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.file.UserCache;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Dialogs;
 
@@ -44,6 +47,13 @@ final class LogDialog extends Handler {
     LogDialog() {
         setLevel(Level.INFO);
         logger.addHandler(this);
+    }
+
+    /** Logs the notes of a loaded body and those about the user's cache. */
+    static void logNotes(Thorax body) {
+        Logger to = Logger.getLogger(LOGGER_NAME);
+        Stream.concat(body.notes().stream(), UserCache.ofUser().takeNotes().stream())
+                .forEach(note -> to.log(Level.INFO, note));
     }
 
     @Override

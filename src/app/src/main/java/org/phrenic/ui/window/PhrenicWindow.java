@@ -11,13 +11,12 @@ import java.awt.event.WindowEvent;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
-import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import org.phrenic.access.plan.RehearsalPlan;
-import org.phrenic.file.UserCache;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.scene.style.SceneBackground;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunStatus;
@@ -86,7 +85,8 @@ public final class PhrenicWindow {
                 .map(path -> FileOpener.readScenario(path, Scenario.defaults()))
                 .orElse(Scenario.defaults());
         CountDownLatch[] closed = new CountDownLatch[1];
-        // The body is built in parallel with the window.
+        // Graphics and body are prepared in parallel with the window.
+        OffscreenContext.prepare();
         Session session = new Session(first);
         try {
             SwingUtilities.invokeAndWait(() -> {
@@ -302,8 +302,7 @@ public final class PhrenicWindow {
             statusBar.show(scene);
             loading.setVisible(false);
             frame.setTitle(scene.scenario().name() + " - Phrenic");
-            Stream.concat(scene.body().notes().stream(), UserCache.ofUser().takeNotes().stream())
-                    .forEach(note -> LOG.log(System.Logger.Level.INFO, note));
+            LogDialog.logNotes(scene.body());
         }
 
         @Override

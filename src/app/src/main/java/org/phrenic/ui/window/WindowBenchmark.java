@@ -21,6 +21,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.WindowPreferences;
@@ -122,6 +123,7 @@ public final class WindowBenchmark {
 
     private WindowBenchmark(Scenario scenario, Settings settings) {
         this.settings = settings;
+        OffscreenContext.prepare();
         session = new Session(scenario);
         window = onEventThread(() -> {
             WindowPreferences preferences = WindowPreferences.unsaved();

@@ -14,6 +14,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import org.phrenic.scene.camera.Camera;
 import org.phrenic.scene.camera.Tile;
@@ -32,6 +33,9 @@ public final class OffscreenContext implements AutoCloseable {
     /** Maximum side of a tile, pixels. Larger pictures are drawn in tiles to limit memory. */
     static final int MAX_TILE = 3072;
 
+    /** The context that {@link #prepare} has begun to open. */
+    private static final AtomicReference<FutureTask<OffscreenContext>> PREPARED = new AtomicReference<>();
+
     private final GLOffscreenAutoDrawable drawable;
     private final GLContext context;
     private final GraphicsInfo info;
@@ -43,6 +47,23 @@ public final class OffscreenContext implements AutoCloseable {
         GraphicsInfo[] found = new GraphicsInfo[1];
         run(gl -> found[0] = GraphicsInfo.of(gl));
         info = found[0];
+    }
+
+    /**
+     * Begins to open the context that the next {@link #open} returns. Call it before the event dispatch thread has work
+     * to do: the OpenGL libraries wait for that thread when they are loaded.
+     */
+    public static void prepare() {
+        FutureTask<OffscreenContext> task = new FutureTask<>(OffscreenContext::start);
+        if (PREPARED.compareAndSet(null, task)) {
+            begin(task);
+        }
+    }
+
+    private static void begin(FutureTask<OffscreenContext> task) {
+        Thread thread = new Thread(task, "graphics start");
+        thread.setDaemon(true);
+        thread.start();
     }
 
     /** Like {@link #open}, and also sets {@code java.awt.headless}. */
@@ -57,10 +78,11 @@ public final class OffscreenContext implements AutoCloseable {
      * @throws NoGraphicsException if no context can be opened; the message is one sentence
      */
     public static OffscreenContext open() throws NoGraphicsException {
-        FutureTask<OffscreenContext> task = new FutureTask<>(OffscreenContext::start);
-        Thread thread = new Thread(task, "graphics start");
-        thread.setDaemon(true);
-        thread.start();
+        FutureTask<OffscreenContext> prepared = PREPARED.getAndSet(null);
+        FutureTask<OffscreenContext> task = prepared == null ? new FutureTask<>(OffscreenContext::start) : prepared;
+        if (prepared == null) {
+            begin(task);
+        }
         try {
             return task.get(START_TIMEOUT_S, TimeUnit.SECONDS);
         } catch (TimeoutException e) {

@@ -18,6 +18,17 @@ class OffscreenContextTest {
     }
 
     @Test
+    void aPreparedContextServesOneOpening() {
+        SceneFixture.openOrSkip().close();
+        OffscreenContext.prepare();
+        try (OffscreenContext prepared = SceneFixture.openOrSkip();
+                OffscreenContext other = SceneFixture.openOrSkip()) {
+            assertThat(prepared).isNotSameAs(other);
+            assertThat(prepared.info().version()).isEqualTo(other.info().version());
+        }
+    }
+
+    @Test
     void onlyADisplayThatAnswersCounts() {
         assertThat(DisplayServer.isReachable(null)).isFalse();
         assertThat(DisplayServer.isReachable("")).isFalse();
