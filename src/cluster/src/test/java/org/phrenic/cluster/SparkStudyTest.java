@@ -20,7 +20,7 @@ import org.phrenic.cli.Phrenic;
 class SparkStudyTest {
     private static final String CLASS_PATH =
             System.getProperty("surefire.test.class.path", System.getProperty("java.class.path"));
-    private static final int PATIENCE_S = 240;
+    private static final int PATIENCE_S = 420;
 
     private static final String BREATHS =
             """
