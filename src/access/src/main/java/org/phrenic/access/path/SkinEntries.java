@@ -53,8 +53,8 @@ public final class SkinEntries {
         places = new Place[skin.vertexCount()];
         for (int v = 0; v < places.length; v++) {
             double z = skin.z(v);
-            boolean atEnd = z < box[2] + END_MM && normals[3 * v + 2] < -END_NORMAL
-                    || z > box[5] - END_MM && normals[3 * v + 2] > END_NORMAL;
+            boolean atEnd = (z < box[2] + END_MM && normals[3 * v + 2] < -END_NORMAL)
+                    || (z > box[5] - END_MM && normals[3 * v + 2] > END_NORMAL);
             boolean beside = skin.x(v) < cage[0] || skin.x(v) > cage[3];
             places[v] = atEnd
                     ? Place.CUT_END

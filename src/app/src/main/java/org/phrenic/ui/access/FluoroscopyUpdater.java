@@ -30,7 +30,7 @@ final class FluoroscopyUpdater {
     private double[] range = new double[0];
 
     /**
-     * @param frame of these surfaces; overwritten
+     * @param place of the frame and its surfaces; overwritten
      * @param target at whose place at rest the isocentre is
      * @param listener gets each picture on the event dispatch thread
      */

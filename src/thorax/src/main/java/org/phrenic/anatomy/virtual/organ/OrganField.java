@@ -130,9 +130,11 @@ final class OrganField implements ImplicitSurface {
         double[] shape = new double[size[0] * size[1] * size[2]];
         double[] limit = new double[shape.length];
         for (int i = 0; i < shape.length; i++) {
+            int row = i / size[0];
+            int layer = row / size[1];
             double x = box[0] + (i % size[0] + 0.5) * step;
-            double y = box[1] + (i / size[0] % size[1] + 0.5) * step;
-            double z = box[2] + (i / size[0] / size[1] + 0.5) * step;
+            double y = box[1] + (row % size[1] + 0.5) * step;
+            double z = box[2] + (layer + 0.5) * step;
             shape[i] = own(x, y, z);
             limit[i] = shape[i] > MAX_OFFSET_MM + step ? step : limit(x, y, z);
         }
