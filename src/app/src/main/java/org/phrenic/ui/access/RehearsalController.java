@@ -95,10 +95,10 @@ public final class RehearsalController implements Session.Listener {
         if (!isActive()) {
             stage = RehearsalStage.LOADING;
             session.returnToLive();
-            session.live().showOrgans();
+            boolean loadsAgain = session.live().showOrgans();
             view.setMarkSource(() -> state().map(state ->
                     new NeedleMarkers(state, entrySelection.levelNow(state), pictures.isSeeThrough())));
-            session.scene().ifPresentOrElse(this::setBody, this::fireState);
+            session.scene().filter(scene -> !loadsAgain).ifPresentOrElse(this::setBody, this::fireState);
         }
     }
 

@@ -151,12 +151,14 @@ public final class LiveRun implements AutoCloseable {
         listener.changed();
     }
 
-    /** Loads this scene again, and later ones, with the further organs of the body, unless it has them. */
-    public synchronized void showOrgans() {
-        if (!organs) {
-            organs = true;
+    /** Loads this scene and later ones with the further organs of the body; false if it has them already. */
+    public synchronized boolean showOrgans() {
+        boolean again = !organs;
+        organs = true;
+        if (again) {
             load(settings.current());
         }
+        return again;
     }
 
     /** Loads another scene while the current one continues. Cancels a load in progress. */
@@ -298,10 +300,7 @@ public final class LiveRun implements AutoCloseable {
         return now == null ? null : now.history;
     }
 
-    /**
-     * Simulated time that covers the complete current breathing pattern, s; see
-     * {@link org.phrenic.simulation.Simulation#breathDurationS}. 0 before the first scene.
-     */
+    /** Simulated time that covers the complete current breathing pattern, s; 0 before the first scene. */
     public double breathDurationS() {
         return loop.commands.submitAndWait(() -> loop.running == null ? 0 : loop.running.simulation.breathDurationS());
     }
