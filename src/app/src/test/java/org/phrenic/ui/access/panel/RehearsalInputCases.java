@@ -93,13 +93,22 @@ abstract class RehearsalInputCases {
                 * view.camera().mmPerPixel(view.getHeight());
     }
 
-    static double[] middleOfTheLiver() {
-        double[] box = WindowHarness.onEdt(() -> window.session().scene().orElseThrow().surfaces().stream()
+    static double lowestOfTheLiver() {
+        return liver()[2];
+    }
+
+    /** Box of the liver at rest. */
+    private static double[] liver() {
+        return WindowHarness.onEdt(() -> window.session().scene().orElseThrow().surfaces().stream()
                 .filter(surface -> surface.kind() == StructureKind.LIVER)
                 .findFirst()
                 .orElseThrow()
                 .rest()
                 .bounds());
+    }
+
+    static double[] middleOfTheLiver() {
+        double[] box = liver();
         return new double[] {0.75 * box[0] + 0.25 * box[3], 0.5 * (box[1] + box[4]), 0.5 * (box[2] + box[5])};
     }
 
@@ -188,6 +197,8 @@ abstract class RehearsalInputCases {
         assertThat(WindowHarness.onEdt(
                         () -> rehearsal().entrySelection().entry().orElseThrow()))
                 .containsExactly(best);
+        window.key("A");
+        clinic.until("aimed by the program", () -> !state().aimedByHand());
         window.key("I");
         clinic.until("2 mm in", () -> clinic.isAt(2));
         window.key("shift I");

@@ -31,15 +31,22 @@ import org.phrenic.ui.window.WindowHarness;
  */
 abstract class RehearsalProbeCases extends RehearsalInputCases {
     private static final double SLIDE_MM = 2;
+    /** Below the lower edge of the liver no rib stops a needle at 45 degrees, mm. */
+    private static final double BELOW_MM = 10;
 
     private static ProbeState probe() {
         return state().probe().orElseThrow();
     }
 
     private static void putProbe() throws Exception {
+        putProbe(middleOfTheLiver());
+    }
+
+    /** Puts the probe on the skin that covers a point in the view. */
+    private static void putProbe(double[] before) throws Exception {
         window.key("shift U");
         clinic.until("no probe", () -> state().probe().isEmpty());
-        double[] onSkin = pixel(middleOfTheLiver());
+        double[] onSkin = pixel(before);
         window.key("U");
         clinic.until("a click that is awaited", () -> rehearsal().pickMode().mode() == PickMode.Kind.PROBE);
         clickView(onSkin);
@@ -129,7 +136,9 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
 
     @Test
     void aNeedleInTheImagePlaneIsSeenAndItsReportSaysSo() throws Exception {
-        putProbe();
+        double[] belowTheRibs = middleOfTheLiver();
+        belowTheRibs[2] = lowestOfTheLiver() - BELOW_MM;
+        putProbe(belowTheRibs);
         window.key("K");
         clinic.until("an entry", () -> state().hasNeedle() && state().aimedByHand());
         double cranial = WindowHarness.onEdt(() -> state().angles().cranialDeg());
