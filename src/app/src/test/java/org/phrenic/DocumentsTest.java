@@ -37,6 +37,12 @@ class DocumentsTest {
     private static final Path README = Path.of("README.md");
     private static final Path MAP = Path.of("docs/README.md");
 
+    private static final Path RESULTS = Path.of("docs/results");
+    /** Kept by the project as a list that grows. */
+    private static final Path CHANGELOG = Path.of("docs/CHANGELOG.md");
+    /** A page that is longer than this is two. */
+    private static final int MOST_LINES = 200;
+
     static Stream<Path> documents() throws IOException {
         try (Stream<Path> docs = Files.walk(Path.of("docs"))) {
             List<Path> all = new ArrayList<>(
@@ -71,6 +77,17 @@ class DocumentsTest {
                 .toList();
         assertThat(documents().filter(d -> d.startsWith("docs") && !d.equals(MAP)))
                 .isSubsetOf(listed);
+    }
+
+    @Test
+    void noWrittenPageIsLong() throws IOException {
+        for (Path document : documents().toList()) {
+            if (!document.startsWith(RESULTS) && !document.equals(CHANGELOG)) {
+                assertThat(Files.readAllLines(document))
+                        .as("%s, lines", document)
+                        .hasSizeLessThanOrEqualTo(MOST_LINES);
+            }
+        }
     }
 
     @Test
