@@ -33,6 +33,8 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
     private static final double SLIDE_MM = 2;
     /** Below the lower edge of the liver no rib stops a needle at 45 degrees, mm. */
     private static final double BELOW_MM = 10;
+    /** The probe is 60 mm wide. */
+    private static final double BESIDE_MM = 60;
 
     private static ProbeState probe() {
         return state().probe().orElseThrow();
@@ -140,7 +142,14 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
         belowTheRibs[2] = lowestOfTheLiver() - BELOW_MM;
         putProbe(belowTheRibs);
         window.key("K");
-        clinic.until("an entry", () -> state().hasNeedle() && state().aimedByHand());
+        clinic.until(
+                "an entry beside the probe",
+                () -> state().hasNeedle()
+                        && state().aimedByHand()
+                        && Vectors.distance(
+                                        state().entry().orElseThrow(),
+                                        probe().pose().face())
+                                < BESIDE_MM);
         double cranial = WindowHarness.onEdt(() -> state().angles().cranialDeg());
         window.key("UP");
         window.key("UP");
