@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.phrenic.access.plan.ProbeState;
 import org.phrenic.access.ultrasound.CurvilinearProbe;
 import org.phrenic.access.ultrasound.ProbePose;
+import org.phrenic.mesh.RingStack;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.scene.camera.Camera;
@@ -72,31 +73,12 @@ public final class ProbeMarker {
         }
         int face = rings * SEGMENTS;
         p[3 * face + 4] = RINGS[rings - 1][2];
-        int[] t = new int[3 * 2 * rings * SEGMENTS];
-        int n = 0;
-        for (int k = 0; k < SEGMENTS; k++) {
-            int next = (k + 1) % SEGMENTS;
-            int last = (rings - 1) * SEGMENTS;
-            n = add(t, n, face, next, k);
-            n = add(t, n, face + 1, last + k, last + next);
-            for (int r = 0; r < last; r += SEGMENTS) {
-                n = add(t, n, r + k, r + next, r + SEGMENTS + k);
-                n = add(t, n, r + next, r + SEGMENTS + next, r + SEGMENTS + k);
-            }
-        }
-        return new TriangleMesh(p, t);
+        return RingStack.mesh(p, SEGMENTS);
     }
 
     /** Between a circle and a square. */
     private static double rounded(double unit) {
         return Math.signum(unit) * Math.sqrt(Math.abs(unit));
-    }
-
-    private static int add(int[] t, int at, int a, int b, int c) {
-        t[at] = a;
-        t[at + 1] = b;
-        t[at + 2] = c;
-        return at + 3;
     }
 
     /** Outline of the image plane as a camera sees it, pixels; empty if it is not all before the camera. */

@@ -1,10 +1,15 @@
 package org.phrenic.access.plan;
 
 import java.util.List;
+import java.util.Optional;
+import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.attempt.AttemptRecord;
 import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.attempt.ProbeUse;
+import org.phrenic.access.path.PathOverBreath;
+import org.phrenic.access.path.TargetAccess;
+import org.phrenic.simulation.observe.Surface;
 
 /**
  * A finished attempt in a live run.
@@ -25,5 +30,17 @@ public record LiveAttempt(
         String stateHash) {
     public RehearsalPlan toPlan(RehearsalPlan original) {
         return original.withSteps(target, steps, endS);
+    }
+
+    /**
+     * The result that playing a plan without a window gives.
+     *
+     * @param done plan that the attempt followed, or the one made of it by {@link #toPlan}
+     * @param planned body by which the planned path is judged over the breath
+     */
+    public Rehearsal toRehearsal(
+            RehearsalPlan done, List<Surface> surfaces, TargetAccess access, MovingAnatomy planned) {
+        Optional<PathOverBreath> path = Rehearsal.plannedPath(done, access, planned);
+        return new Rehearsal(done, surfaces, access, path, record, probe, snapshots, stateHash);
     }
 }

@@ -3,6 +3,7 @@ package org.phrenic.access.ultrasound;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.RingStack;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
@@ -57,50 +58,12 @@ final class SonatedLesion extends SonatedSurface {
         return liver;
     }
 
-    /** Closed mesh of circles of latitude, its poles last. */
     private static TriangleMesh ball(TargetLesion lesion) {
-        int rings = SEGMENTS / 2 - 1;
-        double[] p = new double[3 * (rings * SEGMENTS + 2)];
-        for (int ring = 0; ring <= rings + 1; ring++) {
-            double polar = Math.PI * ring / (rings + 1);
-            boolean pole = ring == 0 || ring > rings;
-            int first = ring == 0 ? rings * SEGMENTS : ring > rings ? rings * SEGMENTS + 1 : (ring - 1) * SEGMENTS;
-            for (int k = 0; k < (pole ? 1 : SEGMENTS); k++) {
-                double azimuth = 2 * Math.PI * k / SEGMENTS;
-                double[] unit = {
-                    StrictMath.sin(polar) * StrictMath.cos(azimuth),
-                    StrictMath.sin(polar) * StrictMath.sin(azimuth),
-                    StrictMath.cos(polar)
-                };
-                for (int axis = 0; axis < 3; axis++) {
-                    p[3 * (first + k) + axis] = lesion.restMm()[axis] + lesion.radiusMm() * unit[axis];
-                }
-            }
+        TriangleMesh unit = RingStack.unitBall(SEGMENTS);
+        double[] p = unit.positions().clone();
+        for (int i = 0; i < p.length; i++) {
+            p[i] = lesion.restMm()[i % 3] + lesion.radiusMm() * p[i];
         }
-        return new TriangleMesh(p, triangles(rings));
-    }
-
-    private static int[] triangles(int rings) {
-        int[] t = new int[3 * 2 * rings * SEGMENTS];
-        int top = rings * SEGMENTS;
-        int n = 0;
-        for (int k = 0; k < SEGMENTS; k++) {
-            int next = (k + 1) % SEGMENTS;
-            int last = (rings - 1) * SEGMENTS;
-            n = add(t, n, top, k, next);
-            n = add(t, n, top + 1, last + next, last + k);
-            for (int r = 0; r < last; r += SEGMENTS) {
-                n = add(t, n, r + k, r + SEGMENTS + k, r + next);
-                n = add(t, n, r + next, r + SEGMENTS + k, r + SEGMENTS + next);
-            }
-        }
-        return t;
-    }
-
-    private static int add(int[] t, int at, int a, int b, int c) {
-        t[at] = a;
-        t[at + 1] = b;
-        t[at + 2] = c;
-        return at + 3;
+        return unit.withPositions(p);
     }
 }

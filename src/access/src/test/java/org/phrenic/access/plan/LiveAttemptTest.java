@@ -202,15 +202,7 @@ class LiveAttemptTest {
             hand.accept(needle);
             LiveAttempt attempt = ended.get(PATIENCE_S, TimeUnit.SECONDS);
             RehearsalPlan done = played ? plan : attempt.toPlan(plan);
-            return new Rehearsal(
-                    done,
-                    scene.surfaces(),
-                    study,
-                    Rehearsal.plannedPath(done, study, mapped),
-                    attempt.record(),
-                    attempt.probe(),
-                    attempt.snapshots(),
-                    attempt.stateHash());
+            return attempt.toRehearsal(done, scene.surfaces(), study, mapped);
         }
     }
 

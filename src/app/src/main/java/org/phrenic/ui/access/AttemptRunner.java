@@ -8,7 +8,6 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.phrenic.access.path.AccessMap;
-import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.LiveAttempt;
 import org.phrenic.access.plan.LiveRehearsal;
@@ -149,19 +148,8 @@ final class AttemptRunner implements AutoCloseable {
 
     /** Composes the report in the background; it is never discarded. */
     private void publishReport(RehearsalBody body, TargetAccess about, RehearsalPlan done, LiveAttempt attempt) {
-        Callable<Rehearsal> report = () -> {
-            Optional<PathOverBreath> path = Rehearsal.plannedPath(done, about, body.planningScene());
-            List<Surface> surfaces = body.scene().surfaces();
-            return new Rehearsal(
-                    done,
-                    surfaces,
-                    about,
-                    path,
-                    attempt.record(),
-                    attempt.probe(),
-                    attempt.snapshots(),
-                    attempt.stateHash());
-        };
+        Callable<Rehearsal> report =
+                () -> attempt.toRehearsal(done, body.scene().surfaces(), about, body.planningScene());
         work.runAlways(report, controller::onReport, session::refuse);
     }
 

@@ -1,28 +1,27 @@
 package org.phrenic.scene.surface;
 
 import java.util.Arrays;
-import java.util.stream.IntStream;
 import org.joml.Matrix3d;
 import org.joml.Matrix4d;
 import org.joml.Matrix4f;
 import org.joml.Vector3d;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.RingStack;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Surface;
 
 /** Spheres and cylinders that mark positions in a scene, as surfaces. */
 public final class Markers {
     private static final int SEGMENTS = 24;
-    private static final int RINGS = SEGMENTS / 2;
     /** Rest position of movable markers, outside the ambient occlusion grid. */
     private static final Matrix4d PARKED = new Matrix4d().translation(0, 0, -5000);
     /** Prefix of the names of movable markers. */
     public static final String PREFIX = "marker_";
     /** Unit sphere at the origin. */
-    private static final TriangleMesh BALL = ball();
+    private static final TriangleMesh BALL = RingStack.unitBall(SEGMENTS);
     /** Cylinder of radius 1 along z from 0 to 1. */
-    private static final TriangleMesh ROD = surfaceOfRevolution(0, 1, 0, 1, 1, 1);
+    private static final TriangleMesh ROD = RingStack.revolution(SEGMENTS, 0, 1, 0, 1, 1, 1);
 
     private Markers() {}
 
@@ -107,42 +106,5 @@ public final class Markers {
         }
         TriangleMesh placed = unit.withPositions(p);
         return new Surface(name, StructureKind.OTHER, 0, Side.MIDLINE, placed, Surface.Motion.STILL, new boolean[0]);
-    }
-
-    private static TriangleMesh ball() {
-        double[] profile = new double[2 * (RINGS - 1)];
-        for (int i = 1; i < RINGS; i++) {
-            profile[2 * i - 2] = -StrictMath.cos(Math.PI * i / RINGS);
-            profile[2 * i - 1] = StrictMath.sin(Math.PI * i / RINGS);
-        }
-        return surfaceOfRevolution(-1, 1, profile);
-    }
-
-    /** Surface of revolution about the z axis, closed at both ends. The profile holds pairs (z, radius). */
-    private static TriangleMesh surfaceOfRevolution(double start, double end, double... profile) {
-        int rings = profile.length / 2;
-        int bottom = rings * SEGMENTS;
-        double[] p = new double[3 * (bottom + 2)];
-        for (int v = 0; v < bottom; v++) {
-            int ring = v / SEGMENTS;
-            double angle = 2 * Math.PI * (v % SEGMENTS) / SEGMENTS;
-            p[3 * v] = profile[2 * ring + 1] * StrictMath.cos(angle);
-            p[3 * v + 1] = profile[2 * ring + 1] * StrictMath.sin(angle);
-            p[3 * v + 2] = profile[2 * ring];
-        }
-        p[3 * bottom + 2] = start;
-        p[3 * bottom + 5] = end;
-        IntStream.Builder triangles = IntStream.builder();
-        int top = (rings - 1) * SEGMENTS;
-        for (int k = 0; k < SEGMENTS; k++) {
-            int next = (k + 1) % SEGMENTS;
-            triangles.add(bottom).add(next).add(k);
-            triangles.add(bottom + 1).add(top + k).add(top + next);
-            for (int r = 0; r < top; r += SEGMENTS) {
-                triangles.add(r + k).add(r + next).add(r + SEGMENTS + next);
-                triangles.add(r + k).add(r + SEGMENTS + next).add(r + SEGMENTS + k);
-            }
-        }
-        return new TriangleMesh(p, triangles.build().toArray());
     }
 }
