@@ -46,7 +46,7 @@ public final class FileInfo {
      * @throws BadInputException if the file is of no supported kind; the message is one sentence
      */
     public static Map<String, Object> of(Path file) {
-        if (!Files.exists(file)) {
+        if (!Files.exists(file) && !LabelVolumeFiles.isVolume(file)) {
             throw new BadInputException(
                     file + ": no such file, expected a mesh, a volume, a scenario or a folder of meshes");
         }

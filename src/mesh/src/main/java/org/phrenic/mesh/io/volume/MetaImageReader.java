@@ -22,29 +22,29 @@ import org.phrenic.file.ScalarType;
  * {@code TransformMatrix} are the direction of one grid axis.
  */
 final class MetaImageReader {
+    private final VolumeSource source;
     private final Path path;
     private final String file;
     private final VolumeHeader header;
     private final List<String> notes = new ArrayList<>();
 
-    private MetaImageReader(Path path) {
-        this.path = path;
+    private MetaImageReader(VolumeSource source) {
+        this.source = source;
+        path = source.path();
         file = path.toString();
         header = new VolumeHeader(file);
     }
 
-    static LabelVolume read(Path path, InputStream in) throws IOException {
-        return new MetaImageReader(path).volume(in);
+    static <T> T read(VolumeSource source, InputStream in, StoredVolume.Use<T> use) throws IOException {
+        return new MetaImageReader(source).volume(in, use);
     }
 
-    private LabelVolume volume(InputStream in) throws IOException {
+    private <T> T volume(InputStream in, StoredVolume.Use<T> use) throws IOException {
         readHeader(in);
         int dimensions = header.integers("ndims")[0];
         int[] sizes = header.integers("dimsize");
-        int last = dimensions == 4 && sizes.length == 4 ? sizes[3] : 1;
-        if ((dimensions != 3 && dimensions != 4) || last != 1) {
-            String volumes = last > 1 ? " with " + last + " volumes" : "";
-            throw header.badInput("ndims", "found " + dimensions + " dimensions" + volumes + ", expected 3");
+        if (dimensions != 3 && dimensions != 4) {
+            throw header.badInput("ndims", "found " + dimensions + " dimensions, expected 3, or 4 with time");
         }
         if (sizes.length != dimensions) {
             throw header.badInput("dimsize", "found " + sizes.length + " numbers, expected " + dimensions);
@@ -56,23 +56,27 @@ final class MetaImageReader {
         if (!flag("binarydata", true)) {
             throw header.badInput("binarydata", "found False, expected binary data");
         }
+        VolumeFrames frames = dimensions == 4 ? new VolumeFrames(sizes[3], false) : VolumeFrames.ONE;
+        frames.choose(source);
         VoxelDecoder voxels = new VoxelDecoder(new int[] {sizes[0], sizes[1], sizes[2]}, type(), order());
         double[] affine = axes(dimensions).affine(file);
-        boolean packed = flag("compresseddata", false);
         if (header.text("elementdatafile").equals("LOCAL")) {
-            return volume(path, in, voxels, affine, packed);
+            return use.of(stored(path, in, voxels, affine, frames));
         }
         Path data = header.fileBeside(path, "elementdatafile");
         try (InputStream apart = new BufferedInputStream(Files.newInputStream(data), 1 << 16)) {
-            apart.skipNBytes(bytesToSkip(data, voxels, packed));
-            return volume(data, apart, voxels, affine, packed);
+            apart.skipNBytes(bytesToSkip(data, voxels.bytes() * frames.count()));
+            return use.of(stored(data, apart, voxels, affine, frames));
         }
     }
 
-    private LabelVolume volume(Path data, InputStream in, VoxelDecoder voxels, double[] affine, boolean packed) {
-        voxels.validate(data.toString(), InputBytes.size(data), packed);
+    private StoredVolume stored(Path data, InputStream in, VoxelDecoder voxels, double[] affine, VolumeFrames frames)
+            throws IOException {
+        boolean packed = isPacked();
+        voxels.validate(data.toString(), InputBytes.size(data), packed, frames.count());
         InputStream unpacked = packed ? new InflaterInputStream(in, new java.util.zip.Inflater(), 1 << 16) : in;
-        return new LabelVolume(voxels.decode(data.toString(), unpacked, affine), Map.of(), notes);
+        InputStream chosen = frames.select(unpacked, voxels, frames.choose(source));
+        return new StoredVolume(data.toString(), chosen, voxels, affine, Map.of(), notes);
     }
 
     private void readHeader(InputStream in) throws IOException {
@@ -96,10 +100,14 @@ final class MetaImageReader {
      * Number of bytes before the voxels in a separate data file. A header size of -1 means that the voxels end the
      * file.
      */
-    private long bytesToSkip(Path data, VoxelDecoder voxels, boolean packed) {
+    private long bytesToSkip(Path data, long voxelBytes) {
         int stated = header.has("headersize") ? header.integers("headersize")[0] : 0;
-        long bytes = stated < 0 && !packed ? InputBytes.size(data) - voxels.bytes() : stated;
+        long bytes = stated < 0 && !isPacked() ? InputBytes.size(data) - voxelBytes : stated;
         return Math.max(0, bytes);
+    }
+
+    private boolean isPacked() {
+        return flag("compresseddata", false);
     }
 
     private boolean flag(String key, boolean absent) {

@@ -17,7 +17,6 @@ import java.util.zip.GZIPInputStream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 import org.phrenic.file.ScalarType;
-import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
  * Reader of NIfTI-1 in one file, uncompressed or gzip with either extension, in either byte order (Cox et al. 2004, A
@@ -44,16 +43,19 @@ final class NiftiReader {
         this.header = header;
     }
 
-    static LabelVolume read(Path path, BufferedInputStream raw) throws IOException {
+    static <T> T read(VolumeSource source, BufferedInputStream raw, StoredVolume.Use<T> use) throws IOException {
+        Path path = source.path();
         raw.mark(2);
         boolean packed = (raw.read() << 8 | raw.read()) == GZIP_MAGIC;
         raw.reset();
         try (InputStream in = packed ? new GZIPInputStream(raw, 1 << 16) : raw) {
-            return read(path.toString(), in, InputBytes.size(path), packed);
+            return use.of(opened(source, in, InputBytes.size(path), packed));
         }
     }
 
-    private static LabelVolume read(String file, InputStream in, long size, boolean packed) throws IOException {
+    private static StoredVolume opened(VolumeSource source, InputStream in, long size, boolean packed)
+            throws IOException {
+        String file = source.path().toString();
         byte[] bytes = in.readNBytes(HEADER);
         ByteBuffer header = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
         int little = bytes.length >= 4 ? header.getInt(0) : 0;
@@ -65,10 +67,10 @@ final class NiftiReader {
             throw BadInputException.at(file, "byte 0", "found no header of 348 bytes, expected a NIfTI-1 file");
         }
         header.order(little == HEADER ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
-        return new NiftiReader(file, header).volume(in, size, packed);
+        return new NiftiReader(file, header).volume(source, in, size, packed);
     }
 
-    private LabelVolume volume(InputStream in, long size, boolean packed) throws IOException {
+    private StoredVolume volume(VolumeSource source, InputStream in, long size, boolean packed) throws IOException {
         byte[] letters = new byte[3];
         header.get(344, letters);
         String magic = new String(letters, StandardCharsets.ISO_8859_1);
@@ -82,27 +84,33 @@ final class NiftiReader {
         boolean scaled = slope != 0 && Float.isFinite(slope);
         VoxelDecoder voxels = new VoxelDecoder(
                 sizes(), type(), header.order(), scaled ? slope : 1, scaled ? header.getFloat(116) : 0);
+        VolumeFrames frames = frames();
+        int frame = frames.choose(source);
         double[] affine = axes().rasToLps().affine(file);
         int offset = Math.round(header.getFloat(108));
         if (offset < HEADER) {
             throw bad(108, "found voxels at byte " + offset + ", expected " + HEADER + " or more");
         }
-        voxels.validate(file, packed ? size : size - offset, packed);
+        voxels.validate(file, packed ? size : size - offset, packed, frames.count());
         Map<Integer, String> names = names(in, offset - HEADER);
-        LabelGrid grid = voxels.decode(file, in, affine);
-        return new LabelVolume(grid, names, notes);
+        return new StoredVolume(file, frames.select(in, voxels, frame), voxels, affine, names, notes);
     }
 
-    private int[] sizes() {
+    /** The fourth dimension is time, in which several volumes may follow one another. */
+    private VolumeFrames frames() {
         int dimensions = header.getShort(40);
         int more = 1;
-        for (int d = 4; d <= Math.min(7, dimensions); d++) {
+        for (int d = 5; d <= Math.min(7, dimensions); d++) {
             more = Math.max(more, header.getShort(40 + 2 * d));
         }
         if (dimensions < 3 || dimensions > 7 || more > 1) {
-            String volumes = more > 1 ? " with " + more + " volumes" : "";
-            throw bad(40, "found " + dimensions + " dimensions" + volumes + ", expected 3");
+            String values = more > 1 ? " with " + more + " values a voxel" : "";
+            throw bad(40, "found " + dimensions + " dimensions" + values + ", expected 3, or 4 of which one is time");
         }
+        return dimensions == 3 ? VolumeFrames.ONE : new VolumeFrames(header.getShort(48), false);
+    }
+
+    private int[] sizes() {
         return new int[] {header.getShort(42), header.getShort(44), header.getShort(46)};
     }
 

@@ -1,6 +1,7 @@
 package org.phrenic.mesh.io.volume;
 
 import java.io.BufferedInputStream;
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteOrder;
@@ -30,6 +31,7 @@ final class NrrdReader {
     private static final Pattern SEGMENT = Pattern.compile("(segment\\d+)_name");
     private static final Pattern VECTOR = Pattern.compile("none|\\(([^)]*)\\)");
 
+    private final VolumeSource source;
     private final Path path;
     private final String file;
     private final VolumeHeader header;
@@ -37,32 +39,38 @@ final class NrrdReader {
     /** The array axes that are spatial directions. */
     private int[] axes = {0, 1, 2};
 
-    private NrrdReader(Path path) {
-        this.path = path;
+    private VolumeFrames frames = VolumeFrames.ONE;
+
+    private NrrdReader(VolumeSource source) {
+        this.source = source;
+        path = source.path();
         file = path.toString();
         header = new VolumeHeader(file);
     }
 
-    static LabelVolume read(Path path, InputStream in) throws IOException {
-        return new NrrdReader(path).volume(in);
+    static <T> T read(VolumeSource source, InputStream in, StoredVolume.Use<T> use) throws IOException {
+        return new NrrdReader(source).volume(in, use);
     }
 
-    private LabelVolume volume(InputStream in) throws IOException {
+    private <T> T volume(InputStream in, StoredVolume.Use<T> use) throws IOException {
         boolean attached = readHeader(in);
         int[] sizes = sizes();
+        int frame = frames.choose(source);
         ScalarType type = type();
         VoxelDecoder voxels = new VoxelDecoder(sizes, type, order(type));
         double[] affine = volumeAxes().affine(file);
         Map<Integer, String> names = names();
         boolean packed = isPacked();
         if (attached) {
-            voxels.validate(file, InputBytes.size(path), packed);
-            return new LabelVolume(voxels.decode(file, data(in, packed), affine), names, notes);
+            voxels.validate(file, InputBytes.size(path), packed, frames.count());
+            InputStream chosen = frames.select(data(in, packed), voxels, frame);
+            return use.of(new StoredVolume(file, chosen, voxels, affine, names, notes));
         }
         Path data = header.fileBeside(path, DATA_FILE);
-        voxels.validate(data.toString(), InputBytes.size(data), packed);
+        voxels.validate(data.toString(), InputBytes.size(data), packed, frames.count());
         try (InputStream apart = new BufferedInputStream(Files.newInputStream(data), 1 << 16)) {
-            return new LabelVolume(voxels.decode(data.toString(), data(apart, packed), affine), names, notes);
+            InputStream chosen = frames.select(data(apart, packed), voxels, frame);
+            return use.of(new StoredVolume(data.toString(), chosen, voxels, affine, names, notes));
         }
     }
 
@@ -110,8 +118,8 @@ final class NrrdReader {
     }
 
     /**
-     * The three spatial axes of four. The other axis must have one element, because several are overlapping segments or
-     * times.
+     * The three spatial axes of four. The other axis, first or last, is a list of volumes; those of a segmentation are
+     * overlapping layers, of which one is read.
      */
     private int[] spatialAxes(int[] sizes) {
         String[] kinds = header.text("kinds", "").split("\\s+", -1);
@@ -124,10 +132,11 @@ final class NrrdReader {
             other = none ? axis : other;
         }
         int apart = other < 0 ? 3 : other;
-        if (sizes[apart] != 1) {
-            String layers = sizes[apart] + " volumes or layers of overlapping segments";
-            throw header.badInput("dimension", "found 4 dimensions with " + layers + ", expected 3 (export one layer)");
+        if (sizes[apart] > 1 && apart != 0 && apart != 3) {
+            String list = "found a list of volumes as axis " + apart;
+            throw header.badInput("dimension", list + ", expected it as the first axis or the last");
         }
+        frames = new VolumeFrames(sizes[apart], apart == 0);
         return Arrays.stream(new int[] {0, 1, 2, 3}).filter(a -> a != apart).toArray();
     }
 
@@ -242,7 +251,9 @@ final class NrrdReader {
 
     private InputStream data(InputStream in, boolean packed) throws IOException {
         for (int n = header.has("line skip") ? header.integers("line skip")[0] : 0; n > 0; n--) {
-            header.line(in);
+            if (header.line(in) == null) {
+                throw new EOFException();
+            }
         }
         int skip = header.has("byte skip") ? header.integers("byte skip")[0] : 0;
         if (skip < 0) {

@@ -44,7 +44,8 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
         return voxels() * type.size();
     }
 
-    private long voxels() {
+    /** Number of voxels of a volume. */
+    long voxels() {
         return (long) sizes[0] * sizes[1] * sizes[2];
     }
 
@@ -52,8 +53,9 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
      * Rejects invalid sizes, and sizes that the file cannot contain, before memory is allocated.
      *
      * @param available number of bytes left in the file
+     * @param volumes number of volumes of this size in the file
      */
-    void validate(String file, long available, boolean packed) {
+    void validate(String file, long available, boolean packed, int volumes) {
         for (int size : sizes) {
             if (size < 1) {
                 throw new BadInputException(
@@ -65,19 +67,20 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
             throw new BadInputException(
                     file + ": found a size of " + shown(sizes) + " voxels, expected less than 2^31 in all");
         }
-        long needed = bytes();
+        long needed = bytes() * volumes;
         if (needed > available * (packed ? MAX_RATIO : 1)) {
             throw new BadInputException(file + ": found " + available + " bytes of voxels, expected "
-                    + (packed ? "enough for " : "") + needed + " for " + shown(sizes) + " of " + type.size()
+                    + (packed ? "enough for " : "") + needed + " for " + (volumes == 1 ? "" : volumes + " x ")
+                    + shown(sizes) + " of " + type.size()
                     + (type.size() == 1 ? " byte" : " bytes"));
         }
-        checkMemory(file);
+        checkMemory(file, 1);
     }
 
-    /** Rejects more labels than fit into memory. */
-    private void checkMemory(String file) {
+    /** Rejects more voxels than fit into memory with this number of bytes each. */
+    void checkMemory(String file, int bytesEach) {
         long memory = Runtime.getRuntime().maxMemory();
-        if (voxels() > MAX_MEMORY * memory) {
+        if (voxels() * bytesEach > MAX_MEMORY * memory) {
             throw new BadInputException(file + ": found a size of " + shown(sizes) + " voxels, expected no more than"
                     + " fit into half of Java's memory, which is " + (memory >> 20)
                     + " MB (java -Xmx8g gives it 8 GB)");
@@ -173,16 +176,20 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
                 : slope * type.readDouble(from, n * type.size()) + intercept;
         int label = (int) value;
         if (label != value || label < 0 || label > LabelGrid.MAX_LABEL) {
-            int i = (first + n) % sizes[0];
-            int row = (first + n) / sizes[0];
             boolean whole = value == Math.rint(value) && Math.abs(value) < 1e15;
             String found = whole ? Long.toString((long) value) : Double.toString(value);
             throw BadInputException.at(
                     file,
-                    "voxel (" + i + ", " + row % sizes[1] + ", " + row / sizes[1] + ")",
+                    place(first + n),
                     "found " + found + ", expected a label, a whole number from 0 to " + LabelGrid.MAX_LABEL);
         }
         return label;
+    }
+
+    /** A voxel in a message, by its index. */
+    String place(int voxel) {
+        int row = voxel / sizes[0];
+        return "voxel (" + voxel % sizes[0] + ", " + row % sizes[1] + ", " + row / sizes[1] + ")";
     }
 
     private static short[] widened(byte[] labels, int count) {

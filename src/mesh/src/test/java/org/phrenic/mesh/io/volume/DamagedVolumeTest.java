@@ -55,7 +55,7 @@ class DamagedVolumeTest {
     @Test
     void dimensionsThatAreNotThree() {
         assertNiftiRefused("2 dimensions", h -> h.putShort(40, (short) 2));
-        assertNiftiRefused("4 dimensions with 5 volumes", h -> {
+        assertNiftiRefused("5 volumes, expected the number of one, #0 to #4", h -> {
             h.putShort(40, (short) 4);
             h.putShort(48, (short) 5);
         });
@@ -73,7 +73,7 @@ class DamagedVolumeTest {
                 VolumeSamples.join(
                         nrrd.replace("dimension: 3", "dimension: 2").replace("4 3 2", "12 2") + "\n", voxels));
         assertRefused(
-                "2 volumes or layers",
+                "2 volumes, expected the number of one",
                 "layers.seg.nrrd",
                 VolumeSamples.join(
                         nrrd.replace("dimension: 3", "dimension: 4")

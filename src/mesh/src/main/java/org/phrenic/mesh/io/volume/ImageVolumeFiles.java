@@ -1,0 +1,24 @@
+package org.phrenic.mesh.io.volume;
+
+import java.nio.file.Path;
+import org.phrenic.file.BadInputException;
+
+/** Reads image volumes: one real value a voxel. The formats are those of {@link LabelVolumeFiles}. */
+public final class ImageVolumeFiles {
+    private ImageVolumeFiles() {}
+
+    /**
+     * Reads a three-dimensional image of any number type; the scaling that a file states is applied. Axes are converted
+     * to LPS and spacing to mm. One phase of several is chosen as in {@link VolumeSource}.
+     *
+     * @throws BadInputException if the file cannot be read, has another format, is truncated or damaged, is not
+     *     three-dimensional, has a voxel spacing of 0, axes that are not orthogonal, or a value that is not finite
+     */
+    public static ImageVolume read(Path file) {
+        return VolumeFormats.read(
+                VolumeSource.of(file),
+                stored -> new ImageVolume(
+                        ImageDecoder.decode(stored.file(), stored.in(), stored.voxels(), stored.affine()),
+                        stored.notes()));
+    }
+}

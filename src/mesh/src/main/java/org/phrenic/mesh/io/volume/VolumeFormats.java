@@ -1,0 +1,66 @@
+package org.phrenic.mesh.io.volume;
+
+import java.io.BufferedInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.zip.ZipException;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.InputBytes;
+
+/** The formats of volume files, by extension in upper or lower case. */
+final class VolumeFormats {
+    /** Extensions of the formats that can be read. */
+    static final List<String> READABLE = List.of("nii", "nii.gz", "nrrd", "nhdr", "mha", "mhd");
+
+    private VolumeFormats() {}
+
+    /** Whether the name of a file has one of the extensions. */
+    static boolean isVolume(Path file) {
+        String name = name(file);
+        return READABLE.stream().anyMatch(ending -> name.endsWith("." + ending));
+    }
+
+    /**
+     * Opens a volume and reads its voxels.
+     *
+     * @throws BadInputException if the file cannot be read, has another format, or is truncated or damaged
+     */
+    static <T> T read(VolumeSource source, StoredVolume.Use<T> use) {
+        Path file = source.path();
+        InputBytes.size(file);
+        String name = name(file);
+        if (name.endsWith(".nii") || name.endsWith(".nii.gz")) {
+            return read(file, "NIfTI file", in -> NiftiReader.read(source, in, use));
+        }
+        if (name.endsWith(".nrrd") || name.endsWith(".nhdr")) {
+            return read(file, "NRRD file", in -> NrrdReader.read(source, in, use));
+        }
+        if (name.endsWith(".mha") || name.endsWith(".mhd")) {
+            return read(file, "MetaImage", in -> MetaImageReader.read(source, in, use));
+        }
+        throw new BadInputException(file + ": found another ending, expected one of " + String.join(", ", READABLE));
+    }
+
+    private interface Format<T> {
+        T read(BufferedInputStream in) throws IOException;
+    }
+
+    private static <T> T read(Path file, String name, Format<T> format) {
+        try (BufferedInputStream in = new BufferedInputStream(Files.newInputStream(file), 1 << 16)) {
+            return format.read(in);
+        } catch (ZipException | EOFException damaged) {
+            throw new BadInputException(
+                    file + ": found data that is damaged or ends too early, expected a whole " + name, damaged);
+        } catch (IOException failure) {
+            throw InputBytes.readFailure(file, failure);
+        }
+    }
+
+    private static String name(Path file) {
+        return String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
+    }
+}
