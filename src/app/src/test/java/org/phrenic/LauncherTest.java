@@ -1,0 +1,96 @@
+package org.phrenic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The launcher of Linux and macOS with a Java that prints its arguments and writes the archive that they ask for. */
+class LauncherTest {
+    private static final Path LAUNCHER = Path.of("src", "app", "src", "main", "launcher", "phrenic");
+    private static final String JAVA =
+            """
+            #!/bin/sh
+            echo "$@"
+            for argument in "$@"; do
+              case $argument in -XX:ArchiveClassesAtExit=*) echo classes >"${argument#*=}" ;; esac
+            done
+            """;
+
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void install() throws IOException {
+        assumeTrue(Files.isExecutable(Path.of("/bin/sh")), "no /bin/sh: the launcher of Linux and macOS is not tested");
+        Files.copy(LAUNCHER, folder.resolve("phrenic"));
+        Files.writeString(folder.resolve("phrenic.jar"), "jar");
+        Path java = folder.resolve("home").resolve("bin").resolve("java");
+        Files.createDirectories(java.getParent());
+        Files.writeString(java, JAVA);
+        assertThat(java.toFile().setExecutable(true)).isTrue();
+    }
+
+    private String start(String... arguments) throws Exception {
+        return start(Map.of("PHRENIC_CACHE", folder.resolve("cache").toString()), arguments);
+    }
+
+    private String start(Map<String, String> variables, String... arguments) throws Exception {
+        List<String> command = Stream.concat(
+                        Stream.of("/bin/sh", folder.resolve("phrenic").toString()), Stream.of(arguments))
+                .toList();
+        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+        builder.environment().put("JAVA_HOME", folder.resolve("home").toString());
+        builder.environment().remove("PHRENIC_JAVA_OPTIONS");
+        builder.environment().putAll(variables);
+        Process process = builder.start();
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(process.waitFor()).isZero();
+        return said.strip();
+    }
+
+    @Test
+    void theFirstBreathMakesAnArchiveThatLaterStartsRead() throws Exception {
+        assertThat(start("run", "--steps", "1"))
+                .contains("-XX:ArchiveClassesAtExit=")
+                .endsWith("run --steps 1");
+        assertThat(start("run", "--steps", "1"))
+                .contains("-XX:SharedArchiveFile=")
+                .doesNotContain("AtExit");
+        assertThat(start("info", "a file")).contains("-XX:SharedArchiveFile=").endsWith("info a file");
+    }
+
+    @Test
+    void theWindowHasAnArchiveOfItsOwn() throws Exception {
+        start("run");
+        assertThat(start()).contains("-XX:ArchiveClassesAtExit=").contains("-window.jsa");
+        assertThat(start("window")).contains("-XX:SharedArchiveFile=").contains("-window.jsa");
+    }
+
+    @Test
+    void commandsThatLoadFewClassesMakeNoArchive() throws Exception {
+        assertThat(start("--version")).doesNotContain("jsa").endsWith("phrenic.jar --version");
+    }
+
+    @Test
+    void anotherBuildReadsNoArchiveOfThis() throws Exception {
+        start("run");
+        Files.writeString(folder.resolve("phrenic.jar"), "another jar");
+        assertThat(start("run")).contains("-XX:ArchiveClassesAtExit=");
+    }
+
+    @Test
+    void withoutACacheThereIsNoArchive() throws Exception {
+        assertThat(start(Map.of("PHRENIC_CACHE", "off"), "run")).doesNotContain("jsa");
+        assertThat(start(Map.of("PHRENIC_CACHE", "/dev/null/cache"), "run")).doesNotContain("jsa");
+    }
+}
