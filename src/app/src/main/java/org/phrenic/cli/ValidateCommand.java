@@ -134,6 +134,10 @@ final class ValidateCommand extends ReportingCommand {
     private int liver(LiverMotion motion) {
         out.write("liver.json", motion.values());
         print(motion.values(), () -> withDisclaimer(TextTable.ofNumbers(motion.table())));
+        return exitCode(motion);
+    }
+
+    static int exitCode(LiverMotion motion) {
         return motion.outOfRangeCount() == 0 ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 

@@ -5,10 +5,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.study.validation.LiverMotion;
+import org.phrenic.study.validation.PhysiologyTable;
+import org.phrenic.study.validation.ReferenceRange;
 
 /** {@code phrenic validate}: exit codes and files. */
 class ValidateCommandTest {
@@ -118,5 +123,23 @@ class ValidateCommandTest {
             assertThat(run.err().lines()).as(run.err()).hasSize(1);
             assertThat(run.out()).isEmpty();
         }
+    }
+
+    /** A liver that moves by 5.1 to 17.3 mm in a quiet breath (PMC5978939) is in its range. */
+    @Test
+    void aLiverOutOfItsRangeGivesExitCode3() {
+        Optional<ReferenceRange> quiet = PhysiologyTable.shipped().ranges().stream()
+                .filter(r -> r.key().equals("liver_si_quiet"))
+                .findFirst();
+        assertThat(quiet).isPresent();
+        assertThat(ValidateCommand.exitCode(liver(10, quiet))).isZero();
+        assertThat(ValidateCommand.exitCode(liver(4, quiet))).isEqualTo(ExitCode.CHECK_FAILED);
+        assertThat(ValidateCommand.exitCode(liver(4, Optional.empty()))).isZero();
+    }
+
+    private static LiverMotion liver(double siMm, Optional<ReferenceRange> range) {
+        List<Optional<ReferenceRange>> ranges = List.of(range, Optional.empty(), Optional.empty(), Optional.empty());
+        return new LiverMotion(
+                List.of(new LiverMotion.Row("body", "quiet", siMm, 1, 1, siMm, siMm, siMm, 0, 0, ranges)));
     }
 }

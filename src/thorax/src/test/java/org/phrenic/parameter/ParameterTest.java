@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -19,6 +21,21 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.Settings;
 
 class ParameterTest {
+    private static final Map<String, String> UNITS = Map.ofEntries(
+            Map.entry("_n_per_m", "N/m"),
+            Map.entry("_ns_per_m", "N s/m"),
+            Map.entry("_mn", "mN"),
+            Map.entry("_kpa", "kPa"),
+            Map.entry("_kg", "kg"),
+            Map.entry("_kg_per_m2", "kg/m^2"),
+            Map.entry("_m_per_s2", "m/s^2"),
+            Map.entry("_mm", "mm"),
+            Map.entry("_ms", "ms"),
+            Map.entry("_s", "s"),
+            Map.entry("_per_s", "1/s"),
+            Map.entry("_per_min", "1/min"),
+            Map.entry("_deg", "deg"));
+
     @ParameterizedTest
     @MethodSource("org.phrenic.model.material.Materials#parameters")
     void everyDefaultIsWithinItsRangeAndEveryKeyFindsItsParameter(Parameter parameter) {
@@ -30,6 +47,18 @@ class ParameterTest {
                     .isTrue();
         }
         assertThat(parameter.description()).endsWith(".");
+    }
+
+    /** The end of a key is the unit of its value; a number without a unit has the unit 1. */
+    @ParameterizedTest
+    @MethodSource("org.phrenic.model.material.Materials#parameters")
+    void theKeyNamesTheUnit(Parameter parameter) {
+        String unit = UNITS.entrySet().stream()
+                .filter(e -> parameter.key().endsWith(e.getKey()))
+                .max(Comparator.comparing(e -> e.getKey().length()))
+                .map(Map.Entry::getValue)
+                .orElse("1");
+        assertThat(parameter.unit()).isEqualTo(unit);
     }
 
     @Test

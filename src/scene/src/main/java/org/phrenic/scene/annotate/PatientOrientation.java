@@ -20,4 +20,13 @@ public final class PatientOrientation {
                 .map(i -> (direction.get(i) > 0 ? "LPS" : "RAI").substring(i, i + 1))
                 .collect(Collectors.joining());
     }
+
+    /** Letters of the opposite direction: {@code I} of {@code S}, {@code RP} of {@code LA}. */
+    public static String opposite(String letters) {
+        String from = "LRAPSI";
+        String to = "RLPAIS";
+        return letters.chars()
+                .mapToObj(c -> String.valueOf(to.charAt(from.indexOf(c))))
+                .collect(Collectors.joining());
+    }
 }

@@ -106,6 +106,16 @@ class AnnotationsTest {
     }
 
     @Test
+    void theOppositeOfADirectionHasTheLettersOfTheReversedVector() {
+        for (Vector3d d : new Vector3d[] {
+            new Vector3d(1, 0, 0), new Vector3d(0, -1, 0), new Vector3d(0, 0, 1), new Vector3d(0.8, -0.6, 0)
+        }) {
+            assertThat(PatientOrientation.opposite(PatientOrientation.letters(d)))
+                    .isEqualTo(PatientOrientation.letters(new Vector3d(d).negate()));
+        }
+    }
+
+    @Test
     void theRulerIsTheLongestRoundLengthThatFits() {
         assertThat(Ruler.roundLength(0.5, 250)).isEqualTo(100);
         assertThat(Ruler.roundLength(0.5, 190)).isEqualTo(50);

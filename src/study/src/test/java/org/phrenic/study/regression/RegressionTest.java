@@ -156,6 +156,22 @@ class RegressionTest {
                 .contains("0.500 s");
     }
 
+    /** A descent of the liver by some millimetres, so that the tolerance is a share of the value. */
+    @Test
+    void anObservableIsCaughtJustBeyondItsTolerance() {
+        RegressionScene scene = small();
+        int column = Observation.COLUMNS.indexOf("liver_si_mm");
+        for (double share : new double[] {0.9, 1.1}) {
+            RegressionReference right = of(folder, scene).compute(scene);
+            RegressionReference off = of(folder, scene).compute(scene);
+            right.frames().get(1).observables()[column] = -8;
+            off.frames().get(1).observables()[column] = -8 * (1 + share * scene.observableTolerance());
+            assertThat(RegressionComparison.of(scene, right, off).passes())
+                    .as("%s of the tolerance", share)
+                    .isEqualTo(share < 1);
+        }
+    }
+
     /** One number off, one word, one entry less: each is told by its place in the report. */
     @Test
     void aReportThatIsNotWhatItWasIsCaught() {

@@ -13,11 +13,11 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
-import java.util.stream.Collectors;
 import javax.swing.JPanel;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.scene.BodySection;
+import org.phrenic.scene.annotate.PatientOrientation;
 import org.phrenic.scene.NeedleMarkers;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Theme;
@@ -182,13 +182,12 @@ public final class SectionView extends JPanel {
         g.setFont(getFont().deriveFont(Font.BOLD));
         FontMetrics metrics = g.getFontMetrics();
         int middle = (getHeight() + height) / 2;
-        String right = section.right();
-        String up = section.up();
-        String down = opposite(up);
-        paintText(g, right, getWidth() - MARGIN - metrics.stringWidth(right), middle);
-        paintText(g, opposite(right), MARGIN, middle);
-        paintText(g, up, (getWidth() - metrics.stringWidth(up)) / 2, MARGIN + 2 * height + 2);
-        paintText(g, down, (getWidth() - metrics.stringWidth(down)) / 2, getHeight() - MARGIN);
+        EdgeLetters letters = EdgeLetters.of(section.right(), section.up());
+        paintText(g, letters.right(), getWidth() - MARGIN - metrics.stringWidth(letters.right()), middle);
+        paintText(g, letters.left(), MARGIN, middle);
+        paintText(g, letters.top(), (getWidth() - metrics.stringWidth(letters.top())) / 2, MARGIN + 2 * height + 2);
+        int bottom = (getWidth() - metrics.stringWidth(letters.bottom())) / 2;
+        paintText(g, letters.bottom(), bottom, getHeight() - MARGIN);
         paintScaleBar(g);
     }
 
@@ -218,11 +217,11 @@ public final class SectionView extends JPanel {
         paintText(g, text, x + w - g.getFontMetrics().stringWidth(text), y - 4);
     }
 
-    private static String opposite(String letters) {
-        String from = "LRAPSI";
-        String to = "RLPAIS";
-        return letters.chars()
-                .mapToObj(c -> String.valueOf(to.charAt(from.indexOf(c))))
-                .collect(Collectors.joining());
+    /** Directions of the patient at the edges of a section. */
+    record EdgeLetters(String left, String right, String top, String bottom) {
+        /** Letters of all edges from those at the right and at the top. */
+        static EdgeLetters of(String right, String top) {
+            return new EdgeLetters(PatientOrientation.opposite(right), right, top, PatientOrientation.opposite(top));
+        }
     }
 }
