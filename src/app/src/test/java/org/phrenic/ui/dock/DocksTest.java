@@ -130,7 +130,13 @@ class DocksTest {
             EventThread.run(() -> material.comboBox().setSelectedItem("paper"));
             assertThat(on(() -> own.scenario())).isEqualTo(FIRST.with("material=paper"));
             EventThread.run(() -> dock.onChange());
+            // The paper's sheet has one stiffness, the physical tendon ten times that of the muscle.
+            assertThat(on(() -> row(dock, "tendon_stiffness_ratio").field().getToolTipText()))
+                    .contains("default 1;");
             EventThread.run(() -> material.comboBox().setSelectedItem("physical"));
+            EventThread.run(() -> dock.onChange());
+            assertThat(on(() -> row(dock, "tendon_stiffness_ratio").field().getToolTipText()))
+                    .contains("default 10;");
             assertThat(on(() -> own.scenario())).isEqualTo(FIRST);
             EventThread.run(() -> own.edits().undo());
             EventThread.run(() -> own.edits().undo());
