@@ -69,7 +69,7 @@ final class ImportCommand extends ReportingCommand {
 
     @Parameters(
             paramLabel = "LABELS",
-            description = "A label volume (nii, nii.gz, nrrd, nhdr, mha, mhd) or a folder of meshes.")
+            description = "A label volume (nii, nii.gz, nrrd, nhdr, mha, mhd, dcm) or a folder of meshes.")
     private Path file;
 
     @Option(

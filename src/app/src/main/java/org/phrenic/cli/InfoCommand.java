@@ -25,8 +25,9 @@ final class InfoCommand extends ReportingCommand {
     @Parameters(
             arity = "1..*",
             paramLabel = "FILE",
-            description = "A mesh (stl, obj, ply, vtk, vtp), a label volume (nii, nii.gz, nrrd, nhdr, mha, mhd), a "
-                    + "scenario (yaml) or a folder of meshes.")
+            description =
+                    "A mesh (stl, obj, ply, vtk, vtp), a label volume (nii, nii.gz, nrrd, nhdr, mha, mhd, dcm), a "
+                            + "scenario (yaml) or a folder of meshes.")
     private List<Path> files;
 
     @Override

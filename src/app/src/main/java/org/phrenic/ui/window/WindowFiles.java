@@ -71,7 +71,7 @@ public final class WindowFiles {
     }
 
     void chooseAndImport() {
-        FileDialogs.open(frame, "Import a segmented scan", "nii", "gz", "nrrd", "nhdr", "mha", "mhd")
+        FileDialogs.open(frame, "Import a segmented scan", "nii", "gz", "nrrd", "nhdr", "mha", "mhd", "dcm")
                 .ifPresent(scans::begin);
     }
 

@@ -1,9 +1,16 @@
 package org.phrenic.mesh.io.volume;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.raster.ImageDecoder;
+import org.phrenic.mesh.io.raster.VolumeFormats;
+import org.phrenic.mesh.io.raster.VolumeSource;
 
-/** Reads image volumes: one real value a voxel. The formats are those of {@link LabelVolumeFiles}. */
+/**
+ * Reads image volumes: one real value a voxel. The formats are those of {@link LabelVolumeFiles}; a folder is a series
+ * of DICOM slices.
+ */
 public final class ImageVolumeFiles {
     private ImageVolumeFiles() {}
 
@@ -15,6 +22,12 @@ public final class ImageVolumeFiles {
      *     three-dimensional, has a voxel spacing of 0, axes that are not orthogonal, or a value that is not finite
      */
     public static ImageVolume read(Path file) {
+        if (Files.isDirectory(file)) {
+            return DicomSeries.readFolder(file);
+        }
+        if (DicomVolumes.isDicom(file)) {
+            return DicomVolumes.image(file);
+        }
         return VolumeFormats.read(
                 VolumeSource.of(file),
                 stored -> new ImageVolume(

@@ -3,18 +3,25 @@ package org.phrenic.mesh.io.volume;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.raster.VolumeFormats;
+import org.phrenic.mesh.io.raster.VolumeSource;
 
 /** Reads label volume files. The extension, in upper or lower case, gives the format. */
 public final class LabelVolumeFiles {
     /** Extensions of the formats that can be read. */
-    public static final List<String> READABLE = VolumeFormats.READABLE;
+    public static final List<String> READABLE =
+            Stream.concat(VolumeFormats.READABLE.stream(), Stream.of("dcm")).toList();
 
     private LabelVolumeFiles() {}
 
-    /** Whether {@code file} has a volume file extension; the file need not exist. */
+    /**
+     * Whether {@code file} has a volume file extension, in which case it need not exist, or is DICOM under a name
+     * without any.
+     */
     public static boolean isVolume(Path file) {
-        return VolumeFormats.isVolume(VolumeSource.of(file).path());
+        return VolumeFormats.isVolume(VolumeSource.of(file).path()) || DicomVolumes.isDicom(file);
     }
 
     /**
@@ -26,6 +33,9 @@ public final class LabelVolumeFiles {
      *     three-dimensional, has a voxel spacing of 0, axes that are not orthogonal, or a value that is not a label
      */
     public static LabelVolume read(Path file) {
+        if (DicomVolumes.isDicom(file)) {
+            return DicomVolumes.labels(file);
+        }
         return VolumeFormats.read(
                 VolumeSource.of(file),
                 stored -> new LabelVolume(

@@ -1,6 +1,5 @@
 /**
- * Readers of volume files (NIfTI-1, NRRD, MetaImage). The entry points are
- * {@link org.phrenic.mesh.io.volume.LabelVolumeFiles} and {@link org.phrenic.mesh.io.volume.ImageVolumeFiles}. The
- * readers convert axes to LPS and lengths to mm.
+ * Label volumes and images of files (NIfTI, NRRD, MetaImage, DICOM) in LPS axes and mm. The entry points are
+ * {@link org.phrenic.mesh.io.volume.LabelVolumeFiles} and {@link org.phrenic.mesh.io.volume.ImageVolumeFiles}.
  */
 package org.phrenic.mesh.io.volume;

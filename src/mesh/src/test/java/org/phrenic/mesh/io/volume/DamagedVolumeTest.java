@@ -160,7 +160,7 @@ class DamagedVolumeTest {
 
     @Test
     void otherFilesAreRefusedByTheirNameOrContent() {
-        assertRefused("another ending", "scan.dcm", new byte[200]);
+        assertRefused("another ending", "scan.img", new byte[200]);
         assertRefused("NRRD000", "text.nrrd", text("hello\n\n"));
         assertRefused("key = value", "text.mha", text("hello\n"));
     }

@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.net.URISyntaxException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -125,6 +126,15 @@ public final class VolumeSamples {
 
     public static byte[] join(String header, byte[] data) {
         return join(header.getBytes(StandardCharsets.UTF_8), data);
+    }
+
+    /** A file of the folder of volumes that other programs wrote. */
+    public static Path resource(String name) {
+        try {
+            return Path.of(VolumeSamples.class.getResource(name).toURI());
+        } catch (URISyntaxException impossible) {
+            throw new IllegalStateException(impossible);
+        }
     }
 
     public static Path write(Path folder, String name, byte[] content) {

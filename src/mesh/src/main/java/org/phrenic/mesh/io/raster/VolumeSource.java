@@ -1,4 +1,4 @@
-package org.phrenic.mesh.io.volume;
+package org.phrenic.mesh.io.raster;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,10 +13,11 @@ import java.util.regex.Pattern;
  * @param path the file
  * @param phase number of the volume, from 0; empty if none was named
  */
-record VolumeSource(Path path, OptionalInt phase) {
+public record VolumeSource(Path path, OptionalInt phase) {
     private static final Pattern PHASE = Pattern.compile("(.+)#(\\d{1,6})");
 
-    static VolumeSource of(Path named) {
+    /** The file and phase that a path names. */
+    public static VolumeSource of(Path named) {
         Matcher phase = PHASE.matcher(String.valueOf(named.getFileName()));
         if (!phase.matches() || Files.exists(named)) {
             return new VolumeSource(named, OptionalInt.empty());

@@ -1,4 +1,4 @@
-package org.phrenic.mesh.io.volume;
+package org.phrenic.mesh.io.raster;
 
 import java.io.BufferedInputStream;
 import java.io.IOException;

@@ -1,4 +1,4 @@
-package org.phrenic.mesh.io.volume;
+package org.phrenic.mesh.io.raster;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

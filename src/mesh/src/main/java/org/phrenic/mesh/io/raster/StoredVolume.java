@@ -1,4 +1,4 @@
-package org.phrenic.mesh.io.volume;
+package org.phrenic.mesh.io.raster;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -15,7 +15,7 @@ import java.util.Map;
  * @param names names of labels, if the file contains them
  * @param notes assumptions about missing information, one sentence each
  */
-record StoredVolume(
+public record StoredVolume(
         String file,
         InputStream in,
         VoxelDecoder voxels,
@@ -23,7 +23,7 @@ record StoredVolume(
         Map<Integer, String> names,
         List<String> notes) {
     /** What is made of the voxels while the file is open. */
-    interface Use<T> {
+    public interface Use<T> {
         T of(StoredVolume volume) throws IOException;
     }
 }

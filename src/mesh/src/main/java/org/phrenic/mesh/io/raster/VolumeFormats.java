@@ -1,4 +1,4 @@
-package org.phrenic.mesh.io.volume;
+package org.phrenic.mesh.io.raster;
 
 import java.io.BufferedInputStream;
 import java.io.EOFException;
@@ -12,14 +12,14 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 
 /** The formats of volume files, by extension in upper or lower case. */
-final class VolumeFormats {
+public final class VolumeFormats {
     /** Extensions of the formats that can be read. */
-    static final List<String> READABLE = List.of("nii", "nii.gz", "nrrd", "nhdr", "mha", "mhd");
+    public static final List<String> READABLE = List.of("nii", "nii.gz", "nrrd", "nhdr", "mha", "mhd");
 
     private VolumeFormats() {}
 
     /** Whether the name of a file has one of the extensions. */
-    static boolean isVolume(Path file) {
+    public static boolean isVolume(Path file) {
         String name = name(file);
         return READABLE.stream().anyMatch(ending -> name.endsWith("." + ending));
     }
@@ -29,7 +29,7 @@ final class VolumeFormats {
      *
      * @throws BadInputException if the file cannot be read, has another format, or is truncated or damaged
      */
-    static <T> T read(VolumeSource source, StoredVolume.Use<T> use) {
+    public static <T> T read(VolumeSource source, StoredVolume.Use<T> use) {
         Path file = source.path();
         InputBytes.size(file);
         String name = name(file);
@@ -42,7 +42,8 @@ final class VolumeFormats {
         if (name.endsWith(".mha") || name.endsWith(".mhd")) {
             return read(file, "MetaImage", in -> MetaImageReader.read(source, in, use));
         }
-        throw new BadInputException(file + ": found another ending, expected one of " + String.join(", ", READABLE));
+        throw new BadInputException(
+                file + ": found another ending, expected one of " + String.join(", ", READABLE) + ", dcm");
     }
 
     private interface Format<T> {

@@ -1,4 +1,4 @@
-package org.phrenic.mesh.io.volume;
+package org.phrenic.mesh.io.raster;
 
 import java.util.Locale;
 import org.phrenic.file.BadInputException;
@@ -9,7 +9,7 @@ import org.phrenic.file.BadInputException;
  * @param steps vectors between neighbouring voxels along columns, rows and slices
  * @param origin centre of the first voxel
  */
-record VolumeAxes(double[][] steps, double[] origin) {
+public record VolumeAxes(double[][] steps, double[] origin) {
     /** Tolerance of a right angle: half a degree, because files round directions to six digits or fewer. */
     private static final double RIGHT_ANGLE = 0.0087;
 
@@ -45,7 +45,7 @@ record VolumeAxes(double[][] steps, double[] origin) {
      * @param file name for error messages
      * @throws BadInputException if a number is not finite, a spacing is 0 or the axes are not orthogonal
      */
-    double[] affine(String file) {
+    public double[] affine(String file) {
         double[] length = new double[3];
         double[] affine = new double[12];
         for (int direction = 0; direction < 3; direction++) {

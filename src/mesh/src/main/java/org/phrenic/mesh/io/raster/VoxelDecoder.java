@@ -1,4 +1,4 @@
-package org.phrenic.mesh.io.volume;
+package org.phrenic.mesh.io.raster;
 
 import java.io.EOFException;
 import java.io.IOException;
@@ -20,7 +20,7 @@ import org.phrenic.mesh.voxel.LabelGrid;
  * @param slope label = slope * stored value + intercept
  * @param intercept see {@code slope}
  */
-record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope, double intercept) {
+public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope, double intercept) {
     private static final int CHUNK = 1 << 15;
     /** Greatest compression ratio of deflate. */
     private static final long MAX_RATIO = 1032;
@@ -35,7 +35,7 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
     private static final double MAX_MEMORY = 0.5;
 
     /** A decoder for stored values that are labels. */
-    VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order) {
+    public VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order) {
         this(sizes, type, order, 1, 0);
     }
 
@@ -55,7 +55,7 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
      * @param available number of bytes left in the file
      * @param volumes number of volumes of this size in the file
      */
-    void validate(String file, long available, boolean packed, int volumes) {
+    public void validate(String file, long available, boolean packed, int volumes) {
         for (int size : sizes) {
             if (size < 1) {
                 throw new BadInputException(
@@ -97,7 +97,7 @@ record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope,
      * @param in uncompressed data, positioned at the first voxel
      * @param affine voxel positions, see {@link LabelGrid}
      */
-    LabelGrid decode(String file, InputStream in, double[] affine) {
+    public LabelGrid decode(String file, InputStream in, double[] affine) {
         int count = (int) voxels();
         byte[] small = new byte[Math.min(count, INITIAL_CAPACITY)];
         short[] large = new short[0];

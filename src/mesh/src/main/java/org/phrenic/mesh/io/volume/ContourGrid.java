@@ -1,0 +1,121 @@
+package org.phrenic.mesh.io.volume;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Locale;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.dicom.FramePlane;
+
+/** A grid through the planes of contours, for contours whose series is not at hand. */
+final class ContourGrid {
+    /** Widest box of contours, mm. */
+    private static final double MAX_EXTENT = 5000;
+
+    private static final double VOXEL = 1;
+    private static final int MAX_VOXELS = 500;
+
+    private final String file;
+    private final Collection<List<double[]>> contours;
+    private final double[] normal;
+    private final double[] along;
+    private final double[] down;
+    private double spacing = VOXEL;
+
+    ContourGrid(String file, Collection<List<double[]>> contours) {
+        this.file = file;
+        this.contours = contours;
+        normal = normal(contours.iterator().next().get(0));
+        // Columns run as nearly to the left of the patient as the plane allows, or to the back where that is no way.
+        double[] wanted = Math.abs(normal[0]) < 0.9 ? new double[] {1, 0, 0} : new double[] {0, 1, 0};
+        double part = dot(wanted, normal, 0);
+        along = unit(
+                new double[] {wanted[0] - part * normal[0], wanted[1] - part * normal[1], wanted[2] - part * normal[2]
+                });
+        down = cross(normal, along);
+    }
+
+    private static double[] cross(double[] a, double[] b) {
+        return new double[] {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    }
+
+    /** Scalar product of a direction and the point at {@code at}. */
+    private static double dot(double[] direction, double[] points, int at) {
+        return direction[0] * points[at] + direction[1] * points[at + 1] + direction[2] * points[at + 2];
+    }
+
+    private static double[] unit(double[] v) {
+        double length = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        return new double[] {v[0] / length, v[1] / length, v[2] / length};
+    }
+
+    /** The normal by Newell's sums, upwards or to the back or to the left. */
+    private double[] normal(double[] p) {
+        double[] sum = new double[3];
+        for (int a = 0; a < p.length; a += 3) {
+            int b = (a + 3) % p.length;
+            for (int row = 0; row < 3; row++) {
+                int u = (row + 1) % 3;
+                int v = (row + 2) % 3;
+                sum[row] += (p[a + u] - p[b + u]) * (p[a + v] + p[b + v]);
+            }
+        }
+        double[] n = unit(sum);
+        if (!Double.isFinite(n[0] + n[1] + n[2])) {
+            throw new BadInputException(file + ": found a contour without area, expected closed planar ones");
+        }
+        int largest = Math.abs(n[2]) > 0.5 ? 2 : Math.abs(n[1]) > 0.5 ? 1 : 0;
+        double sign = n[largest] < 0 ? -1 : 1;
+        return new double[] {sign * n[0], sign * n[1], sign * n[2]};
+    }
+
+    SliceGrid grid() {
+        double[] u = range(along);
+        double[] v = range(down);
+        spacing = Math.max(VOXEL, Math.max(u[1] - u[0], v[1] - v[0]) / MAX_VOXELS);
+        double left = spacing * (Math.floor(u[0] / spacing) - 1);
+        double top = spacing * (Math.floor(v[0] / spacing) - 1);
+        List<FramePlane> planes = new ArrayList<>();
+        for (List<double[]> closed : contours) {
+            for (double[] points : closed) {
+                double height = dot(normal, points, 0);
+                double[] corner = new double[3];
+                for (int row = 0; row < 3; row++) {
+                    corner[row] = left * along[row] + top * down[row] + height * normal[row];
+                }
+                planes.add(new FramePlane(corner, along, down, spacing, spacing, Double.NaN));
+            }
+        }
+        PlaneStack stack = new PlaneStack(file, planes, true);
+        int columns = (int) Math.ceil((u[1] - left) / spacing) + 2;
+        int rows = (int) Math.ceil((v[1] - top) / spacing) + 2;
+        return new SliceGrid(columns, rows, stack.slices(), stack.axes());
+    }
+
+    private double[] range(double[] direction) {
+        double[] range = {Double.MAX_VALUE, -Double.MAX_VALUE};
+        for (List<double[]> closed : contours) {
+            for (double[] points : closed) {
+                for (int at = 0; at < points.length; at += 3) {
+                    double along = dot(direction, points, at);
+                    range[0] = Math.min(range[0], along);
+                    range[1] = Math.max(range[1], along);
+                }
+            }
+        }
+        if (!(range[1] - range[0] < MAX_EXTENT) || Math.abs(range[0]) > 1e6) {
+            throw new BadInputException(
+                    file + ": found contours over more than " + MAX_EXTENT + " mm, expected those of a person");
+        }
+        return range;
+    }
+
+    /** What was assumed, one sentence. */
+    String note() {
+        return String.format(
+                Locale.ROOT,
+                "the series of the contours is not in their folder or one in it: they were filled in voxels of %.2g mm"
+                        + " in their own planes",
+                spacing);
+    }
+}

@@ -1,0 +1,120 @@
+package org.phrenic.mesh.io.volume;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.IntConsumer;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
+import org.phrenic.mesh.io.dicom.DicomDataSet;
+import org.phrenic.mesh.io.dicom.DicomFile;
+import org.phrenic.mesh.io.dicom.DicomPixels;
+import org.phrenic.mesh.io.dicom.DicomTag;
+import org.phrenic.mesh.io.dicom.FramePlane;
+import org.phrenic.mesh.io.dicom.FunctionalGroups;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/**
+ * Reader of DICOM segmentations (PS3.3, A.51 and C.8.20), binary ones, whose segments may overlap, and label maps.
+ * Labels are segment numbers, names are segment labels.
+ */
+final class DicomSegmentation {
+    private final DicomDataSet image;
+    private final DicomPixels pixels;
+    private final FunctionalGroups groups;
+    private final PlaneStack stack;
+    private final int[] frame;
+    private int read = -1;
+
+    private DicomSegmentation(DicomFile file) {
+        image = file.dataSet();
+        pixels = new DicomPixels(file);
+        groups = new FunctionalGroups(image);
+        groups.checkCount(pixels.frames());
+        stack = new PlaneStack(image.file(), FramePlane.all(image, groups, pixels.frames()), true);
+        frame = new int[(int) Math.min(Integer.MAX_VALUE - 8, pixels.framePixels())];
+    }
+
+    static LabelVolume read(DicomFile file) {
+        return new DicomSegmentation(file).volume();
+    }
+
+    private LabelVolume volume() {
+        String type = image.text(DicomTag.SEGMENTATION_TYPE, "LABELMAP");
+        if (!type.equals("BINARY") && !type.equals("LABELMAP")) {
+            throw image.badInput(
+                    DicomTag.SEGMENTATION_TYPE, "found " + Numbers.quote(type) + ", expected BINARY or LABELMAP");
+        }
+        Map<Integer, String> names = new TreeMap<>();
+        for (DicomDataSet segment : image.items(DicomTag.SEGMENT_SEQUENCE)) {
+            int number = segment.whole(DicomTag.SEGMENT_NUMBER, 0, LabelGrid.MAX_LABEL);
+            if (names.put(number, segment.text(DicomTag.SEGMENT_LABEL, "")) != null) {
+                throw segment.badInput(DicomTag.SEGMENT_NUMBER, "found " + number + " twice, expected it once");
+            }
+        }
+        names.remove(0);
+        if (names.isEmpty()) {
+            throw new BadInputException(image.file() + ": found no segments, expected some");
+        }
+        LabelPainter painter = new LabelPainter(image.file(), pixels.columns(), pixels.rows(), stack.slices());
+        double[] affine = stack.axes().affine(image.file());
+        List<String> notes = new ArrayList<>(stack.notes());
+        LabelGrid grid;
+        if (type.equals("BINARY")) {
+            framesOfSegments(names).forEach((number, frames) -> painter.add(number, use -> forEach(frames, use)));
+            grid = painter.grid(affine, notes);
+        } else {
+            paintMap(painter, names);
+            grid = painter.grid(affine);
+        }
+        return new LabelVolume(grid, LabelPainter.named(names), notes);
+    }
+
+    /** Each pixel of a label map is the number of its segment. */
+    private void paintMap(LabelPainter painter, Map<Integer, String> names) {
+        painter.allocate(names.keySet().stream().mapToInt(n -> n).max().orElse(0));
+        for (int f = 0; f < pixels.frames(); f++) {
+            pixels.read(f, frame);
+            int first = stack.slice(f) * frame.length;
+            for (int n = 0; n < frame.length; n++) {
+                if (frame[n] != 0 && !names.containsKey(frame[n])) {
+                    throw new BadInputException(
+                            image.file() + ": found a pixel of segment " + frame[n] + ", expected one of the segments");
+                }
+                painter.set(first + n, frame[n]);
+            }
+        }
+    }
+
+    /** The frames of each segment. */
+    private Map<Integer, List<Integer>> framesOfSegments(Map<Integer, String> names) {
+        Map<Integer, List<Integer>> frames = new TreeMap<>();
+        names.keySet().forEach(number -> frames.put(number, new ArrayList<>()));
+        for (int f = 0; f < pixels.frames(); f++) {
+            DicomDataSet identification = groups.item(f, DicomTag.SEGMENT_IDENTIFICATION_SEQUENCE);
+            int number = identification.whole(DicomTag.REFERENCED_SEGMENT_NUMBER, 1, LabelGrid.MAX_LABEL);
+            if (!frames.containsKey(number)) {
+                throw identification.badInput(
+                        DicomTag.REFERENCED_SEGMENT_NUMBER, "found " + number + ", expected one of the segments");
+            }
+            frames.get(number).add(f);
+        }
+        return frames;
+    }
+
+    private void forEach(List<Integer> frames, IntConsumer use) {
+        for (int f : frames) {
+            if (read != f) {
+                pixels.read(f, frame);
+                read = f;
+            }
+            int first = stack.slice(f) * frame.length;
+            for (int n = 0; n < frame.length; n++) {
+                if (frame[n] == 1) {
+                    use.accept(first + n);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,181 @@
+package org.phrenic.mesh.io.volume;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.InputBytes;
+import org.phrenic.mesh.io.dicom.DicomDataSet;
+import org.phrenic.mesh.io.dicom.DicomFile;
+import org.phrenic.mesh.io.dicom.DicomPixels;
+import org.phrenic.mesh.io.dicom.DicomTag;
+import org.phrenic.mesh.io.dicom.FramePlane;
+import org.phrenic.mesh.io.dicom.FunctionalGroups;
+import org.phrenic.mesh.voxel.ImageGrid;
+
+/** Reader of images of DICOM: a folder with the slices of one series, or one file with all frames. */
+final class DicomSeries {
+    private static final int MAX_FILES = 20_000;
+    private static final double MAX_MEMORY = 0.5;
+
+    private record Slice(Path path, String series, int columns, int rows, FramePlane plane) {}
+
+    private DicomSeries() {}
+
+    /**
+     * Reads a series of slices, one a file, in the order of their positions along their normal.
+     *
+     * @throws BadInputException if the folder holds no or several series, or if slices are missing, unevenly apart, at
+     *     the same place or of several sizes
+     */
+    static ImageVolume readFolder(Path folder) {
+        List<Slice> slices = slices(folder, Set.of());
+        if (slices.isEmpty()) {
+            throw new BadInputException(folder + ": found no slices of DICOM images, expected one series");
+        }
+        SliceGrid grid = grid(folder.toString(), slices);
+        PlaneStack stack = stack(folder.toString(), slices);
+        float[] values = values(folder.toString(), grid);
+        int[] pixels = new int[grid.columns() * grid.rows()];
+        for (int s = 0; s < slices.size(); s++) {
+            DicomFile file = DicomFile.read(slices.get(s).path());
+            DicomDataSet image = file.dataSet();
+            DicomPixels stored = new DicomPixels(file);
+            if (stored.columns() != grid.columns() || stored.rows() != grid.rows()) {
+                throw new BadInputException(slices.get(s).path() + ": found a slice that changed, expected the same");
+            }
+            stored.read(0, pixels);
+            rescale(image, pixels, values, stack.slice(s));
+        }
+        return image(folder.toString(), grid, values, stack);
+    }
+
+    /** Reads an image of several frames in one file. */
+    static ImageVolume readFile(DicomFile file) {
+        DicomDataSet image = file.dataSet();
+        DicomPixels stored = new DicomPixels(file);
+        FunctionalGroups groups = new FunctionalGroups(image);
+        if (!groups.arePresent()) {
+            throw new BadInputException(image.file() + ": found one slice, expected the folder of its series");
+        }
+        PlaneStack stack = new PlaneStack(image.file(), FramePlane.all(image, groups, stored.frames()), false);
+        checkPlanes(image.file(), stack, stored.frames());
+        SliceGrid grid = new SliceGrid(stored.columns(), stored.rows(), stack.slices(), stack.axes());
+        float[] values = values(image.file(), grid);
+        int[] pixels = new int[grid.columns() * grid.rows()];
+        for (int frame = 0; frame < stored.frames(); frame++) {
+            stored.read(frame, pixels);
+            DicomDataSet scale = groups.find(frame, DicomTag.PIXEL_VALUE_TRANSFORMATION_SEQUENCE)
+                    .orElse(image);
+            rescale(scale, pixels, values, stack.slice(frame));
+        }
+        return image(image.file(), grid, values, stack);
+    }
+
+    /** The grid of the series with one of these identifiers, if the folder or one in it holds it. */
+    static Optional<SliceGrid> find(Path folder, Set<String> series) {
+        List<Path> folders = new ArrayList<>(List.of(folder));
+        folders.addAll(list(folder).stream().filter(Files::isDirectory).toList());
+        for (Path one : folders) {
+            List<Slice> slices = slices(one, series);
+            if (!slices.isEmpty()) {
+                return Optional.of(grid(one.toString(), slices));
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static List<Path> list(Path folder) {
+        try (Stream<Path> entries = Files.list(folder)) {
+            List<Path> paths = entries.limit(MAX_FILES + 1L).sorted().toList();
+            if (paths.size() > MAX_FILES) {
+                throw new BadInputException(
+                        folder + ": found more than " + MAX_FILES + " files, expected a folder with one series");
+            }
+            return paths;
+        } catch (IOException failure) {
+            throw InputBytes.readFailure(folder, failure);
+        }
+    }
+
+    /** The slices in a folder, of the named series or, without names, of any. */
+    private static List<Slice> slices(Path folder, Set<String> wanted) {
+        List<Slice> slices = new ArrayList<>();
+        for (Path path : list(folder)) {
+            if (!DicomFile.isDicom(path)) {
+                continue;
+            }
+            DicomDataSet image = DicomFile.read(path).dataSet();
+            boolean isSlice = image.has(DicomTag.PIXEL_DATA)
+                    && image.has(DicomTag.IMAGE_POSITION)
+                    && image.has(DicomTag.SERIES_INSTANCE_UID);
+            String series = image.text(DicomTag.SERIES_INSTANCE_UID, "");
+            if (isSlice && (wanted.isEmpty() || wanted.contains(series))) {
+                int columns = image.whole(DicomTag.COLUMNS, 1, 0xFFFF);
+                int rows = image.whole(DicomTag.ROWS, 1, 0xFFFF);
+                slices.add(new Slice(path, series, columns, rows, FramePlane.of(image)));
+            }
+        }
+        return slices;
+    }
+
+    private static PlaneStack stack(String folder, List<Slice> slices) {
+        return new PlaneStack(folder, slices.stream().map(Slice::plane).toList(), false);
+    }
+
+    private static SliceGrid grid(String folder, List<Slice> slices) {
+        Set<String> series = new TreeSet<>(slices.stream().map(Slice::series).toList());
+        if (series.size() > 1) {
+            throw new BadInputException(
+                    folder + ": found slices of " + series.size() + " series, expected a folder for each");
+        }
+        Slice first = slices.get(0);
+        if (slices.stream().anyMatch(slice -> slice.columns() != first.columns() || slice.rows() != first.rows())) {
+            throw new BadInputException(folder + ": found slices of several sizes, expected those of one series");
+        }
+        PlaneStack stack = stack(folder, slices);
+        checkPlanes(folder, stack, slices.size());
+        return new SliceGrid(first.columns(), first.rows(), stack.slices(), stack.axes());
+    }
+
+    private static void checkPlanes(String file, PlaneStack stack, int frames) {
+        if (stack.planes() != frames) {
+            throw new BadInputException(file + ": found " + frames + " slices at " + stack.planes()
+                    + " places, expected one at each, as of one phase");
+        }
+    }
+
+    private static float[] values(String file, SliceGrid grid) {
+        long voxels = (long) grid.columns() * grid.rows() * grid.slices();
+        long memory = Runtime.getRuntime().maxMemory();
+        if (voxels >= Integer.MAX_VALUE - 8 || voxels * Float.BYTES > MAX_MEMORY * memory) {
+            throw new BadInputException(file + ": found " + voxels + " voxels, expected no more than fit into half of"
+                    + " Java's memory, which is " + (memory >> 20) + " MB (java -Xmx8g gives it 8 GB)");
+        }
+        return new float[(int) voxels];
+    }
+
+    private static void rescale(DicomDataSet scale, int[] pixels, float[] values, int slice) {
+        double slope = scale.number(DicomTag.RESCALE_SLOPE, 1);
+        double intercept = scale.number(DicomTag.RESCALE_INTERCEPT, 0);
+        int first = slice * pixels.length;
+        for (int n = 0; n < pixels.length; n++) {
+            values[first + n] = (float) (slope * pixels[n] + intercept);
+        }
+        if (!Double.isFinite((float) (Math.abs(slope) * 0xFFFF + Math.abs(intercept)))) {
+            throw scale.badInput(DicomTag.RESCALE_SLOPE, "found " + slope + ", expected finite values");
+        }
+    }
+
+    private static ImageVolume image(String file, SliceGrid grid, float[] values, PlaneStack stack) {
+        double[] affine = stack.axes().affine(file);
+        return new ImageVolume(
+                new ImageGrid(grid.columns(), grid.rows(), grid.slices(), values, affine), stack.notes());
+    }
+}

@@ -1,0 +1,143 @@
+package org.phrenic.mesh.io.volume;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.IntConsumer;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.dicom.DicomDataSet;
+import org.phrenic.mesh.io.dicom.DicomTag;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/**
+ * Reader of structure sets of radiotherapy (PS3.3, A.19 and C.8.8.5, C.8.8.6): closed planar contours, filled slice by
+ * slice with the even-odd rule on the grid of the series that they were drawn on, else on one through their own planes.
+ * Labels are the numbers of regions of interest.
+ */
+final class StructureSet {
+    /** Greatest distance of a contour's points from their slice, in slices. */
+    private static final double OFF = 0.25;
+
+    private final DicomDataSet set;
+    private final Map<Integer, String> names = new TreeMap<>();
+    private final Map<Integer, List<double[]>> contours = new TreeMap<>();
+    private final List<String> notes = new ArrayList<>();
+
+    private StructureSet(DicomDataSet set) {
+        this.set = set;
+    }
+
+    static LabelVolume read(Path path, DicomDataSet set) {
+        return new StructureSet(set).volume(path);
+    }
+
+    private LabelVolume volume(Path path) {
+        readNames();
+        readContours();
+        if (contours.isEmpty()) {
+            throw new BadInputException(set.file() + ": found no closed contours, expected some");
+        }
+        SliceGrid grid = grid(path);
+        LabelPainter painter = new LabelPainter(set.file(), grid.columns(), grid.rows(), grid.slices());
+        ContourFill fill = new ContourFill(grid.columns(), grid.rows());
+        contours.forEach((number, closed) -> {
+            Map<Integer, List<double[]>> bySlice = bySlice(grid, number, closed);
+            painter.add(number, use -> forEach(grid, bySlice, fill, use));
+        });
+        LabelGrid labels = painter.grid(grid.axes().affine(set.file()), notes);
+        names.keySet().retainAll(contours.keySet());
+        return new LabelVolume(labels, LabelPainter.named(names), notes);
+    }
+
+    private void readNames() {
+        for (DicomDataSet region : set.items(DicomTag.STRUCTURE_SET_ROI_SEQUENCE)) {
+            int number = region.whole(DicomTag.ROI_NUMBER, 1, LabelGrid.MAX_LABEL);
+            if (names.put(number, region.text(DicomTag.ROI_NAME, "")) != null) {
+                throw region.badInput(DicomTag.ROI_NUMBER, "found " + number + " twice, expected it once");
+            }
+        }
+    }
+
+    private void readContours() {
+        int other = 0;
+        for (DicomDataSet region : set.items(DicomTag.ROI_CONTOUR_SEQUENCE)) {
+            int number = region.whole(DicomTag.REFERENCED_ROI_NUMBER, 1, LabelGrid.MAX_LABEL);
+            for (DicomDataSet contour : region.items(DicomTag.CONTOUR_SEQUENCE)) {
+                if (!contour.text(DicomTag.CONTOUR_GEOMETRIC_TYPE).startsWith("CLOSED")) {
+                    other++;
+                    continue;
+                }
+                double[] points = contour.numbers(DicomTag.CONTOUR_DATA);
+                if (points.length % 3 != 0) {
+                    throw contour.badInput(
+                            DicomTag.CONTOUR_DATA, "found " + points.length + " numbers, expected three a point");
+                }
+                if (points.length >= 9) {
+                    contours.computeIfAbsent(number, none -> new ArrayList<>()).add(points);
+                }
+            }
+        }
+        if (other > 0) {
+            notes.add(other + " points and open contours are no volumes and were left out");
+        }
+    }
+
+    private SliceGrid grid(Path path) {
+        Set<String> series = new HashSet<>();
+        for (DicomDataSet frame : set.items(DicomTag.REFERENCED_FRAME_OF_REFERENCE_SEQUENCE)) {
+            for (DicomDataSet study : frame.items(DicomTag.RT_REFERENCED_STUDY_SEQUENCE)) {
+                for (DicomDataSet one : study.items(DicomTag.RT_REFERENCED_SERIES_SEQUENCE)) {
+                    series.add(one.text(DicomTag.SERIES_INSTANCE_UID, ""));
+                }
+            }
+        }
+        series.remove("");
+        if (!series.isEmpty()) {
+            Optional<SliceGrid> found = DicomSeries.find(path.toAbsolutePath().getParent(), series);
+            if (found.isPresent()) {
+                return found.get();
+            }
+        }
+        ContourGrid own = new ContourGrid(set.file(), contours.values());
+        notes.add(own.note());
+        return own.grid();
+    }
+
+    /** Corners in columns and rows, by slice; contours beyond the grid are left out. */
+    private Map<Integer, List<double[]>> bySlice(SliceGrid grid, int number, List<double[]> closed) {
+        Map<Integer, List<double[]>> bySlice = new TreeMap<>();
+        for (double[] points : closed) {
+            double[] corners = new double[points.length / 3 * 2];
+            double slice = Math.rint(grid.index(2, points[0], points[1], points[2]));
+            for (int c = 0; c < corners.length / 2; c++) {
+                double x = points[3 * c];
+                double y = points[3 * c + 1];
+                double z = points[3 * c + 2];
+                corners[2 * c] = grid.index(0, x, y, z);
+                corners[2 * c + 1] = grid.index(1, x, y, z);
+                if (!(Math.abs(grid.index(2, x, y, z) - slice) <= OFF)) {
+                    throw new BadInputException(set.file() + ": found a contour of region " + number
+                            + " that lies in none of the slices, expected planar ones along the series");
+                }
+            }
+            if (slice >= 0 && slice < grid.slices()) {
+                bySlice.computeIfAbsent((int) slice, none -> new ArrayList<>()).add(corners);
+            }
+        }
+        return bySlice;
+    }
+
+    private static void forEach(
+            SliceGrid grid, Map<Integer, List<double[]>> bySlice, ContourFill fill, IntConsumer use) {
+        bySlice.forEach((slice, polygons) -> {
+            polygons.forEach(fill::add);
+            int first = slice * grid.columns() * grid.rows();
+            fill.flush(n -> use.accept(first + n));
+        });
+    }
+}

@@ -1,0 +1,172 @@
+package org.phrenic.mesh.io.volume;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.voxel.ImageGrid;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/**
+ * DICOM written by pydicom and highdicom has the labels and values, bit for bit, of twins in NIfTI, which other
+ * programs wrote ({@code make_fixtures.py} beside the files). All lie obliquely.
+ */
+class DicomVolumeTest {
+    /** Twins place voxels in single precision, 440 mm from the origin; contours are rounded to 1e-4 mm. */
+    private static final double PLACE_MM = 1e-4;
+
+    @TempDir
+    private Path folder;
+
+    private static Path resource(String name) {
+        return VolumeSamples.resource(name);
+    }
+
+    private static void assertIsTwin(LabelVolume volume, String twin) {
+        LabelGrid grid = volume.grid();
+        LabelGrid expected = LabelVolumeFiles.read(resource(twin)).grid();
+        assertThat(new int[] {grid.columns(), grid.rows(), grid.slices()})
+                .containsExactly(expected.columns(), expected.rows(), expected.slices());
+        for (int v = 0; v < grid.voxelCount(); v++) {
+            assertThat(grid.label(v)).as("voxel " + v).isEqualTo(expected.label(v));
+        }
+        double[] place = new double[3];
+        double[] there = new double[3];
+        for (int[] corner : new int[][] {{0, 0, 0}, {7, 0, 0}, {0, 6, 0}, {0, 0, 5}}) {
+            grid.voxelToMm(corner[0], corner[1], corner[2], place);
+            expected.voxelToMm(corner[0], corner[1], corner[2], there);
+            assertThat(place).containsExactly(there, within(PLACE_MM));
+        }
+    }
+
+    /**
+     * Frames in any order, empty ones left out, shared or own planes, four transfer syntaxes, label maps, run lengths.
+     */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "overlapping_seg.dcm",
+                "turned_seg.dcm",
+                "apart_seg.dcm",
+                "implicit_seg.dcm",
+                "deflated_seg.dcm",
+                "map_seg.dcm",
+                "map_rle_seg.dcm"
+            })
+    void segmentationsHaveTheLabelsOfTheirTwin(String name) {
+        LabelVolume volume = LabelVolumeFiles.read(resource(name));
+        assertIsTwin(volume, "labels_twin.nii.gz");
+        assertThat(volume.names()).isEqualTo(Map.of(1, "liver", 2, "cyst", 3, "Milz ä"));
+        boolean overlap = !name.startsWith("map") && !name.startsWith("apart");
+        assertThat(volume.notes().toString().contains("fewest voxels")).isEqualTo(overlap);
+    }
+
+    @Test
+    void aFileWithoutEndingIsKnownByItsContent() throws IOException {
+        Path bare = Files.copy(resource("apart_seg.dcm"), folder.resolve("1.2.826.0.1"));
+        assertThat(LabelVolumeFiles.isVolume(bare)).isTrue();
+        assertIsTwin(LabelVolumeFiles.read(bare), "labels_twin.nii.gz");
+        assertThat(LabelVolumeFiles.isVolume(resource("make_fixtures.py"))).isFalse();
+    }
+
+    @Test
+    void contoursAreFilledOnTheSeriesBesideThem() {
+        LabelVolume volume = LabelVolumeFiles.read(resource("ct/contours.dcm"));
+        assertIsTwin(volume, "regions_twin.nii.gz");
+        assertThat(volume.names()).isEqualTo(Map.of(1, "liver", 2, "cyst", 5, "Milz ä"));
+    }
+
+    /**
+     * In voxels of 1 mm: the region has the volume and the centre of the pixels that it was drawn around, within what
+     * voxels of that size leave open along its outline.
+     */
+    @Test
+    void contoursAloneAreFilledInTheirOwnPlanes() throws IOException {
+        LabelVolume volume =
+                LabelVolumeFiles.read(Files.copy(resource("contours_alone.dcm"), folder.resolve("alone.dcm")));
+        LabelGrid grid = volume.grid();
+        LabelGrid expected =
+                LabelVolumeFiles.read(resource("regions_twin.nii.gz")).grid();
+        double drawn = (6 * 5 * 5 - 2 * 3) * expected.voxelVolume();
+        assertThat(grid.counts()[1] * grid.voxelVolume()).isCloseTo(drawn, within(0.05 * drawn));
+        assertThat(grid.spacing(0)).isCloseTo(1, within(1e-12));
+        assertThat(grid.spacing(2)).isCloseTo(3, within(1e-4));
+        assertThat(volume.notes()).anyMatch(note -> note.contains("own planes"));
+        double[] place = new double[3];
+        double[] sum = new double[3];
+        for (int v = 0; v < grid.voxelCount(); v++) {
+            int row = v / grid.columns();
+            grid.voxelToMm(v % grid.columns(), row % grid.rows(), row / grid.rows(), place);
+            for (int axis = 0; axis < 3 && grid.label(v) == 1; axis++) {
+                sum[axis] += place[axis] / grid.counts()[1];
+            }
+        }
+        // Blocks of voxels 1 to 6, 1 to 5, 0 to 4 less 3 to 4, 3, 1 to 3: the centre stays at (3.5, 3, 2).
+        expected.voxelToMm(3.5, 3, 2, place);
+        assertThat(sum).containsExactly(place, within(0.2));
+    }
+
+    @Test
+    void aSeriesIsAnImageSortedByPlaceAndRescaled() {
+        ImageVolume image = ImageVolumeFiles.read(resource("ct"));
+        ImageGrid expected = ImageVolumeFiles.read(resource("ct_twin.nii.gz")).grid();
+        assertThat(image.grid().values()).containsExactly(expected.values());
+        assertThat(image.grid().toMm()).containsExactly(expected.toMm(), within(PLACE_MM));
+        assertThat(image.notes()).isEmpty();
+    }
+
+    private Path copyOfSeries() throws IOException {
+        try (Stream<Path> files = Files.list(resource("ct"))) {
+            for (Path file : files.filter(f -> f.toString().contains("IM")).toList()) {
+                Files.copy(file, folder.resolve(file.getFileName().toString()));
+            }
+        }
+        return folder;
+    }
+
+    private void assertImageRefused(Path path, String part) {
+        assertThatThrownBy(() -> ImageVolumeFiles.read(path))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining(part)
+                .hasMessageContaining("expected");
+    }
+
+    @Test
+    void seriesWithGapsOrDoubleOrForeignSlicesAreRefused() throws IOException {
+        Path series = copyOfSeries();
+        assertThat(ImageVolumeFiles.read(series).grid().slices()).isEqualTo(6);
+        Path second = series.resolve("IM1.dcm");
+        byte[] slice = Files.readAllBytes(second);
+        Files.write(series.resolve("twice.dcm"), slice);
+        assertImageRefused(series, "7 slices at 6 places");
+        Files.delete(series.resolve("twice.dcm"));
+        Files.delete(second);
+        assertImageRefused(series, "unevenly apart or missing");
+        String text = new String(slice, StandardCharsets.ISO_8859_1);
+        Files.write(second, text.replace("8.498.1.2\0", "8.498.1.9\0").getBytes(StandardCharsets.ISO_8859_1));
+        assertImageRefused(series, "slices of 2 series");
+        assertImageRefused(resource("ct/IM0.dcm"), "one slice");
+        assertImageRefused(Files.createDirectory(folder.resolve("empty")), "no slices");
+    }
+
+    @Test
+    void objectsOfOtherKindsAreRefused() {
+        assertThatThrownBy(() -> LabelVolumeFiles.read(resource("ct/IM0.dcm")))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("without labels, expected a segmentation or a structure set");
+        assertThatThrownBy(() -> LabelVolumeFiles.read(VolumeSamples.write(folder, "text.dcm", new byte[300])))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("no 'DICM'");
+    }
+}
