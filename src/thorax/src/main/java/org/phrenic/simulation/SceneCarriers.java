@@ -1,12 +1,15 @@
 package org.phrenic.simulation;
 
+import java.util.Optional;
 import java.util.regex.Pattern;
 import org.phrenic.anatomy.DiaphragmSide;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.cage.RibCagePose;
 import org.phrenic.anatomy.cage.SkinningWeights;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.model.organ.LiverPart;
 import org.phrenic.simulation.observe.OrganCarriers;
 import org.phrenic.simulation.observe.OrganMotion;
 import org.phrenic.simulation.observe.SkinMotion;
@@ -28,6 +31,8 @@ final class SceneCarriers {
     private static final int VERTEBRA_SAMPLE = 40;
 
     private final Scene scene;
+    private final RibCagePose pose;
+    private final Optional<LiverPart> liverPart;
     private final OrganCarriers around = new OrganCarriers();
     private final OrganCarriers liver = new OrganCarriers();
     private final OrganCarriers wall = new OrganCarriers();
@@ -38,14 +43,20 @@ final class SceneCarriers {
     private SkinMotion skin;
     private boolean inUse;
 
-    SceneCarriers(Scene scene) {
+    /**
+     * @param pose of the rib cage at the time of each update
+     * @param liverPart the scene's liver
+     */
+    SceneCarriers(Scene scene, RibCagePose pose, Optional<LiverPart> liverPart) {
         this.scene = scene;
+        this.pose = pose;
+        this.liverPart = liverPart;
         DiaphragmPart part = scene.diaphragm();
         sheet = new double[3 * part.diaphragm.sheet().vertexCount()];
         readSheet(scene.restPositions());
         ofSheet = around.addMoving(sheet, part.diaphragm::isTendon);
         chest.addMoving(sheet, part.diaphragm::isTendon);
-        if (scene.liver().isPresent()) {
+        if (liverPart.isPresent()) {
             double[] rest = liver(scene.restPositions());
             ofLiver = around.addMoving(rest, v -> true);
             liver.addMoving(rest, v -> true);
@@ -76,7 +87,7 @@ final class SceneCarriers {
     }
 
     private double[] liver(double[] nodes) {
-        return scene.liver().orElseThrow().positions(scene.restPositions(), nodes);
+        return liverPart.orElseThrow().positions(scene.restPositions(), nodes);
     }
 
     /** Binds an organ, by its name in lower case, to what carries it. */
@@ -98,7 +109,7 @@ final class SceneCarriers {
     private boolean bindSkin(SkinningWeights bones) {
         if (skin == null) {
             scene.thorax().structuresOf(StructureKind.SKIN).stream().findFirst().ifPresent(s -> {
-                skin = new SkinMotion(scene, s, bones);
+                skin = new SkinMotion(scene, s, bones, pose);
                 wall.addMoving(s.mesh().positions(), v -> true);
             });
         }

@@ -3,18 +3,23 @@ package org.phrenic.simulation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import org.phrenic.anatomy.DiaphragmSide;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.cage.LinearBlendSkinning;
 import org.phrenic.anatomy.cage.RibCage;
+import org.phrenic.anatomy.cage.RibCagePose;
 import org.phrenic.anatomy.cage.SkinningWeights;
 import org.phrenic.engine.kinematics.HelicalBody;
+import org.phrenic.engine.parallel.Workers;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.model.organ.LiverPart;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.LungMeasure;
 import org.phrenic.simulation.observe.Observation;
@@ -26,7 +31,12 @@ import org.phrenic.simulation.observe.SheetContact;
 import org.phrenic.simulation.observe.SkinMotion;
 import org.phrenic.simulation.observe.Surface;
 
-/** All surfaces of a simulation and their current positions. Used by the simulation's thread alone. */
+/**
+ * All surfaces of a simulation and their current positions. A frame is made in two parts: {@link #read} copies the
+ * state of the scene on the simulation's thread, and {@link #write} computes the surfaces from it, on any thread, while
+ * the simulation goes on. One is called after the other has returned. All other methods are called on the simulation's
+ * thread while no frame is written.
+ */
 public final class SceneSurfaces {
     /** Writes the current vertex positions of a surface. */
     private interface VertexSource {
@@ -45,7 +55,13 @@ public final class SceneSurfaces {
     private final List<VertexSource> places = new ArrayList<>();
     private final List<Integer> bodies = new ArrayList<>();
     private final List<Integer> lungSurfaces = new ArrayList<>();
+    /** Copy of the state: node positions in the caller's order, bones, time, step and observables. */
     private final double[] positions;
+
+    private final RibCagePose pose;
+    private double time;
+    private long step;
+    private double[] values;
     private final Object token = new Object();
     private final SheetContact contact;
     private final SceneCarriers carriers;
@@ -69,6 +85,7 @@ public final class SceneSurfaces {
         observer = new SceneObserver(scene);
         positions = new double[scene.restPositions().length];
         scene.pose().update(0);
+        pose = scene.pose().copy();
         contact = new SheetContact(scene.diaphragm());
         contact.update(scene.restPositions());
         addDiaphragm();
@@ -77,8 +94,9 @@ public final class SceneSurfaces {
                 addNodes(part.structures.get(i), part.firstNodes.get(i), new boolean[0]);
             }
         });
-        LungMeasure lungs = observer.lungs();
-        carriers = new SceneCarriers(scene);
+        LungMeasure lungs = observer.lungs().after(pose);
+        Optional<LiverPart> liver = scene.liver().map(LiverPart::copy);
+        carriers = new SceneCarriers(scene, pose, liver);
         for (int i = 0; i < lungs.structures().size(); i++) {
             int lung = i;
             yielding(
@@ -87,9 +105,8 @@ public final class SceneSurfaces {
                     (time, at) -> lungs.positions(lung, time, scene.restPositions(), at));
             carryOrgans(places.size() - 1);
         }
-        scene.liver()
-                .ifPresent(part ->
-                        yielding(part.structure, false, (time, at) -> part.positions(scene.restPositions(), at)));
+        liver.ifPresent(
+                part -> yielding(part.structure, false, (time, at) -> part.positions(scene.restPositions(), at)));
         addOthers(scene.thorax().structures());
         addOthers(organs);
     }
@@ -148,11 +165,7 @@ public final class SceneSurfaces {
         });
     }
 
-    private void deforming(Structure s, VertexSource place) {
-        deforming(s, place, new boolean[0]);
-    }
-
-    private void deforming(Structure s, VertexSource place, boolean[] tendon) {
+    private void deforming(Structure s, VertexSource place, boolean... tendon) {
         TriangleMesh rest = s.mesh()
                 .withPositions(place.positionsAt(0, scene.restPositions()).clone());
         add(s, rest, Surface.Motion.DEFORMING, tendon, place, RibCage.TRUNK);
@@ -163,7 +176,7 @@ public final class SceneSurfaces {
             case RIB -> addRigid(s, scene.pose().cage().rib(s.level(), s.side()));
             case STERNUM -> addRigid(s, scene.pose().cage().sternum());
             case COSTAL_CARTILAGE, PLEURA -> addBlended(s);
-            case SKIN -> deforming(s, new SkinMotion(scene, s, bones())::at);
+            case SKIN -> deforming(s, new SkinMotion(scene, s, bones(), pose)::at);
             case ORGAN, VESSEL, LESION -> addFollowing(s);
             default -> addRigid(s, RibCage.TRUNK);
         }
@@ -177,8 +190,7 @@ public final class SceneSurfaces {
     /** Adds a structure without nodes or rigid motion, which deforms with the bones around it. */
     private void addBlended(Structure s) {
         double[] rest = s.mesh().positions();
-        LinearBlendSkinning motion = new LinearBlendSkinning(
-                scene.pose(), rest, bones().weightsAt(rest), scene.system().workers());
+        LinearBlendSkinning motion = new LinearBlendSkinning(pose, rest, bones().weightsAt(rest), Workers.of(1));
         double[] p = new double[rest.length];
         double[] v = new double[rest.length];
         deforming(s, (time, at) -> {
@@ -251,52 +263,62 @@ public final class SceneSurfaces {
 
     /** Writes the current state into a frame, between two steps. */
     public void capture(Frame frame) {
-        double time = readState();
+        read();
+        write(frame);
+    }
+
+    /** Copies the current state, between two steps, for {@link #write}. */
+    public void read() {
+        copyState();
+        step = simulation.stepper().steps();
+        values = observer.observe(time).values();
+    }
+
+    /** Computes the surfaces in the state that was read last. */
+    public void write(Frame frame) {
+        moveCarriers();
         for (int i = 0; i < surfaces.size(); i++) {
             switch (surfaces.get(i).motion()) {
                 case DEFORMING -> toFloat(places.get(i).positionsAt(time, positions), frame.positions(i));
-                case RIGID -> toFloat(scene.pose().pose(bodies.get(i)), frame.pose(i));
+                case RIGID -> toFloat(pose.pose(bodies.get(i)), frame.pose(i));
                 case STILL -> {
                     // The rest mesh is sufficient.
                 }
             }
         }
         toFloat(positions, frame.nodes());
-        frame.setState(
-                ++captures,
-                simulation.stepper().steps(),
-                time,
-                observer.observe(time).values());
+        frame.setState(++captures, step, time, values);
     }
 
-    /** Reads the current node positions and bone poses; returns the time, s. */
-    private double readState() {
-        double time = simulation.time();
+    /** Copies the current node positions and bone poses. */
+    private void copyState() {
+        time = simulation.time();
         scene.system().layout().toCaller(scene.system().positions(), positions);
         scene.pose().update(time);
+        pose.copyFrom(scene.pose());
+    }
+
+    private void moveCarriers() {
         contact.update(positions);
         carriers.update(time, positions);
-        return time;
     }
 
     /** All surfaces in the current state, in double precision; for files. */
     public List<TriangleMesh> meshes() {
-        double time = readState();
-        List<TriangleMesh> meshes = new ArrayList<>();
-        for (int i = 0; i < surfaces.size(); i++) {
-            meshes.add(mesh(i, time));
-        }
-        return meshes;
+        copyState();
+        moveCarriers();
+        return IntStream.range(0, surfaces.size()).mapToObj(this::meshAt).toList();
     }
 
     /** One surface in the current state, in double precision. */
     public TriangleMesh mesh(int surface) {
-        double time = readState();
+        copyState();
+        moveCarriers();
         lungSurfaces.forEach(lung -> places.get(lung).positionsAt(time, positions));
-        return mesh(surface, time);
+        return meshAt(surface);
     }
 
-    private TriangleMesh mesh(int surface, double time) {
+    private TriangleMesh meshAt(int surface) {
         TriangleMesh rest = surfaces.get(surface).rest();
         return switch (surfaces.get(surface).motion()) {
             case DEFORMING ->
@@ -304,8 +326,7 @@ public final class SceneSurfaces {
                         places.get(surface).positionsAt(time, positions).clone());
             case RIGID -> {
                 double[] p = new double[rest.positions().length];
-                HelicalBody.transformPoints(
-                        scene.pose().pose(bodies.get(surface)), rest.positions(), 0, p, 0, p.length / 3);
+                HelicalBody.transformPoints(pose.pose(bodies.get(surface)), rest.positions(), 0, p, 0, p.length / 3);
                 yield rest.withPositions(p);
             }
             case STILL -> rest;

@@ -3,6 +3,8 @@ package org.phrenic.access.plan;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
@@ -16,10 +18,12 @@ final class BreathCommands {
     private final LiveRun run;
     private final ManualStepRecorder steps;
     private final double reactionS;
+    private final Queue<Optional<BreathEvent.Kind>> asked = new ConcurrentLinkedQueue<>();
     private Optional<BreathEvent> told = Optional.empty();
     private double dueS = Double.POSITIVE_INFINITY;
     private RespiratoryPhase before = RespiratoryPhase.PAUSE;
     private int breathBefore = 1;
+    private double updatedS = Double.NaN;
 
     /** @param reactionS time from the event to the hold, s */
     BreathCommands(LiveRun run, ManualStepRecorder steps, double reactionS) {
@@ -34,10 +38,18 @@ final class BreathCommands {
         dueS = Double.POSITIVE_INFINITY;
         before = RespiratoryPhase.PAUSE;
         breathBefore = 1;
+        updatedS = Double.NaN;
     }
 
-    /** Asks for a hold at the next event of a kind; a held breath is released first. Empty only releases. */
-    void request(Optional<BreathEvent.Kind> at, double timeS) {
+    /**
+     * Asks for a hold at the next event of a kind; a held breath is released first. Empty only releases. Executed at
+     * the next {@link #update}; on any thread.
+     */
+    void ask(Optional<BreathEvent.Kind> at) {
+        asked.add(at);
+    }
+
+    private void request(Optional<BreathEvent.Kind> at, double timeS) {
         told = at.map(kind -> new BreathEvent(kind, OptionalInt.empty()));
         dueS = Double.POSITIVE_INFINITY;
         if (run.scenario().hold()) {
@@ -45,8 +57,12 @@ final class BreathCommands {
         }
     }
 
-    /** Holds the breath if it is time; once at every look. */
+    /** Holds the breath if it is time, and executes what was asked for; does nothing at the time of the last call. */
     void update(RespiratoryPhase doing, int breath, double timeS) {
+        if (timeS == updatedS) {
+            return;
+        }
+        updatedS = timeS;
         if (told.isPresent()
                 && dueS == Double.POSITIVE_INFINITY
                 && told.get().occurs(before, breathBefore, doing, breath)) {
@@ -59,14 +75,18 @@ final class BreathCommands {
         }
         before = doing;
         breathBefore = breath;
+        for (Optional<BreathEvent.Kind> at = asked.poll(); at != null; at = asked.poll()) {
+            request(at, timeS);
+        }
     }
 
     private void hold(boolean on, double timeS) {
-        set(run, on, "window");
+        hold(on, "window");
         steps.add(timeS, new PlanStep.HoldBreath("by hand, hold_breath", on));
     }
 
-    static void set(LiveRun run, boolean on, String origin) {
+    /** Holds or releases the breath at once, without a step of a plan. */
+    void hold(boolean on, String origin) {
         run.change(List.of(Assignment.of(origin, Breathing.HOLD, on)));
     }
 

@@ -40,6 +40,8 @@ public final class LiveRehearsal implements StepListener {
 
     /** Wall-clock time between two published states, ns. */
     private static final long SHOW_NS = 40_000_000;
+    /** Wall-clock time after which the state is published even if nobody takes frames, ns. */
+    private static final long IDLE_NS = 120_000_000;
 
     private static final int BREATH = Observation.COLUMNS.indexOf("breath");
 
@@ -57,7 +59,6 @@ public final class LiveRehearsal implements StepListener {
     private final Queue<Runnable> requests = new ConcurrentLinkedQueue<>();
     private final ManualStepRecorder steps = new ManualStepRecorder();
     private final BreathCommands breathing;
-
     private NeedleInsertion needle;
     private NeedleSnapshots snapshots;
     private PlanPlayer player;
@@ -112,7 +113,15 @@ public final class LiveRehearsal implements StepListener {
                 || !requests.isEmpty()
                 || hand.isAsked()
                 || needleTurned.get() != null
-                || System.nanoTime() - describedNs > SHOW_NS;
+                || System.nanoTime() - describedNs > IDLE_NS;
+    }
+
+    /** A needle by hand changes only breath holds, which need no frame; its end needs the state of the step. */
+    @Override
+    public boolean maySeeFrameLater() {
+        return needle != null
+                && player == null
+                && (over || needle.record().samples().isEmpty());
     }
 
     @Override
@@ -166,7 +175,7 @@ public final class LiveRehearsal implements StepListener {
         steps.clear();
         needle = new NeedleInsertion(anatomy, target, plan.needle(), plan.avoided());
         snapshots = new NeedleSnapshots();
-        player = map.isPresent() ? new PlanPlayer(plan, needle, probe, map.get(), this::hold) : null;
+        player = map.isPresent() ? new PlanPlayer(plan, needle, probe, map.get(), breathing::hold) : null;
         breathing.begin();
         over = false;
         fresh = true;
@@ -178,11 +187,8 @@ public final class LiveRehearsal implements StepListener {
 
     private boolean play(int breath) {
         requests.clear();
-        if (over) {
-            return false;
-        }
         try {
-            return player.update(phase, breath);
+            return !over && player.update(phase, breath);
         } catch (BadInputException bad) {
             over = true;
             listener.refused(bad.getMessage());
@@ -226,16 +232,12 @@ public final class LiveRehearsal implements StepListener {
         needleTurned.compareAndSet(asked, null);
     }
 
-    private void hold(boolean on, String origin) {
-        BreathCommands.set(run, on, origin);
-    }
-
     /**
      * Requests a breath hold at the next event of a kind. A held breath is released first. An empty argument only
      * releases.
      */
     public void holdAt(Optional<BreathEvent.Kind> end) {
-        requests.add(() -> breathing.request(end, timeS));
+        breathing.ask(end);
     }
 
     /**
@@ -324,7 +326,10 @@ public final class LiveRehearsal implements StepListener {
         hand.ask(as);
     }
 
-    /** What an ultrasound image of the current frame is made of; empty without a probe. On the thread of the run. */
+    /**
+     * What an ultrasound image of the current frame is made of; empty without a probe. On the thread of
+     * {@link #onStep}.
+     */
     public Optional<ImageMoment> imageMoment() {
         return needle == null || frame == null ? Optional.empty() : probe.moment(needle);
     }

@@ -220,6 +220,11 @@ class LiveAttemptTest {
         }
 
         @Override
+        public boolean maySeeFrameLater() {
+            return needle.maySeeFrameLater();
+        }
+
+        @Override
         public void onStepWithoutFrame(double timeS, RespiratoryPhase label, int breath) {
             needle.onStepWithoutFrame(timeS, label, breath);
         }

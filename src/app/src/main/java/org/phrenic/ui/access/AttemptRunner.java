@@ -141,6 +141,11 @@ final class AttemptRunner implements AutoCloseable {
         }
 
         @Override
+        public boolean maySeeFrameLater() {
+            return needle.maySeeFrameLater();
+        }
+
+        @Override
         public void onStepWithoutFrame(double timeS, RespiratoryPhase label, int breath) {
             needle.onStepWithoutFrame(timeS, label, breath);
         }

@@ -33,6 +33,19 @@ public final class LinearBlendSkinning implements PrescribedMotion {
         this.weight = bones.weight();
     }
 
+    private LinearBlendSkinning(LinearBlendSkinning like, RibCagePose pose) {
+        this.pose = pose;
+        workers = Workers.of(1);
+        rest = like.rest;
+        body = like.body;
+        weight = like.weight;
+    }
+
+    /** The same motion of the same points after another pose, on the calling thread alone. */
+    public LinearBlendSkinning after(RibCagePose other) {
+        return new LinearBlendSkinning(this, other);
+    }
+
     @Override
     public int pointCount() {
         return rest.length / 3;

@@ -50,6 +50,23 @@ public final class RibCagePose {
         }
     }
 
+    /** A copy for another thread, which takes over later poses by {@link #copyFrom}. */
+    public RibCagePose copy() {
+        RibCagePose twin = new RibCagePose(cage, drive);
+        twin.copyFrom(this);
+        return twin;
+    }
+
+    /** Takes over the poses of the same rib cage, and their time. */
+    public void copyFrom(RibCagePose other) {
+        time = other.time;
+        System.arraycopy(other.amplitudeAndRate, 0, amplitudeAndRate, 0, amplitudeAndRate.length);
+        for (int i = 0; i < pose.length; i++) {
+            System.arraycopy(other.pose[i], 0, pose[i], 0, pose[i].length);
+            System.arraycopy(other.twist[i], 0, twist[i], 0, twist[i].length);
+        }
+    }
+
     /** Updates all bodies to a time. */
     public void update(double now) {
         if (now == time) {

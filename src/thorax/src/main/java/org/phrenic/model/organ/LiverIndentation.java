@@ -73,6 +73,29 @@ final class LiverIndentation {
         normals = MeshMeasure.vertexNormals(organ);
     }
 
+    private LiverIndentation(LiverIndentation like) {
+        System.arraycopy(like.origin, 0, origin, 0, origin.length);
+        System.arraycopy(like.count, 0, count, 0, count.length);
+        System.arraycopy(like.stride, 0, stride, 0, stride.length);
+        surface = like.surface;
+        normals = like.normals;
+        allowedDepth = like.allowedDepth;
+        int all = like.distance.length;
+        distance = new double[all];
+        requested = new double[3 * all];
+        weight = new double[all];
+        inverseDiagonal = new double[3 * all];
+        displacement = new double[3 * all];
+        next = new double[3 * all];
+        Arrays.fill(distance, Double.NaN);
+        clearRange();
+    }
+
+    /** The same organ, not indented, with working memory of its own. */
+    LiverIndentation copy() {
+        return new LiverIndentation(this);
+    }
+
     /** Signed distance of a grid node from the surface, negative inside; computed on first use. */
     private double distance(int node) {
         if (Double.isNaN(distance[node])) {

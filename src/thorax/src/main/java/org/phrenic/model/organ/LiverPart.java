@@ -118,6 +118,26 @@ public final class LiverPart {
         }
     }
 
+    private LiverPart(LiverPart like) {
+        structure = like.structure;
+        roofNodes = like.roofNodes;
+        area = like.area;
+        inBareArea = like.inBareArea;
+        bareArea = like.bareArea;
+        System.arraycopy(like.centre, 0, centre, 0, centre.length);
+        resistance.setTo(like.resistance);
+        indentation = like.indentation.copy();
+        abdominalFace = like.abdominalFace;
+        lowest = like.lowest;
+        height = like.height;
+        moved = structure.mesh().positions().clone();
+    }
+
+    /** The same liver with working memory of its own, for another thread. */
+    public LiverPart copy() {
+        return new LiverPart(this);
+    }
+
     private static int[] roofNodes(Diaphragm d, double[] normals, double[] distance, double reach) {
         return IntStream.range(0, distance.length)
                 .filter(i -> !d.isThoracic(i) && !d.isInserted(i) && normals[3 * i + 2] < ROOF && distance[i] < reach)

@@ -2,6 +2,7 @@ package org.phrenic.simulation.live;
 
 import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.engine.integrator.StabilityLimit;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.scenario.RunSettings;
@@ -36,6 +37,7 @@ final class RunningScene implements AutoCloseable {
     final FrameTripleBuffer pipe;
     final RunHistory history;
     private final SceneSurfaces surfaces;
+    private final FrameWriter writer = new FrameWriter();
     private long nextSample;
     private long publishedNs;
     private long publishedStep;
@@ -87,7 +89,7 @@ final class RunningScene implements AutoCloseable {
         if (simulation.steps() >= nextSample) {
             sample();
             if (history.isFrameDue(simulation.time()) && System.nanoTime() - publishedNs > MIN_HISTORY_INTERVAL_NS) {
-                publish();
+                publishLater();
             }
         }
     }
@@ -96,20 +98,45 @@ final class RunningScene implements AutoCloseable {
     boolean notifyStepListener(StepListener watch, StepListener.Trigger when) {
         boolean due = when.isDue(
                 simulation.steps(), simulation.time(), simulation.stepper().dt());
-        if (due && (watch.needsFrame() || isReaderWaiting())) {
-            listenerFrame = listenerFrame == null ? surfaces.newFrame() : listenerFrame;
-            surfaces.capture(listenerFrame);
-            capturedStep = simulation.steps();
-            watch.onStep(listenerFrame, simulation.breathLabel());
-            if (isReaderWaiting()) {
-                publish();
-            }
-        } else if (due) {
-            double time = simulation.time();
-            int breath = 1 + simulation.scene().drive().breathAt(time).breath;
-            watch.onStepWithoutFrame(time, simulation.breathLabel(), breath);
+        if (due) {
+            writer.finish();
+            notify(watch);
         }
         return due;
+    }
+
+    private void notify(StepListener watch) {
+        boolean seen = watch.needsFrame() || isReaderWaiting();
+        boolean later = seen && watch.maySeeFrameLater();
+        RespiratoryPhase label = simulation.breathLabel();
+        if (!seen || later) {
+            double time = simulation.time();
+            int breath = 1 + simulation.scene().drive().breathAt(time).breath;
+            watch.onStepWithoutFrame(time, label, breath);
+        }
+        if (!seen) {
+            return;
+        }
+        listenerFrame = listenerFrame == null ? surfaces.newFrame() : listenerFrame;
+        surfaces.read();
+        capturedStep = simulation.steps();
+        boolean shown = isReaderWaiting();
+        if (shown) {
+            published();
+        }
+        Runnable task = () -> {
+            surfaces.write(listenerFrame);
+            watch.onStep(listenerFrame, label);
+            if (shown) {
+                pipe.back().copyFrom(listenerFrame);
+                handOver();
+            }
+        };
+        if (later) {
+            writer.start(task);
+        } else {
+            task.run();
+        }
     }
 
     private void sample() {
@@ -120,7 +147,7 @@ final class RunningScene implements AutoCloseable {
     }
 
     private boolean isReaderWaiting() {
-        return System.nanoTime() - publishedNs > MIN_FRAME_INTERVAL_NS && pipe.isConsumed();
+        return System.nanoTime() - publishedNs > MIN_FRAME_INTERVAL_NS && writer.isIdle() && pipe.isConsumed();
     }
 
     /** Whether the frames that a step listener gets are frequent enough for readers too. */
@@ -134,29 +161,52 @@ final class RunningScene implements AutoCloseable {
         long since = System.nanoTime() - publishedNs;
         if (simulation.steps() != publishedStep
                 && (since > MAX_FRAME_INTERVAL_NS || (isReaderWaiting() && !isListenerFrequent()))) {
-            publish();
+            publishLater();
         }
     }
 
-    /** Publishes a frame, and adds it to the history if due. A frame with NaN or infinite values is not published. */
+    /** Publishes a frame of the current state while the simulation goes on, unless another one is at work. */
+    private void publishLater() {
+        if (writer.isIdle()) {
+            surfaces.read();
+            published();
+            writer.start(() -> {
+                surfaces.write(pipe.back());
+                handOver();
+            });
+        }
+    }
+
+    /** Publishes a frame of the current state. */
     void publish() {
+        writer.finish();
         if (capturedStep == simulation.steps()) {
             pipe.back().copyFrom(listenerFrame);
         } else {
             surfaces.capture(pipe.back());
         }
-        if (pipe.back().isFinite()) {
-            if (history.isFrameDue(simulation.time())) {
-                history.add(pipe.back());
-            }
-            pipe.publish();
-        }
+        published();
+        handOver();
+    }
+
+    private void published() {
         publishedNs = System.nanoTime();
         publishedStep = simulation.steps();
     }
 
+    /** Publishes the back frame, and adds it to the history if due; not one with NaN or infinite values. */
+    private void handOver() {
+        if (pipe.back().isFinite()) {
+            if (history.isFrameDue(pipe.back().timeS())) {
+                history.add(pipe.back());
+            }
+            pipe.publish();
+        }
+    }
+
     /** Removes the history after the current time, after a restart or a return to an earlier state. */
     void rewound() {
+        writer.finish();
         capturedStep = -1;
         history.truncateAfter(simulation.steps() == 0 ? Double.NEGATIVE_INFINITY : simulation.time());
         nextSample = 0;
@@ -168,6 +218,7 @@ final class RunningScene implements AutoCloseable {
 
     @Override
     public void close() {
+        writer.close();
         simulation.close();
     }
 }

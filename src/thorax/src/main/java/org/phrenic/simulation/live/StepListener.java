@@ -4,9 +4,9 @@ import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * Receives the state of a run at selected steps, on the simulation's thread and between two steps. The steps do not
- * depend on the speed of the machine. The simulation waits for the call, so it should be short. Changes that it makes
- * ({@link LiveRun#change}) apply before the next step.
+ * Receives the state of a run at selected steps, one at a time, on the simulation's thread and between two steps. The
+ * steps do not depend on the speed of the machine. The simulation waits for the call, so it should be short. Changes
+ * that it makes ({@link LiveRun#change}) apply before the next step.
  */
 @FunctionalInterface
 public interface StepListener {
@@ -45,7 +45,17 @@ public interface StepListener {
     }
 
     /**
-     * Called at a selected step instead of {@link #onStep} while {@link #needsFrame} is false.
+     * Whether {@link #onStep} may be called on another thread, while the run goes on to the next selected step at most.
+     * It then must not change the run, nor wait for it; {@link #onStepWithoutFrame} is called at the step itself,
+     * before it, and may change the run.
+     */
+    default boolean maySeeFrameLater() {
+        return false;
+    }
+
+    /**
+     * Called at a selected step instead of {@link #onStep} while {@link #needsFrame} is false, and before it while
+     * {@link #maySeeFrameLater} is true.
      *
      * @param timeS simulated time, s
      * @param label respiratory phase

@@ -1,9 +1,11 @@
 package org.phrenic.simulation.observe;
 
+import java.util.Arrays;
 import java.util.List;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.cage.LinearBlendSkinning;
+import org.phrenic.anatomy.cage.RibCagePose;
 import org.phrenic.anatomy.cage.SkinningWeights;
 import org.phrenic.engine.force.FallOff;
 import org.phrenic.mesh.TriangleMesh;
@@ -60,6 +62,26 @@ public final class LungMeasure {
             start[s] = positions(s, 0, scene.restPositions(), scene.restPositions())
                     .clone();
         }
+    }
+
+    private LungMeasure(LungMeasure like, RibCagePose pose) {
+        structures = like.structures;
+        firsts = like.firsts;
+        walls = Arrays.stream(like.walls)
+                .map(wall -> wall == null ? null : wall.after(pose))
+                .toArray(LinearBlendSkinning[]::new);
+        diaphragmNode = like.diaphragmNode;
+        diaphragmShare = like.diaphragmShare;
+        position = Arrays.stream(like.position).map(double[]::clone).toArray(double[][]::new);
+        velocity = Arrays.stream(like.velocity)
+                .map(v -> v == null ? null : v.clone())
+                .toArray(double[][]::new);
+        start = like.start;
+    }
+
+    /** The same lungs after another pose of the rib cage, with working memory of their own. */
+    public LungMeasure after(RibCagePose pose) {
+        return new LungMeasure(this, pose);
     }
 
     private void embed(Scene scene, int s, TriangleMesh mesh) {

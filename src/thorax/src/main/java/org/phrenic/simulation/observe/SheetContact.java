@@ -30,6 +30,12 @@ public final class SheetContact {
     /** Weight of a corner below which a nearest point lies on the opposite side of its triangle. */
     private static final double ON_SIDE = 1e-9;
 
+    /** A point is searched for this much farther than is needed now, so that it is far enough for some frames. */
+    private static final double AHEAD_MM = 6;
+
+    /** Far more than the rounding of a distance. */
+    private static final double ROUNDING_MM = 1e-6;
+
     private final int first;
     private final TriangleTree sheet;
     private final boolean[] thoracicFace;
@@ -39,6 +45,9 @@ public final class SheetContact {
     private final double[] positions;
     /** Sum of the area vectors of the triangles about each vertex. */
     private final double[] normals;
+
+    /** Sum of the largest distances that a vertex has moved from update to update, mm. */
+    private double travelMm;
 
     private final double[] normal = new double[3];
     private final MeshTopology topology;
@@ -84,6 +93,7 @@ public final class SheetContact {
 
     /** @param nodes current positions of the whole scene, caller's order */
     public void update(double[] nodes) {
+        travelMm += farthestMm(nodes);
         System.arraycopy(nodes, 3 * first, positions, 0, positions.length);
         sheet.refit(positions);
         Arrays.fill(normals, 0);
@@ -98,16 +108,33 @@ public final class SheetContact {
         }
     }
 
+    /** Largest distance from a vertex of the sheet to where it is now. */
+    private double farthestMm(double[] nodes) {
+        double most = 0;
+        for (int i = 0; i < positions.length; i += 3) {
+            double dx = nodes[3 * first + i] - positions[i];
+            double dy = nodes[3 * first + i + 1] - positions[i + 1];
+            double dz = nodes[3 * first + i + 2] - positions[i + 2];
+            most = Math.max(most, dx * dx + dy * dy + dz * dz);
+        }
+        return Math.sqrt(most);
+    }
+
     /**
      * An organ on one side of the sheet. Its points are searched in clusters: no sheet lies between the first of a
      * cluster and a point that is nearer to it than the sheet is. Such a point lies on the same side, and is searched
-     * only if a fold of the sheet may be as near to it as {@value #FOLD_REACH_MM} mm.
+     * only if a fold of the sheet may be as near to it as {@value #FOLD_REACH_MM} mm. A point that, since it was last
+     * searched, has moved together with the sheet by less than it was too far away is not searched again.
      */
     public final class Organ {
         private final boolean above;
         private final PointClusters clusters;
         /** Nearest triangle of each point when last searched for. */
         private final int[] nearest;
+        /** Place of each point when last searched, three numbers. */
+        private final double[] searchedAt;
+        /** Least distance of each point from the sheet when last searched, plus the sheet's travel until then, mm. */
+        private final double[] leastMm;
         /** Whether the point that was last searched lay beyond the face of the organ's side. */
         private boolean beyond;
 
@@ -116,6 +143,9 @@ public final class SheetContact {
             clusters = new PointClusters(rest);
             nearest = new int[rest.length / 3];
             Arrays.fill(nearest, -1);
+            searchedAt = rest.clone();
+            leastMm = new double[nearest.length];
+            Arrays.fill(leastMm, Double.NEGATIVE_INFINITY);
         }
 
         /** Moves the points that lie beyond the face of the organ's side; three numbers a point, changed in place. */
@@ -123,6 +153,9 @@ public final class SheetContact {
             int[] order = clusters.order();
             for (int c = 0; c < clusters.count(); c++) {
                 int k = 3 * order[clusters.start(c)];
+                if (isBeyondReach(points, k, REACH_MM + radius(points, c))) {
+                    continue;
+                }
                 double x = points[k];
                 double y = points[k + 1];
                 double z = points[k + 2];
@@ -140,6 +173,25 @@ public final class SheetContact {
             }
         }
 
+        /** Largest distance of a point of a cluster from its first one, mm. */
+        private double radius(double[] points, int cluster) {
+            int[] order = clusters.order();
+            int k = 3 * order[clusters.start(cluster)];
+            double most = 0;
+            for (int i = clusters.start(cluster) + 1; i < clusters.start(cluster + 1); i++) {
+                most = Math.max(most, squaredDistance(points, 3 * order[i], points, k));
+            }
+            return Math.sqrt(most);
+        }
+
+        /**
+         * Whether a point is certainly farther from the sheet than a distance, by where both were when last searched.
+         */
+        private boolean isBeyondReach(double[] points, int k, double mm) {
+            double free = leastMm[k / 3] - travelMm - mm - ROUNDING_MM;
+            return free > 0 && squaredDistance(points, k, searchedAt, k) < free * free;
+        }
+
         /** Moves a point if it lies beyond; returns up to which distance all points lie on the organ's side, mm. */
         private double freeDistance(double[] points, int k) {
             if (!pushBack(points, k, CLUSTER_REACH_MM)) {
@@ -150,11 +202,18 @@ public final class SheetContact {
 
         /** Moves a point if it lies beyond; returns whether the sheet is within a distance, of which the hit tells. */
         private boolean pushBack(double[] points, int k, double reachMm) {
+            if (isBeyondReach(points, k, reachMm)) {
+                beyond = false;
+                return false;
+            }
             double x = points[k];
             double y = points[k + 1];
             double z = points[k + 2];
-            boolean near = sheet.closest(x, y, z, reachMm, nearest[k / 3], null, hit);
+            boolean found = sheet.closest(x, y, z, reachMm + AHEAD_MM, nearest[k / 3], null, hit);
+            boolean near = found && hit.distanceSquared <= reachMm * reachMm;
             nearest[k / 3] = hit.triangle;
+            System.arraycopy(points, k, searchedAt, k, 3);
+            leastMm[k / 3] = travelMm + (found ? Math.sqrt(hit.distanceSquared) : reachMm + AHEAD_MM);
             beyond = near && isBeyond(points, k, above);
             if (beyond
                     && hit.distanceSquared <= REACH_MM * REACH_MM
@@ -173,6 +232,13 @@ public final class SheetContact {
      */
     public Organ organ(double[] rest, boolean above) {
         return new Organ(rest, above);
+    }
+
+    private static double squaredDistance(double[] points, int k, double[] others, int m) {
+        double dx = points[k] - others[m];
+        double dy = points[k + 1] - others[m + 1];
+        double dz = points[k + 2] - others[m + 2];
+        return dx * dx + dy * dy + dz * dz;
     }
 
     private void yieldTo(double[] points, int k) {

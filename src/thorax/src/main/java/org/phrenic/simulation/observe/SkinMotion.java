@@ -4,8 +4,10 @@ import java.util.Arrays;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.cage.LinearBlendSkinning;
+import org.phrenic.anatomy.cage.RibCagePose;
 import org.phrenic.anatomy.cage.SkinningWeights;
 import org.phrenic.engine.force.FallOff;
+import org.phrenic.engine.parallel.Workers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.model.assembly.Scene;
@@ -57,12 +59,12 @@ public final class SkinMotion {
     private final double[] position;
     private final double[] velocity;
 
-    public SkinMotion(Scene scene, Structure skin, SkinningWeights bones) {
+    /** @param pose of the rib cage at the time that is asked for */
+    public SkinMotion(Scene scene, Structure skin, SkinningWeights bones, RibCagePose pose) {
         TriangleMesh mesh = skin.mesh();
         rest = mesh.positions();
         SkinningWeights.Weights blend = bones.weightsAt(rest);
-        withBones = new LinearBlendSkinning(
-                scene.pose(), rest, blend, scene.system().workers());
+        withBones = new LinearBlendSkinning(pose, rest, blend, Workers.of(1));
         boneShare = new double[mesh.vertexCount()];
         Arrays.setAll(boneShare, i -> FallOff.at(Math.max(0, blend.distance()[i] - WITH_BONE_MM), FADE_MM));
         abdominal = scene.diaphragm().abdominalTriangles();
