@@ -117,7 +117,7 @@ class LiveRunTest {
         run.setSpeed(Double.POSITIVE_INFINITY);
         run.play();
         steps(600);
-        until(() -> run.copyNewestFrame(frame) && frame.step() > 300);
+        until(() -> run.copyNewestFrame(frame) && frame.step() >= 600);
         assertThat(value(frame, "dome_right_mm")).as("breathes in").isLessThan(-0.5);
         assertThat(frame.isFinite()).isTrue();
         until(() -> run.status().stepsPerS() > 0);
