@@ -24,10 +24,7 @@ final class LiverIndentation {
     private static final double DECAY = 0.1;
     private static final int SWEEPS = 12;
 
-    /**
-     * Penetration that is tolerated before the organ deforms. It covers the gap between the flat faces of a sliding
-     * sheet and the round organ.
-     */
+    /** Penetration tolerated before the organ deforms: the gap between flat faces and the round organ. */
     private static final double SLACK_MM = 1;
 
     private final double[] origin = new double[3];
@@ -53,7 +50,19 @@ final class LiverIndentation {
     private final int[] last = new int[3];
 
     LiverIndentation(TriangleMesh organ) {
-        double[] box = organ.bounds();
+        this(new TriangleTree(organ), MeshMeasure.vertexNormals(organ));
+    }
+
+    /** The same organ, not indented, with working memory of its own. */
+    LiverIndentation(LiverIndentation like) {
+        this(like.surface, like.normals);
+        allowedDepth = like.allowedDepth;
+    }
+
+    private LiverIndentation(TriangleTree surface, double[] normals) {
+        this.surface = surface;
+        this.normals = normals;
+        double[] box = surface.mesh().bounds();
         int all = 1;
         for (int axis = 0; axis < 3; axis++) {
             origin[axis] = box[axis] - MARGIN * SPACING_MM;
@@ -69,31 +78,6 @@ final class LiverIndentation {
         next = new double[3 * all];
         Arrays.fill(distance, Double.NaN);
         clearRange();
-        surface = new TriangleTree(organ);
-        normals = MeshMeasure.vertexNormals(organ);
-    }
-
-    private LiverIndentation(LiverIndentation like) {
-        System.arraycopy(like.origin, 0, origin, 0, origin.length);
-        System.arraycopy(like.count, 0, count, 0, count.length);
-        System.arraycopy(like.stride, 0, stride, 0, stride.length);
-        surface = like.surface;
-        normals = like.normals;
-        allowedDepth = like.allowedDepth;
-        int all = like.distance.length;
-        distance = new double[all];
-        requested = new double[3 * all];
-        weight = new double[all];
-        inverseDiagonal = new double[3 * all];
-        displacement = new double[3 * all];
-        next = new double[3 * all];
-        Arrays.fill(distance, Double.NaN);
-        clearRange();
-    }
-
-    /** The same organ, not indented, with working memory of its own. */
-    LiverIndentation copy() {
-        return new LiverIndentation(this);
     }
 
     /** Signed distance of a grid node from the surface, negative inside; computed on first use. */
@@ -135,7 +119,7 @@ final class LiverIndentation {
 
     /** Clears the requested displacements. */
     void clear() {
-        if (isIndented()) {
+        if (last[0] >= 0) {
             for (int k = firstReached(2, SWEEPS); k <= lastReached(2, SWEEPS); k++) {
                 for (int j = firstReached(1, SWEEPS); j <= lastReached(1, SWEEPS); j++) {
                     int from = row(j, k) + firstReached(0, SWEEPS);
@@ -153,10 +137,6 @@ final class LiverIndentation {
     private void clearRange() {
         Arrays.fill(first, Integer.MAX_VALUE);
         Arrays.fill(last, -1);
-    }
-
-    private boolean isIndented() {
-        return last[0] >= 0;
     }
 
     /**
@@ -224,7 +204,7 @@ final class LiverIndentation {
 
     /** Relaxes the displacements under all requests; returns whether the organ is indented anywhere. */
     boolean relax() {
-        if (!isIndented()) {
+        if (last[0] < 0) {
             return false;
         }
         for (int k = firstReached(2, SWEEPS); k <= lastReached(2, SWEEPS); k++) {

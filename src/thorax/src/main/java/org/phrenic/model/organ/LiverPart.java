@@ -126,7 +126,7 @@ public final class LiverPart {
         bareArea = like.bareArea;
         System.arraycopy(like.centre, 0, centre, 0, centre.length);
         resistance.setTo(like.resistance);
-        indentation = like.indentation.copy();
+        indentation = new LiverIndentation(like.indentation);
         abdominalFace = like.abdominalFace;
         lowest = like.lowest;
         height = like.height;
