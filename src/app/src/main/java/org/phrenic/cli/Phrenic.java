@@ -7,11 +7,9 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.phrenic.cli.option.VersionProvider;
 import org.phrenic.cli.report.ExitCode;
-import org.phrenic.cli.report.FailureHandler;
 import org.phrenic.cli.report.HeadlessRun;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.ui.window.PhrenicWindow;
-import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -66,10 +64,19 @@ public final class Phrenic implements Callable<Integer> {
     public static void main(String[] args) {
         PrintWriter out = new PrintWriter(System.out, true, StandardCharsets.UTF_8);
         PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
-        int code = execute(out, err, args);
+        int code = hasLibraries() ? execute(out, err, args) : ExitCode.BAD_INPUT;
+        if (!hasLibraries()) {
+            err.println("phrenic: found phrenic.jar without its folder lib, expected both side by side, as in target or"
+                    + " in the zip");
+        }
         out.flush();
         err.flush();
         System.exit(code);
+    }
+
+    /** Whether the jars of {@code lib} are there. This class loads without them. */
+    private static boolean hasLibraries() {
+        return Phrenic.class.getClassLoader().getResource("picocli/CommandLine.class") != null;
     }
 
     /**
@@ -82,15 +89,7 @@ public final class Phrenic implements Callable<Integer> {
      */
     public static int execute(PrintWriter out, PrintWriter err, String... args) {
         Phrenic phrenic = new Phrenic();
-        CommandLine line = SubCommands.commandLine(phrenic, args);
-        FailureHandler failures = new FailureHandler(() -> phrenic.debug);
-        line.setOut(out).setErr(err).setParameterExceptionHandler(failures).setExecutionExceptionHandler(failures);
-        try {
-            return line.execute(args);
-        } catch (OutOfMemoryError full) {
-            err.println("phrenic: not enough memory; give Java more, as in java -Xmx4g -jar phrenic.jar");
-            return ExitCode.FAILURE;
-        }
+        return SubCommands.execute(phrenic, () -> phrenic.debug, out, err, args);
     }
 
     @Override

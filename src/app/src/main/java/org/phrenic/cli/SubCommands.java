@@ -1,7 +1,14 @@
 package org.phrenic.cli;
 
+import java.io.PrintWriter;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.function.BooleanSupplier;
+import org.phrenic.cli.report.ExitCode;
+import org.phrenic.cli.report.FailureHandler;
 import picocli.CommandLine;
+import picocli.CommandLine.TypeConversionException;
 
 /**
  * The subcommands of {@code phrenic}. If the first argument names a subcommand, only that one is registered, because
@@ -26,6 +33,29 @@ final class SubCommands {
             "ultrasound");
 
     private SubCommands() {}
+
+    /** Runs the command line of {@code phrenic}; see {@link Phrenic#execute}. */
+    static int execute(Phrenic phrenic, BooleanSupplier debug, PrintWriter out, PrintWriter err, String... args) {
+        CommandLine line = commandLine(phrenic, args).registerConverter(Path.class, SubCommands::path);
+        FailureHandler failures = new FailureHandler(debug);
+        line.setOut(out).setErr(err).setParameterExceptionHandler(failures).setExecutionExceptionHandler(failures);
+        try {
+            return line.execute(args);
+        } catch (OutOfMemoryError full) {
+            err.println("phrenic: not enough memory; give Java more, as in java -Xmx4g -jar phrenic.jar");
+            return ExitCode.FAILURE;
+        }
+    }
+
+    private static Path path(String text) {
+        try {
+            return Path.of(text);
+        } catch (InvalidPathException e) {
+            throw new TypeConversionException("found a name that this system cannot write, expected one in the encoding"
+                    + " of file names, " + System.getProperty("sun.jnu.encoding")
+                    + " (LANG=C.UTF-8 allows all letters)");
+        }
+    }
 
     /** Creates the command line of {@code phrenic} with the subcommands required by the arguments. */
     static CommandLine commandLine(Phrenic phrenic, String... args) {

@@ -138,6 +138,7 @@ class CommandsTest {
         summary.put("dome_excursion_right_mm", 15.249999);
         summary.put("dome_excursion_right_peak_to_peak_mm", 15.5);
         summary.put("max_rigid_link_error", 1.23456e-15);
+        summary.put("state_sha256", "0a1b2c");
         assertThat(RunReport.table(summary))
                 .isEqualTo(
                         """
@@ -148,8 +149,19 @@ class CommandsTest {
 
                         steps per s               1234.6
 
+                        state_sha256 0a1b2c
+
                         For research and training only. Not for clinical use.
                         """);
+    }
+
+    @Test
+    void whatACommandLacksIsNamedWithoutWhatWasGiven() {
+        CommandLineRun bench = CommandLineRun.of("bench", "--mesh", "X");
+        assertThat(bench.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(bench.err())
+                .startsWith("phrenic: found no --fixed FILE and --loaded FILE")
+                .doesNotContain("--mesh");
     }
 
     @Test

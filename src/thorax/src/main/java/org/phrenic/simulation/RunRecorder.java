@@ -1,6 +1,7 @@
 package org.phrenic.simulation;
 
 import java.io.IOException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -31,6 +32,8 @@ import org.phrenic.simulation.observe.Surface;
  */
 final class RunRecorder {
     private static final String SUMMARY = "summary.json";
+    private static final String SERIES = "scene.pvd";
+    private static final String MESHES = "meshes";
     /** Tolerance for rounding when comparing output times. */
     private static final double ROUNDING = 1e-9;
 
@@ -46,18 +49,26 @@ final class RunRecorder {
         this.simulation = simulation;
         this.out = out;
         boolean meshes = out != null && scenario.get(RunSettings.MESHES_EVERY) > 0;
-        series = meshes ? new PvdSeries(out.resolve("scene.pvd")) : null;
+        series = meshes ? new PvdSeries(out.resolve(SERIES)) : null;
         if (out != null) {
-            deleteStaleSummary(out.resolve(SUMMARY));
+            deleteEarlierResults();
         }
     }
 
-    /** Deletes the summary of an earlier run, which would not match the new files if this run fails. */
-    private static void deleteStaleSummary(Path summary) {
+    /** Deletes the summary and the mesh series of an earlier run, which would not match the new files. */
+    private void deleteEarlierResults() {
         try {
-            Files.deleteIfExists(summary);
+            Files.deleteIfExists(out.resolve(SUMMARY));
+            Files.deleteIfExists(out.resolve(SERIES));
+            if (Files.isDirectory(out.resolve(MESHES))) {
+                try (DirectoryStream<Path> frames = Files.newDirectoryStream(out.resolve(MESHES), "*_[0-9]*.vtp")) {
+                    for (Path frame : frames) {
+                        Files.delete(frame);
+                    }
+                }
+            }
         } catch (IOException e) {
-            throw new OutputException(summary + ": cannot be replaced: " + e.getMessage(), e);
+            throw new OutputException(out + ": an earlier result cannot be replaced: " + e.getMessage(), e);
         }
     }
 
@@ -72,7 +83,7 @@ final class RunRecorder {
         List<TriangleMesh> meshes = surfaces.meshes();
         for (int i = 0; i < meshes.size(); i++) {
             Surface surface = surfaces.surfaces().get(i);
-            Path file = out.resolve("meshes").resolve(String.format(Locale.ROOT, "%s_%05d.vtp", surface.name(), frame));
+            Path file = out.resolve(MESHES).resolve(String.format(Locale.ROOT, "%s_%05d.vtp", surface.name(), frame));
             VtpWriter.write(file, meshes.get(i), pointData(surface, meshes.get(i)));
             series.add(time, i, file);
         }

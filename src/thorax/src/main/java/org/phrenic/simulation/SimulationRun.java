@@ -9,6 +9,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.file.FolderLock;
 import org.phrenic.file.UserCache;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.OrganSettings;
@@ -67,13 +68,15 @@ public final class SimulationRun {
                 progress.note(simulation.stabilityMessage());
             }
             double untilFirstStep = (System.nanoTime() - begun) * 1e-9;
-            RunRecorder recorder = new RunRecorder(scenario, simulation, out);
-            List<Observation> samples = new ArrayList<>();
-            double stepping = stepToEnd(scenario, simulation, samples, recorder, progress);
-            Map<String, Object> summary = summary(scenario, simulation, thorax, samples, stepping, untilFirstStep);
-            summary.putAll(remarks);
-            recorder.writeResults(summary, samples);
-            return summary;
+            try (FolderLock lock = out == null ? null : FolderLock.of(out)) {
+                RunRecorder recorder = new RunRecorder(scenario, simulation, lock == null ? null : lock.folder());
+                List<Observation> samples = new ArrayList<>();
+                double stepping = stepToEnd(scenario, simulation, samples, recorder, progress);
+                Map<String, Object> summary = summary(scenario, simulation, thorax, samples, stepping, untilFirstStep);
+                summary.putAll(remarks);
+                recorder.writeResults(summary, samples);
+                return summary;
+            }
         }
     }
 

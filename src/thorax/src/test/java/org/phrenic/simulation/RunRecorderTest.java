@@ -11,6 +11,8 @@ import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.FolderLock;
 import org.phrenic.file.OutputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
@@ -91,5 +93,31 @@ class RunRecorderTest {
         assertThatExceptionOfType(OutputException.class)
                 .isThrownBy(() -> execute(scenario(), file.resolve("out")))
                 .withMessageContaining("taken");
+    }
+
+    @Test
+    void aFolderThatAnotherRunWritesIntoIsRefusedAndKeepsItsFiles() throws IOException {
+        Path out = folder.resolve("busy");
+        try (FolderLock other = FolderLock.of(out)) {
+            Files.writeString(other.folder().resolve("summary.json"), "{}");
+            assertThatExceptionOfType(BadInputException.class)
+                    .isThrownBy(() -> execute(scenario(), out))
+                    .withMessageContaining("another run");
+            assertThat(out.resolve("summary.json")).exists();
+        }
+        assertThat(execute(scenario(), out)).containsKey("state_sha256");
+    }
+
+    @Test
+    void meshesOfAnEarlierRunDoNotStayBesideANewSummary() throws IOException {
+        Path out = Files.createDirectory(folder.resolve("again"));
+        Path meshes = Files.createDirectory(out.resolve("meshes"));
+        Files.writeString(meshes.resolve("lung_L_00007.vtp"), "of a longer run");
+        Path own = Files.writeString(meshes.resolve("notes.txt"), "the user's");
+        Files.writeString(out.resolve("scene.pvd"), "of a longer run");
+        execute(scenario(), out);
+        assertThat(meshes.resolve("lung_L_00007.vtp")).doesNotExist();
+        assertThat(out.resolve("scene.pvd")).doesNotExist();
+        assertThat(own).exists();
     }
 }

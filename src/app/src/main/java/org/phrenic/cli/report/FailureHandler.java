@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.Locale;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
 import org.phrenic.document.KeySuggestion;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.file.BadInputException;
@@ -17,6 +19,8 @@ import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.MissingParameterException;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 
@@ -30,7 +34,10 @@ public record FailureHandler(BooleanSupplier debug) implements IParameterExcepti
         CommandLine line = failure.getCommandLine();
         String sentence = failure instanceof UnmatchedArgumentException unmatched
                 ? unknownArgument(unmatched, line)
-                : failure.getMessage();
+                : failure instanceof MissingParameterException missing
+                                && !missing.getMissing().isEmpty()
+                        ? missing(missing, args)
+                        : failure.getMessage();
         print(line.getErr(), sentence + " (" + line.getCommandSpec().qualifiedName() + " --help)", failure);
         return ExitCode.BAD_INPUT;
     }
@@ -51,6 +58,16 @@ public record FailureHandler(BooleanSupplier debug) implements IParameterExcepti
         boolean diverged = failure instanceof DivergenceException;
         print(line.getErr(), diverged ? failure.getMessage() + DIVERGENCE_ADVICE : unexpected, failure);
         return ExitCode.FAILURE;
+    }
+
+    /** What is missing of what a command or a group of options needs, without what was given. */
+    private static String missing(MissingParameterException failure, String... args) {
+        Set<String> given = Arrays.stream(args).map(a -> a.split("=", 2)[0]).collect(Collectors.toSet());
+        return failure.getMissing().stream()
+                .filter(a ->
+                        !(a instanceof OptionSpec o) || Arrays.stream(o.names()).noneMatch(given::contains))
+                .map(a -> a instanceof OptionSpec o ? o.longestName() + " " + o.paramLabel() : a.paramLabel())
+                .collect(Collectors.joining(" and ", "found no ", ""));
     }
 
     private static String unknownArgument(UnmatchedArgumentException failure, CommandLine line) {

@@ -51,7 +51,7 @@ public final class RunReport {
 
     /**
      * Table of quantity, value, unit and, of a change over a breath, its peak-to-peak value: breathing quantities, then
-     * performance, then the disclaimer.
+     * performance, then the hash of the state at the end and the disclaimer.
      */
     public static String table(Map<String, Object> summary) {
         TextTable table = new TextTable(false, true, false, true).row("quantity", "value", "unit", "peak to peak");
@@ -71,7 +71,8 @@ public final class RunReport {
         performance.keySet().retainAll(PERFORMANCE_KEYS);
         performance.forEach((key, value) -> addRow(table, key, value, ""));
         Object chosen = summary.get("chosen");
-        return table.text() + (chosen == null ? "" : "\n" + chosen + "\n") + "\n" + Disclaimer.TEXT + "\n";
+        return table.text() + (chosen == null ? "" : "\n" + chosen + "\n") + "\nstate_sha256 "
+                + summary.get("state_sha256") + "\n\n" + Disclaimer.TEXT + "\n";
     }
 
     private static void addRow(TextTable table, String key, Object value, String peakToPeak) {
