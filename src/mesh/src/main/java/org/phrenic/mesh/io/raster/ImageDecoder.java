@@ -10,7 +10,7 @@ import org.phrenic.file.ScalarType;
 import org.phrenic.mesh.voxel.ImageGrid;
 
 /** Decodes the stored voxels of a volume to real values: slope times the stored value plus intercept. */
-public final class ImageDecoder {
+final class ImageDecoder {
     private static final int CHUNK = 1 << 15;
     /** Initial capacity in voxels; it grows with the data read, not with what a header promises. */
     private static final int INITIAL_CAPACITY = 1 << 20;
@@ -23,8 +23,7 @@ public final class ImageDecoder {
      * @param in uncompressed data, positioned at the first voxel
      * @throws BadInputException if the data ends too early or a value is not finite
      */
-    public static ImageGrid decode(String file, InputStream in, VoxelDecoder voxels, double[] affine)
-            throws IOException {
+    static ImageGrid decode(String file, InputStream in, VoxelDecoder voxels, double[] affine) throws IOException {
         voxels.checkMemory(file, Float.BYTES);
         int count = (int) voxels.voxels();
         float[] values = new float[Math.min(count, INITIAL_CAPACITY)];

@@ -3,8 +3,6 @@ package org.phrenic.mesh.io.raster;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -14,19 +12,16 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.GZIPInputStream;
-import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 import org.phrenic.file.ScalarType;
 
 /**
- * Reader of NIfTI-1 in one file, uncompressed or gzip with either extension, in either byte order (Cox et al. 2004, A
- * (sort of) new image data format standard: NIfTI-1). Voxel positions are given by the sform if it is set, else by the
- * qform; both have RAS axes. Label names come from a label table in an extension, as written by the tools of the Human
- * Connectome Project and TotalSegmentator.
+ * Reader of NIfTI-1 and NIfTI-2 in one file, uncompressed or gzip with either extension, in either byte order (Cox et
+ * al. 2004, A (sort of) new image data format standard: NIfTI-1). Voxel positions are given by the sform if it is set,
+ * else by the qform; both have RAS axes. Label names come from a label table in an extension, as written by the tools
+ * of the Human Connectome Project and TotalSegmentator.
  */
 final class NiftiReader {
-    private static final int HEADER = 348;
-    private static final int HEADER_OF_NIFTI_2 = 540;
     private static final int GZIP_MAGIC = 0x1f8b;
     /** Greatest number of extension bytes that are searched for names. */
     private static final int MAX_EXTENSION = 1 << 24;
@@ -35,10 +30,10 @@ final class NiftiReader {
             Pattern.compile("<Label\\s+Key=\"(\\d{1,5})\"[^>]*>\\s*(?:<!\\[CDATA\\[(.*?)]]>|([^<]*))\\s*</Label>");
 
     private final String file;
-    private final ByteBuffer header;
+    private final NiftiHeader header;
     private final List<String> notes = new ArrayList<>();
 
-    private NiftiReader(String file, ByteBuffer header) {
+    private NiftiReader(String file, NiftiHeader header) {
         this.file = file;
         this.header = header;
     }
@@ -56,66 +51,48 @@ final class NiftiReader {
     private static StoredVolume opened(VolumeSource source, InputStream in, long size, boolean packed)
             throws IOException {
         String file = source.path().toString();
-        byte[] bytes = in.readNBytes(HEADER);
-        ByteBuffer header = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
-        int little = bytes.length >= 4 ? header.getInt(0) : 0;
-        int big = Integer.reverseBytes(little);
-        if (little == HEADER_OF_NIFTI_2 || big == HEADER_OF_NIFTI_2) {
-            throw BadInputException.at(file, "byte 0", "found a NIfTI-2 header, expected NIfTI-1");
-        }
-        if (bytes.length < HEADER || (little != HEADER && big != HEADER)) {
-            throw BadInputException.at(file, "byte 0", "found no header of 348 bytes, expected a NIfTI-1 file");
-        }
-        header.order(little == HEADER ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+        NiftiHeader header = NiftiHeader.read(file, in);
         return new NiftiReader(file, header).volume(source, in, size, packed);
     }
 
     private StoredVolume volume(VolumeSource source, InputStream in, long size, boolean packed) throws IOException {
-        byte[] letters = new byte[3];
-        header.get(344, letters);
-        String magic = new String(letters, StandardCharsets.ISO_8859_1);
-        if (magic.equals("ni1")) {
-            throw bad(344, "found the header of a pair .hdr and .img, expected one .nii file");
-        }
-        if (!magic.equals("n+1")) {
-            throw bad(344, "found no 'n+1', expected a NIfTI-1 file");
-        }
-        float slope = header.getFloat(112);
-        boolean scaled = slope != 0 && Float.isFinite(slope);
-        VoxelDecoder voxels = new VoxelDecoder(
-                sizes(), type(), header.order(), scaled ? slope : 1, scaled ? header.getFloat(116) : 0);
+        double slope = header.slope();
+        boolean scaled = slope != 0 && Double.isFinite(slope);
+        VoxelDecoder voxels =
+                new VoxelDecoder(sizes(), type(), header.order(), scaled ? slope : 1, scaled ? header.intercept() : 0);
         VolumeFrames frames = frames();
         int frame = frames.choose(source);
         double[] affine = axes().rasToLps().affine(file);
-        int offset = Math.round(header.getFloat(108));
-        if (offset < HEADER) {
-            throw bad(108, "found voxels at byte " + offset + ", expected " + HEADER + " or more");
+        long offset = header.voxels();
+        if (offset < header.size() || offset > Integer.MAX_VALUE) {
+            throw header.badVoxels("found voxels at byte " + offset + ", expected " + header.size() + " or more");
         }
         voxels.validate(file, packed ? size : size - offset, packed, frames.count());
-        Map<Integer, String> names = names(in, offset - HEADER);
+        Map<Integer, String> names = names(in, (int) offset - header.size());
         return new StoredVolume(file, frames.select(in, voxels, frame), voxels, affine, names, notes);
     }
 
     /** The fourth dimension is time, in which several volumes may follow one another. */
     private VolumeFrames frames() {
-        int dimensions = header.getShort(40);
+        int dimensions = header.dimension(0);
         int more = 1;
         for (int d = 5; d <= Math.min(7, dimensions); d++) {
-            more = Math.max(more, header.getShort(40 + 2 * d));
+            more = Math.max(more, header.dimension(d));
         }
         if (dimensions < 3 || dimensions > 7 || more > 1) {
             String values = more > 1 ? " with " + more + " values a voxel" : "";
-            throw bad(40, "found " + dimensions + " dimensions" + values + ", expected 3, or 4 of which one is time");
+            throw header.badDimensions(
+                    "found " + dimensions + " dimensions" + values + ", expected 3, or 4 of which one is time");
         }
-        return dimensions == 3 ? VolumeFrames.ONE : new VolumeFrames(header.getShort(48), false);
+        return dimensions == 3 ? VolumeFrames.ONE : new VolumeFrames(header.dimension(4), false);
     }
 
     private int[] sizes() {
-        return new int[] {header.getShort(42), header.getShort(44), header.getShort(46)};
+        return new int[] {header.dimension(1), header.dimension(2), header.dimension(3)};
     }
 
     private ScalarType type() {
-        int code = header.getShort(70);
+        int code = header.datatype();
         return switch (code) {
             case 2 -> ScalarType.UINT8;
             case 4 -> ScalarType.INT16;
@@ -127,31 +104,31 @@ final class NiftiReader {
             case 768 -> ScalarType.UINT32;
             case 1024 -> ScalarType.INT64;
             case 1280 -> ScalarType.UINT64;
-            default -> throw bad(70, "found datatype " + code + ", expected whole numbers or real ones");
+            default -> throw header.badDatatype("found datatype " + code + ", expected whole numbers or real ones");
         };
     }
 
     private VolumeAxes axes() {
         VolumeAxes axes;
-        if (header.getShort(254) > 0) {
+        if (header.sformCode() > 0) {
             double[][] steps = new double[3][3];
             double[] origin = new double[3];
             for (int row = 0; row < 3; row++) {
                 for (int column = 0; column < 3; column++) {
-                    steps[column][row] = header.getFloat(280 + 16 * row + 4 * column);
+                    steps[column][row] = header.affine(row, column);
                 }
-                origin[row] = header.getFloat(292 + 16 * row);
+                origin[row] = header.affine(row, 3);
             }
             axes = new VolumeAxes(steps, origin);
-        } else if (header.getShort(252) > 0) {
+        } else if (header.qformCode() > 0) {
             axes = qform();
         } else {
             notes.add("neither sform nor qform is set: columns were taken to run to the right, rows to the front,"
                     + " slices up");
-            axes = VolumeAxes.axisAligned(pixel(1), pixel(2), pixel(3));
+            axes = VolumeAxes.axisAligned(header.pixel(1), header.pixel(2), header.pixel(3));
         }
         double mm =
-                switch (header.get(123) & 7) {
+                switch (header.units() & 7) {
                     case 1 -> 1000;
                     case 3 -> 1e-3;
                     default -> 1;
@@ -159,15 +136,11 @@ final class NiftiReader {
         return axes.scaled(mm, mm, mm);
     }
 
-    private double pixel(int i) {
-        return header.getFloat(76 + 4 * i);
-    }
-
     /** The rotation of the quaternion (a, b, c, d) with a = sqrt(1 - b^2 - c^2 - d^2), times the spacing. */
     private VolumeAxes qform() {
-        double b = header.getFloat(256);
-        double c = header.getFloat(260);
-        double d = header.getFloat(264);
+        double b = header.quaternion(0);
+        double c = header.quaternion(1);
+        double d = header.quaternion(2);
         double rest = 1 - b * b - c * c - d * d;
         // For half turns, rounding may make b^2 + c^2 + d^2 slightly larger than 1.
         double a = rest > 0 ? Math.sqrt(rest) : 0;
@@ -175,15 +148,15 @@ final class NiftiReader {
         b *= scale;
         c *= scale;
         d *= scale;
-        double dz = pixel(0) < 0 ? -pixel(3) : pixel(3);
-        double dx = pixel(1);
-        double dy = pixel(2);
+        double dz = header.pixel(0) < 0 ? -header.pixel(3) : header.pixel(3);
+        double dx = header.pixel(1);
+        double dy = header.pixel(2);
         double[][] steps = {
             {dx * (a * a + b * b - c * c - d * d), dx * 2 * (b * c + a * d), dx * 2 * (b * d - a * c)},
             {dy * 2 * (b * c - a * d), dy * (a * a + c * c - b * b - d * d), dy * 2 * (c * d + a * b)},
             {dz * 2 * (b * d + a * c), dz * 2 * (c * d - a * b), dz * (a * a + d * d - b * b - c * c)}
         };
-        return new VolumeAxes(steps, new double[] {header.getFloat(268), header.getFloat(272), header.getFloat(276)});
+        return new VolumeAxes(steps, new double[] {header.origin(0), header.origin(1), header.origin(2)});
     }
 
     private Map<Integer, String> names(InputStream in, int length) throws IOException {
@@ -196,9 +169,5 @@ final class NiftiReader {
             names.put(Integer.parseInt(label.group(1)), name.strip());
         }
         return names;
-    }
-
-    private BadInputException bad(int at, String problem) {
-        return BadInputException.at(file, "byte " + at, problem);
     }
 }

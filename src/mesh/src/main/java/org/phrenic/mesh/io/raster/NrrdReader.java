@@ -12,6 +12,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -20,6 +21,8 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 import org.phrenic.file.Numbers;
 import org.phrenic.file.ScalarType;
+import org.phrenic.mesh.io.raster.LayeredSegments.Segment;
+import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
  * Reader of NRRD and of 3D Slicer segmentations ({@code .seg.nrrd}), raw or gzip, with the header in the file or in a
@@ -28,7 +31,7 @@ import org.phrenic.file.ScalarType;
  */
 final class NrrdReader {
     private static final String DATA_FILE = "data file";
-    private static final Pattern SEGMENT = Pattern.compile("(segment\\d+)_name");
+    private static final Pattern SEGMENT = Pattern.compile("(segment(\\d{1,5}))_(?:name|layer|id)");
     private static final Pattern VECTOR = Pattern.compile("none|\\(([^)]*)\\)");
 
     private final VolumeSource source;
@@ -55,22 +58,25 @@ final class NrrdReader {
     private <T> T volume(InputStream in, StoredVolume.Use<T> use) throws IOException {
         boolean attached = readHeader(in);
         int[] sizes = sizes();
-        int frame = frames.choose(source);
+        Optional<LayeredSegments> layers = layers();
+        int frame = layers.isPresent() ? 0 : frames.choose(source);
         ScalarType type = type();
         VoxelDecoder voxels = new VoxelDecoder(sizes, type, order(type));
         double[] affine = volumeAxes().affine(file);
-        Map<Integer, String> names = names();
+        Map<Integer, String> names = layers.map(LayeredSegments::names).orElseGet(this::names);
         boolean packed = isPacked();
         if (attached) {
             voxels.validate(file, InputBytes.size(path), packed, frames.count());
-            InputStream chosen = frames.select(data(in, packed), voxels, frame);
-            return use.of(new StoredVolume(file, chosen, voxels, affine, names, notes));
+            InputStream all = data(in, packed);
+            InputStream chosen = layers.isPresent() ? all : frames.select(all, voxels, frame);
+            return use.of(new StoredVolume(file, chosen, voxels, affine, names, notes, layers));
         }
         Path data = header.fileBeside(path, DATA_FILE);
         voxels.validate(data.toString(), InputBytes.size(data), packed, frames.count());
         try (InputStream apart = new BufferedInputStream(Files.newInputStream(data), 1 << 16)) {
-            InputStream chosen = frames.select(data(apart, packed), voxels, frame);
-            return use.of(new StoredVolume(data.toString(), chosen, voxels, affine, names, notes));
+            InputStream all = data(apart, packed);
+            InputStream chosen = layers.isPresent() ? all : frames.select(all, voxels, frame);
+            return use.of(new StoredVolume(data.toString(), chosen, voxels, affine, names, notes, layers));
         }
     }
 
@@ -264,15 +270,56 @@ final class NrrdReader {
         return unpacked;
     }
 
-    private Map<Integer, String> names() {
-        Map<Integer, String> names = new TreeMap<>();
+    /** The segments of a segmentation with several layers, if no layer is named by its number. */
+    private Optional<LayeredSegments> layers() {
+        List<Segment> segments = segments();
+        boolean layered = segments.stream().anyMatch(s -> header.has("segment" + (s.label() - 1) + "_layer"));
+        if (frames.count() < 2 || source.phase().isPresent() || !layered) {
+            return Optional.empty();
+        }
+        for (Segment segment : segments) {
+            if (segment.layer() < 0 || segment.layer() >= frames.count()) {
+                throw header.badInput(
+                        "dimension",
+                        "found segment " + (segment.label() - 1) + " in layer " + segment.layer() + " of "
+                                + frames.count() + ", expected one from 0");
+            }
+        }
+        return Optional.of(new LayeredSegments(frames, segments));
+    }
+
+    /** All segments that the header lists, by number. */
+    private List<Segment> segments() {
+        Map<Integer, String> keys = new TreeMap<>();
         for (String key : header.values().keySet()) {
             Matcher segment = SEGMENT.matcher(key);
             if (segment.matches()) {
-                String value = segment.group(1) + "_labelvalue";
-                if (header.has(value)) {
-                    names.put(header.integers(value)[0], header.text(key));
+                keys.put(Integer.parseInt(segment.group(2)), segment.group(1));
+            }
+        }
+        List<Segment> segments = new ArrayList<>();
+        keys.forEach((number, key) -> {
+            String value = key + "_labelvalue";
+            int layer = header.has(key + "_layer") ? header.integers(key + "_layer")[0] : 0;
+            if (header.has(value) && number < LabelGrid.MAX_LABEL) {
+                int stored = header.integers(value)[0];
+                if (stored < 1 || stored > LabelGrid.MAX_LABEL) {
+                    throw header.unexpected(value, header.text(value), "a label from 1 to " + LabelGrid.MAX_LABEL);
                 }
+                segments.add(new Segment(number + 1, layer, stored, header.text(key + "_name", "")));
+            }
+        });
+        return segments;
+    }
+
+    /** Names by stored value, of the layer that is read. */
+    private Map<Integer, String> names() {
+        Map<Integer, String> names = new TreeMap<>();
+        for (Segment segment : segments()) {
+            boolean isRead =
+                    frames.count() == 1 || segment.layer() == source.phase().orElse(0);
+            if (isRead && !segment.name().isEmpty()) {
+                names.put(segment.value(), segment.name());
             }
         }
         return names;

@@ -3,7 +3,6 @@ package org.phrenic.mesh.io.volume;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.phrenic.file.BadInputException;
-import org.phrenic.mesh.io.raster.ImageDecoder;
 import org.phrenic.mesh.io.raster.VolumeFormats;
 import org.phrenic.mesh.io.raster.VolumeSource;
 
@@ -28,10 +27,6 @@ public final class ImageVolumeFiles {
         if (DicomVolumes.isDicom(file)) {
             return DicomVolumes.image(file);
         }
-        return VolumeFormats.read(
-                VolumeSource.of(file),
-                stored -> new ImageVolume(
-                        ImageDecoder.decode(stored.file(), stored.in(), stored.voxels(), stored.affine()),
-                        stored.notes()));
+        return VolumeFormats.read(VolumeSource.of(file), stored -> new ImageVolume(stored.image(), stored.notes()));
     }
 }

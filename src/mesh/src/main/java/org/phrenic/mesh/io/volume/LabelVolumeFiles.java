@@ -37,11 +37,7 @@ public final class LabelVolumeFiles {
             return DicomVolumes.labels(file);
         }
         return VolumeFormats.read(
-                VolumeSource.of(file),
-                stored -> new LabelVolume(
-                        stored.voxels().decode(stored.file(), stored.in(), stored.affine()),
-                        stored.names(),
-                        stored.notes()));
+                VolumeSource.of(file), stored -> new LabelVolume(stored.labels(), stored.names(), stored.notes()));
     }
 
     /**

@@ -33,7 +33,7 @@ class DicomVolumeTest {
         return VolumeSamples.resource(name);
     }
 
-    private static void assertIsTwin(LabelVolume volume, String twin) {
+    static void assertIsTwin(LabelVolume volume, String twin) {
         LabelGrid grid = volume.grid();
         LabelGrid expected = LabelVolumeFiles.read(resource(twin)).grid();
         assertThat(new int[] {grid.columns(), grid.rows(), grid.slices()})

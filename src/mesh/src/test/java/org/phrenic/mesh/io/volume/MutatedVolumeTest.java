@@ -27,7 +27,10 @@ class MutatedVolumeTest {
             "map_rle_seg.dcm",
             "contours_alone.dcm",
             "ct/contours.dcm",
-            "regions_twin.nii.gz");
+            "regions_twin.nii.gz",
+            "overlapping.seg.nrrd",
+            "phases_nifti2.nii",
+            "phases.seq.nrrd");
 
     @TempDir
     private Path folder;
@@ -68,7 +71,7 @@ class MutatedVolumeTest {
     }
 
     @Test
-    void labelsAreReadOrRefusedInOneSentence() throws IOException {
+    void volumesAreReadOrRefusedInOneSentence() throws IOException {
         Path series = Files.createDirectory(folder.resolve("series"));
         for (int k = 0; k < 6; k++) {
             Files.copy(VolumeSamples.resource("ct/IM" + k + ".dcm"), series.resolve("IM" + k + ".dcm"));
@@ -85,7 +88,8 @@ class MutatedVolumeTest {
             Path place = name.startsWith("ct/") ? series : folder;
             Path file = place.resolve(name.substring(name.indexOf('/') + 1));
             Files.write(file, mutated(contents[which], random));
-            read += isRead(file, false) ? 1 : 0;
+            boolean isImage = name.startsWith("phases");
+            read += isRead(isImage ? file.resolveSibling(file.getFileName() + "#1") : file, isImage) ? 1 : 0;
             Files.delete(file);
         }
         assertThat(read).isBetween(MUTATIONS / 20, MUTATIONS * 19 / 20);

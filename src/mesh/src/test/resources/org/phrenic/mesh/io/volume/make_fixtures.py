@@ -226,6 +226,33 @@ def twin(name, labels):
     nib.save(image, path(name))
 
 
+def layers(name, masks):
+    """Segments 0 to 2 in two layers, as 3D Slicer puts overlapping ones: the first and second share a layer."""
+    header = {"space": "left-posterior-superior", "space origin": ORIGIN, "encoding": "gzip",
+              "kinds": ["list", "domain", "domain", "domain"],
+              "space directions": np.vstack([[np.nan] * 3, LPS[:3, :3].T])}
+    stored = np.zeros((2, COLUMNS, ROWS, SLICES), np.uint8)
+    for row, (number, layer, value) in enumerate([(1, 0, 1), (2, 1, 1), (5, 1, 2)]):
+        stored[layer][masks[number]] = value
+        header[f"Segment{row}_ID"] = f"Segment_{number}"
+        header[f"Segment{row}_Name"] = {1: "liver", 2: "cyst", 5: "spleen"}[number]
+        header[f"Segment{row}_LabelValue"], header[f"Segment{row}_Layer"] = str(value), str(layer)
+    nrrd.write(path(name), stored, header)
+
+
+def phases():
+    """The stored values of the series and the same with 10, 20 added, as volumes along time."""
+    one = np.asarray(nib.load(path("ct_twin.nii.gz")).dataobj).astype(np.int16)
+    four = np.stack([one, one + 10, one + 20], axis=-1)
+    nib.save(nib.Nifti2Image(four, RAS), path("phases_nifti2.nii"))
+    nib.save(nib.Nifti1Image(four.astype(">i2"), RAS, nib.Nifti1Header(endianness=">")), path("phases.nii.gz"))
+    header = {"space": "left-posterior-superior", "space origin": ORIGIN, "encoding": "gzip",
+              "kinds": ["list", "domain", "domain", "domain"],
+              "space directions": np.vstack([[np.nan] * 3, LPS[:3, :3].T])}
+    nrrd.write(path("phases.seq.nrrd"), np.moveaxis(four, -1, 0), header)
+    nib.save(nib.Nifti1Image(one, RAS), path("phases_twin.nii.gz"))
+
+
 def main():
     masks = structures()
     apart = {n: merged(masks) == n for n in masks}
@@ -242,6 +269,8 @@ def main():
     recoded("overlapping_seg.dcm", "deflated_seg.dcm", DeflatedExplicitVRLittleEndian)
     structure_set(images, "ct/contours.dcm", masks)
     structure_set(images, "contours_alone.dcm", {1: masks[1]})
+    layers("overlapping.seg.nrrd", masks)
+    phases()
 
 
 if __name__ == "__main__":
