@@ -7,8 +7,7 @@ import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
 
 /**
- * A system of point masses (nodes): their state, the force fields and constraints that act on them, and the nodes with
- * prescribed motion.
+ * A system of point masses (nodes): their state, force fields, constraints, and the nodes with prescribed motion.
  *
  * <p>State is stored in flat arrays: node i (internal order) has its position at {@code positions()[3i..3i+2]}. The
  * arrays are exposed for speed. Only integrators, constraints and code that restores a state may write to them.
@@ -176,12 +175,13 @@ public final class ParticleSystem {
         if (inverseMass[internalNode] > 0) {
             inverseMass[internalNode] = 1 / kg;
         }
-        selectiveMass().ifPresent(SelectiveMass::invalidate);
+        if (selectiveMass != null) {
+            selectiveMass.invalidate();
+        }
     }
 
     /**
-     * Makes the translation of a group of free nodes lighter than their masses; see {@link SelectiveMass}. Integrators
-     * that are created later use it.
+     * Makes the translation of a group of free nodes lighter ({@link SelectiveMass}) in integrators created later.
      *
      * @param callerNodes the group, in the caller's numbering
      * @param lightness factor, at least 1

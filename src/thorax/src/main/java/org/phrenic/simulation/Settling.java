@@ -101,5 +101,6 @@ final class Settling {
         System.arraycopy(rest, 0, system.positions(), 0, rest.length);
         Arrays.fill(system.velocities(), 0);
         system.invalidate();
+        scene.liver().ifPresent(liver -> liver.settleUnder(rest()));
     }
 }

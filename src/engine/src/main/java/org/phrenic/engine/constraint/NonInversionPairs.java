@@ -11,8 +11,9 @@ import org.phrenic.engine.parallel.NodeLayout;
  * distance but not their order. With both, a folded or compressed sheet cannot invert.
  *
  * <p>No node may be in two pairs. Where a pair violates the constraint, both nodes are moved, the correction shared by
- * inverse mass, and their approach velocity is removed. The normal is that of one triangle of the outer face at the
- * outer node, refreshed at an interval.
+ * inverse mass, and their approach velocity is removed. They return no faster than
+ * {@link SlidingContact#MAX_RETURN_SPEED}. The normal is that of one triangle of the outer face at the outer node,
+ * refreshed at an interval.
  */
 public final class NonInversionPairs implements SeparableConstraint {
     private final int[] outer;
@@ -100,6 +101,7 @@ public final class NonInversionPairs implements SeparableConstraint {
         double[] x = particles.positions();
         double[] v = particles.velocities();
         double[] w = particles.inverseMasses();
+        double farthest = SlidingContact.MAX_RETURN_SPEED * h;
         for (int k = from; k < to; k++) {
             int i = items[k];
             int o = outer[i];
@@ -116,7 +118,8 @@ public final class NonInversionPairs implements SeparableConstraint {
             moved[end++] = i;
             double so = wo / (wo + wn);
             double sn = wn / (wo + wn);
-            move(x, o, n, -gap * so, gap * sn, nx, ny, nz);
+            double shift = Math.max(gap, -farthest);
+            move(x, o, n, -shift * so, shift * sn, nx, ny, nz);
             double closing = nx * (v[o] - v[n]) + ny * (v[o + 1] - v[n + 1]) + nz * (v[o + 2] - v[n + 2]);
             if (closing < 0) {
                 move(v, o, n, -closing * so, closing * sn, nx, ny, nz);

@@ -31,7 +31,7 @@ public final class SlidingContact implements SeparableConstraint {
      * Largest correction speed of a node in one-sided contact, mm/s. It turns a sharp rotation of the wall or a deep
      * penetration into a smooth return without a shock.
      */
-    public static final double MAX_RETURN_SPEED = 500;
+    public static final double MAX_RETURN_SPEED = 100;
 
     /** Nodes times 3 in internal order, and their indices in the caller's list. */
     private final int[] node;

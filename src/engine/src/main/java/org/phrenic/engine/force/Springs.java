@@ -9,14 +9,16 @@ import org.phrenic.engine.parallel.NodeLayout;
 /**
  * Linear springs, F = -k (l - l0) along the edge (Villard, Bourne and Bello 2009, eq. 3), optionally with a dashpot, F
  * = -c l̇. Optionally contractile: the rest length becomes l0 (1 - a s), where a is the activation of the whole field
- * and s the contractile share of an edge. s is cos² of the angle between edge and muscle fibre for muscle, 0 for
- * passive tissue.
+ * and s the contractile share of an edge: 1 for an edge that shortens by a, 0 for passive tissue, negative for one that
+ * lengthens.
  */
 public final class Springs implements ForceField {
     /**
      * Entries in one kernel call, a multiple of 3. Short calls are compiled sooner, and their data fit in the L1 cache.
      */
     private static final int CHUNK = 480;
+    /** Incompressible tissue widens by at most half of what it shortens. */
+    private static final double LEAST_SHARE = -0.5;
 
     private final BlockedEdges edges;
     private final double[] stiffness;
@@ -261,7 +263,7 @@ public final class Springs implements ForceField {
             return this;
         }
 
-        /** Sets the contractile share s of each spring, 0 to 1. */
+        /** Sets the contractile share s of each spring, -0.5 to 1; negative where it lengthens with activation. */
         public Builder contractileShares(double[] shares) {
             share = shares.clone();
             return this;
@@ -272,27 +274,28 @@ public final class Springs implements ForceField {
          *     or an edge joins a node to itself
          */
         public Springs build() {
-            check("stiffness", stiffness, "N/m");
-            check("rest length", restLengths, "mm");
+            check("stiffness", stiffness, "N/m", 0);
+            check("rest length", restLengths, "mm", 0);
             if (!(damping >= 0) || Double.isInfinite(damping)) {
                 throw new IllegalArgumentException(
                         "damping of springs: found " + damping + " N s/m, expected 0 or more");
             }
             if (share != null) {
-                check("contractile share", share, "");
+                check("contractile share", share, "", LEAST_SHARE);
             }
             return new Springs(this);
         }
 
-        private void check(String what, double[] values, String unit) {
+        private void check(String what, double[] values, String unit, double least) {
             if (values == null || values.length != nodeA.length) {
                 throw new IllegalArgumentException(what + " of springs: found "
                         + (values == null ? "none" : String.valueOf(values.length)) + ", expected " + nodeA.length);
             }
             for (int e = 0; e < values.length; e++) {
-                if (!(values[e] >= 0) || Double.isInfinite(values[e])) {
-                    throw new IllegalArgumentException(what + " of spring " + e + ": found "
-                            + (values[e] + " " + unit).strip() + ", expected 0 or more");
+                if (!(values[e] >= least) || Double.isInfinite(values[e])) {
+                    throw new IllegalArgumentException(
+                            what + " of spring " + e + ": found " + (values[e] + " " + unit).strip() + ", expected "
+                                    + (least == 0 ? "0" : least) + " or more");
                 }
             }
         }

@@ -13,8 +13,11 @@ import org.phrenic.model.organ.SpringList;
  * residual. Both are proportional to the pressure, so the rest shape does not depend on its value.
  */
 public final class RestPressure {
-    /** Conjugate-gradient iterations. With more, tensions grow while the residual hardly decreases. */
-    private static final int ITERATIONS = 40;
+    /**
+     * Distance over which tensions balance the load, mm. Each conjugate-gradient iteration carries information by one
+     * edge. With more, tensions grow while the residual hardly decreases.
+     */
+    private static final double REACH_MM = 210;
     /** Nodes within this distance of the wall are in contact with it at rest. */
     private static final double WALL_CONTACT_MM = 1;
 
@@ -71,7 +74,7 @@ public final class RestPressure {
         double[] solved = new double[springs.count()];
         // Laplace's law for a dome, shared by the two faces, times the width of tissue that an edge represents.
         Arrays.fill(solved, nominal * DOME_RADIUS_MM / 2 / 2 * spacing);
-        solver.solve(pressing, solved, ITERATIONS);
+        solver.solve(pressing, solved, (int) Math.round(REACH_MM / spacing));
         double[] limited = new double[solved.length];
         double[] stiffness = springs.stiffness();
         double[] length = springs.rest();

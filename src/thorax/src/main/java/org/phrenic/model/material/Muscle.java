@@ -17,11 +17,12 @@ public final class Muscle extends ScenePart {
             .onOff(true);
     public static final Parameter MUSCLE_ACTIVATION = Parameter.named("muscle_activation", "Muscle activation")
             .range(0, 0.8)
-            .initial(0.68)
+            .initial(0.71)
             .group(Group.MUSCLE)
             .switchedBy(MUSCLE)
             .fitted(0.1, 0.8, 1)
-            .describedAs("Shortening of the muscle's rest length at full drive, as a share of it.");
+            .describedAs("Shortening of the muscle's rest length at full drive, as a share of it; fitted on the virtual"
+                    + " man alone.");
     public static final Parameter LEFT_OVER_RIGHT = Parameter.named("left_over_right", "Left over right")
             .range(0.2, 5)
             .initial(1.12)

@@ -18,11 +18,11 @@ public final class Numerics {
     private static final double MAX_STEP_S = 0.1;
     private static final double MAX_STATED_REFRESH_S = 1;
     private static final double MAX_SCALED_STEP_S = 0.01;
-    private static final double SCALED_STEP_S = 0.00125;
+    private static final double SCALED_STEP_S = 0.0017;
     private static final double MAX_LIGHTNESS = 100;
-    private static final double LIGHTNESS = 1;
+    private static final double LIGHTNESS = 20;
     private static final double MAX_DAMPING_TIME_S = 10;
-    private static final double DAMPING_TIME_S = 0;
+    private static final double DAMPING_TIME_S = 0.1;
     private static final int MAX_SWEEPS = 100;
     private static final double REFRESH_S = 0.02;
     private static final double REFRESH_STEPS = 4;

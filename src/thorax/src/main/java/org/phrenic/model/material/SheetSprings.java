@@ -78,10 +78,9 @@ public final class SheetSprings extends ScenePart {
                 return;
             }
             double muscle = value[0] / assembled[0];
-            double tendon = muscle * (value[1] / assembled[1]);
             for (int e = 0; e < springs.count; e++) {
                 double tension = contractile ? pressure.additionalTension(e, value[2]) : 0;
-                springs.set(e, sheet.isTendonEdge(e) ? tendon : muscle, tension);
+                springs.set(e, muscle * sheet.tendonFactor(e, value[1], assembled[1]), tension);
                 double share = sheet.contractileShare(e, contractile ? value[3] : 1, contractile ? value[4] : 1);
                 springs.shortening[e] =
                         share * RestPressure.limitedRestLength(springs.lengthAtRest[e], springs.restLength[e]);

@@ -18,7 +18,7 @@ import org.phrenic.parameter.Parameter;
 public final class TissueMass extends ScenePart {
     public static final Parameter AREA_DENSITY = Parameter.named("area_density_kg_per_m2", "Mass per area")
             .range(3, 1000, "kg/m^2")
-            .initial(60)
+            .initial(3.15)
             .limitsStep()
             .describedAs("Mass per area of a face; nodes whose springs would not bear the time step are heavier"
                     + " (mass_scaling_s), for a breath is quasi-static.");
@@ -34,7 +34,7 @@ public final class TissueMass extends ScenePart {
             .describedAs("Viscous damping of a node (Villard, Bourne and Bello 2009, eq. 4).");
     public static final Parameter DAMPING_RATE = Parameter.named("damping_rate_per_s", "Damping over mass")
             .range(0, 200, "1/s")
-            .initial(10)
+            .initial(5)
             .effect(Effect.TISSUE)
             .describedAs("Viscous damping over mass; less in a diaphragm of more than usual size.");
 

@@ -27,6 +27,9 @@ public final class DiaphragmPart {
     private static final double REACH_MM = 20;
 
     private static final int STRUTS = 2;
+    /** Share by which free muscle widens across its fibres while it shortens along them by one minus this. */
+    private static final double ACROSS = 0.125;
+
     private static final double MIDLINE_MM = 20;
     private static final double FRONT_MM = 50;
     /** Distance from the wall at rest, mm, within which the abdominal face belongs to the zone of apposition. */
@@ -34,10 +37,10 @@ public final class DiaphragmPart {
     /** Inset of the abdominal face from the wall, mm: slightly more than half of the sheet's 2 to 5 mm. */
     private static final double BEHIND_MM = 1.8;
     /**
-     * Relative strut stiffness. A strut only resists the pressure on one node's area; a stiffer one would shorten the
-     * stable step.
+     * Relative strut stiffness. A strut resists the pressure on one node's area and shear between the faces; a softer
+     * one lets shear depend on the edge length, a stiffer one would shorten the stable step.
      */
-    private static final double STRUT_STIFFNESS = 0.3;
+    private static final double STRUT_STIFFNESS = 0.75;
     /**
      * Stiffness per unit of area of the tissue at the origin of the crura. It yields 1 to 2 mm to a muscle stress of
      * some kPa in a sheet of some mm.
@@ -72,6 +75,8 @@ public final class DiaphragmPart {
 
     private double[] leftShare;
     private double[] frontShare;
+    /** For each edge of the sheet: part of its length in the tendon, 0, 1/2 or 1. */
+    private double[] tendonShare;
 
     /**
      * Tissue of a diaphragm.
@@ -154,19 +159,21 @@ public final class DiaphragmPart {
         fibreShare = new double[topology.edgeCount()];
         leftShare = new double[topology.edgeCount()];
         frontShare = new double[topology.edgeCount()];
+        tendonShare = new double[topology.edgeCount()];
         for (int e = 0; e < topology.edgeCount(); e++) {
             int a = topology.edges()[2 * e];
             int b = topology.edges()[2 * e + 1];
-            boolean stiff = diaphragm.isTendon(a) && diaphragm.isTendon(b);
+            tendonShare[e] = tendonShare(a, b, from.struts);
             int one = topology.face(e, 0);
             int other = topology.face(e, 1);
             int sides = (one >= 0 ? 1 : 0) + (other >= 0 ? 1 : 0);
             double share = (one >= 0 ? alongFibre(p, a, b, fibre, one) : 0)
                     + (other >= 0 ? alongFibre(p, a, b, fibre, other) : 0);
-            fibreShare[e] = stiff ? 0 : share / sides * (1 - 0.5 * (cruralShare[a] + cruralShare[b]));
+            double origin = 0.5 * (cruralShare[a] + cruralShare[b]);
+            fibreShare[e] = share / sides * (1 - tendonShare[e]) * (1 - origin);
             leftShare[e] = smoothShare(0.5 * (sheet.x(a) + sheet.x(b)) - middle, MIDLINE_MM);
             frontShare[e] = smoothShare(middleY - 0.5 * (sheet.y(a) + sheet.y(b)), FRONT_MM);
-            double stiffness = from.law.edgeStiffness(sides, stiff ? from.tendonRatio : 1);
+            double stiffness = from.law.edgeStiffness(sides, inSeries(tendonShare[e], from.tendonRatio));
             double contractile = contractileShare(e, from.leftOverRight, from.frontOverBack);
             springs.addEdge(p, firstNode, a, b, stiffness, contractile);
         }
@@ -209,12 +216,29 @@ public final class DiaphragmPart {
                 : 0;
     }
 
-    /** Whether a spring of the sheet, in spring order, is an edge of the tendon. */
-    public boolean isTendonEdge(int spring) {
-        int[] edges = diaphragm.topology().edges();
-        return spring < fibreShare.length
-                && diaphragm.isTendon(edges[2 * spring])
-                && diaphragm.isTendon(edges[2 * spring + 1]);
+    /**
+     * Part of the length of an edge that lies in the tendon. The area of the tendon is that of its vertices' cells, so
+     * its border crosses edges in the middle.
+     */
+    private double tendonShare(int a, int b, boolean physical) {
+        int ends = (diaphragm.isTendon(a) ? 1 : 0) + (diaphragm.isTendon(b) ? 1 : 0);
+        return ends == 2 ? 1 : physical ? 0.5 * ends : 0;
+    }
+
+    /** Stiffness relative to muscle of an edge whose part in the tendon is in series with its part in muscle. */
+    static double inSeries(double tendonShare, double tendonRatio) {
+        return tendonShare == 1 ? tendonRatio : 1 / (tendonShare / tendonRatio + 1 - tendonShare);
+    }
+
+    /**
+     * Factor of the stiffness of a spring of the sheet, in spring order, if the tendon's stiffness over the muscle's
+     * changes.
+     */
+    public double tendonFactor(int spring, double ratio, double assembledRatio) {
+        double share = spring < tendonShare.length ? tendonShare[spring] : 0;
+        return share == 0
+                ? 1
+                : share == 1 ? ratio / assembledRatio : inSeries(share, ratio) / inSeries(share, assembledRatio);
     }
 
     /** Contractile share along the fibres of each edge of the sheet, 0 in the tendon. */
@@ -223,10 +247,11 @@ public final class DiaphragmPart {
     }
 
     /**
-     * cos⁴ of the angle between an edge and the fibres of a triangle, 0 in the tendon. Muscle shortens along its fibres
-     * and hardly across them (Boriek and Rodarte 1997), so an oblique edge shortens less than cos² would give.
+     * cos² θ - 1/8 with θ the angle between an edge and the fibres of a triangle; 0 in the tendon. The edges of a
+     * triangle that shorten by this share deform it alike in every direction of the mesh: by 7/8 along the fibres and
+     * -1/8 across. Held at their length, they pull across the fibres with 1/5 of the force along them.
      */
-    private static double alongFibre(double[] p, int a, int b, double[] fibre, int triangle) {
+    static double alongFibre(double[] p, int a, int b, double[] fibre, int triangle) {
         double dot = 0;
         double squared = 0;
         for (int axis = 0; axis < 3; axis++) {
@@ -234,8 +259,8 @@ public final class DiaphragmPart {
             dot += d * fibre[3 * triangle + axis];
             squared += d * d;
         }
-        double cosine2 = dot * dot / squared;
-        return cosine2 * cosine2;
+        boolean muscle = fibre[3 * triangle] != 0 || fibre[3 * triangle + 1] != 0 || fibre[3 * triangle + 2] != 0;
+        return muscle ? dot * dot / squared - ACROSS : 0;
     }
 
     /** Vertices of the sheet that are attached to bone. */

@@ -184,6 +184,17 @@ public final class LiverPart {
     }
 
     /**
+     * Tolerates the sheet's depth in the liver at rest.
+     *
+     * @param rest positions of the whole scene at rest, caller's order
+     */
+    public void settleUnder(double[] rest) {
+        for (int i : abdominalFace) {
+            indentation.allowRestDepth(rest[i], rest[i + 1], rest[i + 2]);
+        }
+    }
+
+    /**
      * Current positions of the liver's vertices; valid until the next call. Allocates nothing.
      *
      * @param rest positions of the whole scene at rest, caller's order

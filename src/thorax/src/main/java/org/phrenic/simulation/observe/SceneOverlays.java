@@ -12,8 +12,8 @@ import org.phrenic.model.organ.MassSpringBuilder;
 
 /** Builds the {@link Overlay}s of a scene. Kinds without elements are omitted. */
 public final class SceneOverlays {
-    /** Minimum cos⁴ of the angle between an edge and the fibres for the edge to be drawn as a fibre: 30 degrees. */
-    private static final double ALONG = 0.5625;
+    /** Minimum contractile share of an edge for it to be drawn as a fibre: 30 degrees between the two. */
+    private static final double ALONG = 0.625;
 
     private static final double ABOVE_MM = 40;
     private static final double AXIS_MM = 35;
