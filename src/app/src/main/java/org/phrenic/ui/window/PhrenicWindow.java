@@ -88,6 +88,7 @@ public final class PhrenicWindow {
         // Graphics and body are prepared in parallel with the window.
         OffscreenContext.prepare();
         Session session = new Session(first);
+        OffscreenContext.awaitToolkit();
         try {
             SwingUtilities.invokeAndWait(() -> {
                 WindowPreferences preferences = WindowPreferences.ofUser();

@@ -125,6 +125,7 @@ public final class WindowBenchmark {
         this.settings = settings;
         OffscreenContext.prepare();
         session = new Session(scenario);
+        awaitToolkit();
         window = onEventThread(() -> {
             WindowPreferences preferences = WindowPreferences.unsaved();
             preferences.setNumber("x", 0);
@@ -269,6 +270,14 @@ public final class WindowBenchmark {
                 throw new BadInputException("the window: found no sign of " + what + " after " + PATIENCE_S + " s");
             }
             sleepS(0.005);
+        }
+    }
+
+    private static void awaitToolkit() {
+        try {
+            OffscreenContext.awaitToolkit();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
         }
     }
 

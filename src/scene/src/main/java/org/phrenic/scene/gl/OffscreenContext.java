@@ -1,5 +1,6 @@
 package org.phrenic.scene.gl;
 
+import com.jogamp.nativewindow.NativeWindowFactory;
 import com.jogamp.opengl.DebugGL3;
 import com.jogamp.opengl.GL;
 import com.jogamp.opengl.GL3;
@@ -10,6 +11,7 @@ import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLOffscreenAutoDrawable;
 import com.jogamp.opengl.GLProfile;
 import java.awt.image.BufferedImage;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
@@ -30,11 +32,16 @@ public final class OffscreenContext implements AutoCloseable {
     /** Maximum time to start the driver, which usually takes well under a second. */
     private static final long START_TIMEOUT_S = 30;
 
+    private static final long TOOLKIT_TIMEOUT_S = 5;
+
     /** Maximum side of a tile, pixels. Larger pictures are drawn in tiles to limit memory. */
     static final int MAX_TILE = 3072;
 
     /** The context that {@link #prepare} has begun to open. */
     private static final AtomicReference<FutureTask<OffscreenContext>> PREPARED = new AtomicReference<>();
+
+    private static final CountDownLatch TOOLKIT = new CountDownLatch(1);
+    private static final System.Logger LOG = System.getLogger(OffscreenContext.class.getName());
 
     private final GLOffscreenAutoDrawable drawable;
     private final GLContext context;
@@ -50,13 +57,20 @@ public final class OffscreenContext implements AutoCloseable {
     }
 
     /**
-     * Begins to open the context that the next {@link #open} returns. Call it before the event dispatch thread has work
-     * to do: the OpenGL libraries wait for that thread when they are loaded.
+     * Begins to open the context that the next {@link #open} returns. The OpenGL libraries wait once for the event
+     * dispatch thread when they are loaded: call {@link #awaitToolkit} before that thread gets long work to do.
      */
     public static void prepare() {
         FutureTask<OffscreenContext> task = new FutureTask<>(OffscreenContext::start);
         if (PREPARED.compareAndSet(null, task)) {
             begin(task);
+        }
+    }
+
+    /** Waits until the context that is prepared needs the event dispatch thread no more; not called on that thread. */
+    public static void awaitToolkit() throws InterruptedException {
+        if (PREPARED.get() != null && !TOOLKIT.await(TOOLKIT_TIMEOUT_S, TimeUnit.SECONDS)) {
+            LOG.log(System.Logger.Level.INFO, "The graphics driver starts slowly");
         }
     }
 
@@ -106,6 +120,14 @@ public final class OffscreenContext implements AutoCloseable {
 
     private static OffscreenContext start() throws NoGraphicsException {
         boolean display = DisplayServer.isNotNeeded() || DisplayServer.isReachable(System.getenv("DISPLAY"));
+        try {
+            if (display) {
+                // Asks the event dispatch thread once.
+                NativeWindowFactory.initSingleton();
+            }
+        } finally {
+            TOOLKIT.countDown();
+        }
         GLDrawableFactory factory = display ? GLDrawableFactory.getDesktopFactory() : SurfacelessEgl.factory();
         if (factory == null) {
             throw new NoGraphicsException("No pictures can be made here: the display offers no OpenGL");
