@@ -38,13 +38,23 @@ public final class CsvTable {
     }
 
     /**
-     * Reads {@code file}.
+     * Reads {@code file}. Markups of 3D Slicer ({@code .mrk.json}) are a table of name, x_mm, y_mm, z_mm in LPS.
      *
      * @throws BadInputException if it cannot be read, a column name is missing or repeated, or a row and the header
      *     differ in length
      */
     public static CsvTable read(Path file) {
+        if (MarkupPoints.isMarkups(file)) {
+            return MarkupPoints.read(file);
+        }
         return parse(file.toString(), new String(InputBytes.read(file), StandardCharsets.UTF_8));
+    }
+
+    /** A table of cells with the line of each row. */
+    static CsvTable of(String file, List<String> names, List<String[]> rows, List<Long> lines) {
+        Map<String, Integer> columns = new LinkedHashMap<>();
+        names.forEach(name -> columns.put(name, columns.size()));
+        return new CsvTable(file, false, columns, rows, lines);
     }
 
     /**

@@ -30,10 +30,10 @@ final class NiftiReader {
             Pattern.compile("<Label\\s+Key=\"(\\d{1,5})\"[^>]*>\\s*(?:<!\\[CDATA\\[(.*?)]]>|([^<]*))\\s*</Label>");
 
     private final String file;
-    private final NiftiHeader header;
+    private final NiftiFields header;
     private final List<String> notes = new ArrayList<>();
 
-    private NiftiReader(String file, NiftiHeader header) {
+    private NiftiReader(String file, NiftiFields header) {
         this.file = file;
         this.header = header;
     }
@@ -51,7 +51,7 @@ final class NiftiReader {
     private static StoredVolume opened(VolumeSource source, InputStream in, long size, boolean packed)
             throws IOException {
         String file = source.path().toString();
-        NiftiHeader header = NiftiHeader.read(file, in);
+        NiftiFields header = NiftiFields.read(file, in);
         return new NiftiReader(file, header).volume(source, in, size, packed);
     }
 

@@ -80,9 +80,10 @@ class DicomVolumeTest {
         assertThat(LabelVolumeFiles.isVolume(resource("make_fixtures.py"))).isFalse();
     }
 
-    @Test
-    void contoursAreFilledOnTheSeriesBesideThem() {
-        LabelVolume volume = LabelVolumeFiles.read(resource("ct/contours.dcm"));
+    @ParameterizedTest
+    @ValueSource(strings = {"ct/contours.dcm", "ct/contours_big_endian.dcm"})
+    void contoursAreFilledOnTheSeriesBesideThem(String name) {
+        LabelVolume volume = LabelVolumeFiles.read(resource(name));
         assertIsTwin(volume, "regions_twin.nii.gz");
         assertThat(volume.names()).isEqualTo(Map.of(1, "liver", 2, "cyst", 5, "Milz ä"));
     }

@@ -126,7 +126,7 @@ def segmentation(images, name, masks, kind, syntax=ExplicitVRLittleEndian, omit=
 def recoded(source, name, syntax):
     d = pydicom.dcmread(path(source))
     d.file_meta.TransferSyntaxUID = syntax
-    d.save_as(path(name), little_endian=syntax != ExplicitVRBigEndian, implicit_vr=syntax == ImplicitVRLittleEndian)
+    d.save_as(path(name), implicit_vr=syntax == ImplicitVRLittleEndian)
 
 
 def turned_frames(source, name):
@@ -180,10 +180,10 @@ def keyhole(polygons):
     return [outer + [outer[0]] + hole + [hole[0]]]
 
 
-def structure_set(images, name, masks):
+def structure_set(images, name, masks, syntax=ImplicitVRLittleEndian):
     d = Dataset()
     d.file_meta = FileMetaDataset()
-    d.file_meta.TransferSyntaxUID = ImplicitVRLittleEndian
+    d.file_meta.TransferSyntaxUID = syntax
     d.file_meta.MediaStorageSOPClassUID = d.SOPClassUID = RTStructureSetStorage
     d.file_meta.MediaStorageSOPInstanceUID = d.SOPInstanceUID = ROOT + ".5.1"
     d.PatientID = d.PatientName = "phantom"
@@ -268,6 +268,7 @@ def main():
     recoded("overlapping_seg.dcm", "implicit_seg.dcm", ImplicitVRLittleEndian)
     recoded("overlapping_seg.dcm", "deflated_seg.dcm", DeflatedExplicitVRLittleEndian)
     structure_set(images, "ct/contours.dcm", masks)
+    structure_set(images, "ct/contours_big_endian.dcm", masks, ExplicitVRBigEndian)
     structure_set(images, "contours_alone.dcm", {1: masks[1]})
     layers("overlapping.seg.nrrd", masks)
     phases()

@@ -12,7 +12,7 @@ import org.phrenic.file.BadInputException;
  * The header of a NIfTI file of version 1 (348 bytes, single precision) or 2 (540 bytes, double precision), in either
  * byte order; nifti.nimh.nih.gov/nifti-2.
  */
-final class NiftiHeader {
+final class NiftiFields {
     private static final int FIRST = 348;
     private static final int SECOND = 540;
 
@@ -20,14 +20,14 @@ final class NiftiHeader {
     private final ByteBuffer bytes;
     private final boolean isSecond;
 
-    private NiftiHeader(String file, ByteBuffer bytes, boolean isSecond) {
+    private NiftiFields(String file, ByteBuffer bytes, boolean isSecond) {
         this.file = file;
         this.bytes = bytes;
         this.isSecond = isSecond;
     }
 
     /** Reads a header up to its last byte. */
-    static NiftiHeader read(String file, InputStream in) throws IOException {
+    static NiftiFields read(String file, InputStream in) throws IOException {
         byte[] content = in.readNBytes(FIRST);
         ByteBuffer bytes = ByteBuffer.wrap(content).order(ByteOrder.LITTLE_ENDIAN);
         int little = content.length >= 4 ? bytes.getInt(0) : 0;
@@ -45,7 +45,7 @@ final class NiftiHeader {
         }
         boolean isLittle = little == (second ? SECOND : FIRST);
         bytes.order(isLittle ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
-        NiftiHeader header = new NiftiHeader(file, bytes, second);
+        NiftiFields header = new NiftiFields(file, bytes, second);
         header.checkMagic();
         return header;
     }
