@@ -76,8 +76,8 @@ class RehearsalWindowTest extends RehearsalProbeCases {
     @Test
     void aSampleBeforeTheTargetIsAMiss() throws Exception {
         clinic.begin();
-        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(20));
-        until("the needle in", () -> state().placed() && state().depthMm() > 19);
+        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(12));
+        until("the needle in", () -> state().placed() && state().depthMm() > 11);
         window.command("Take sample");
         until("a sample", () -> state().samples() == 1);
         assertThat(clinic.ended().record().hit()).isFalse();
