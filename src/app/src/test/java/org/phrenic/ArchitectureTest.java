@@ -49,8 +49,9 @@ class ArchitectureTest {
         declare("model", "anatomy breathing document engine file mesh parameter");
         declare("scenario", "anatomy breathing document engine file mesh model parameter");
         declare("simulation", "anatomy breathing document engine file mesh model parameter scenario");
+        declare("motion", "anatomy document engine file mesh model simulation");
         declare("patient", "anatomy document engine file mesh");
-        declare("fit", "anatomy document engine file mesh model parameter patient scenario simulation");
+        declare("fit", "anatomy document engine file mesh model motion parameter patient scenario simulation");
         declare("access", "anatomy breathing document engine file mesh model scenario simulation");
         declare(
                 "study",
@@ -64,7 +65,7 @@ class ArchitectureTest {
         declare(
                 "cli",
                 "access anatomy breathing document engine file fit mesh model"
-                        + " parameter patient scenario scene simulation study ui");
+                        + " motion parameter patient scenario scene simulation study ui");
     }
 
     private static void declare(String chapter, String used) {

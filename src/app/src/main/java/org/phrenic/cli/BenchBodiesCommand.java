@@ -16,6 +16,7 @@ import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.ExitCode;
+import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;

@@ -2,6 +2,7 @@ package org.phrenic.cli;
 
 import java.nio.file.Path;
 import org.phrenic.cli.report.ExitCode;
+import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.engine.integrator.IntegratorKind;

@@ -8,6 +8,7 @@ import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RobotOperator;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.ExitCode;
+import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;

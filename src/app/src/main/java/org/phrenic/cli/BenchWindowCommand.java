@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.stream.IntStream;
 import org.phrenic.cli.option.ScenarioOptions;
 import org.phrenic.cli.report.ExitCode;
+import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.file.BadInputException;

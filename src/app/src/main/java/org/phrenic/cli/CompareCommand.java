@@ -12,6 +12,7 @@ import org.phrenic.cli.option.PictureOptions;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.CompareReport;
 import org.phrenic.cli.report.ExitCode;
+import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.BadInputException;

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.FileInfo;
+import org.phrenic.cli.report.ReportingCommand;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 

@@ -7,6 +7,7 @@ import java.util.Map;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.ExitCode;
+import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.engine.parallel.ProgressListener;

@@ -14,6 +14,7 @@ import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.QuantityKey;
+import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;

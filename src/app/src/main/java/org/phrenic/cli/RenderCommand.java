@@ -15,6 +15,7 @@ import org.phrenic.cli.option.TimeOptions;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.QuantityKey;
+import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;

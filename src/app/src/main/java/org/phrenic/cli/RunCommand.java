@@ -6,6 +6,7 @@ import java.util.Map;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ScenarioOptions;
 import org.phrenic.cli.report.ExitCode;
+import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.RunReport;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.BadInputException;

@@ -30,7 +30,8 @@ final class SubCommands {
             "reproduce",
             "rehearse",
             "sweep",
-            "ultrasound");
+            "ultrasound",
+            "motion");
 
     private SubCommands() {}
 
@@ -81,6 +82,7 @@ final class SubCommands {
             case "rehearse" -> RehearseCommand.class;
             case "sweep" -> SweepCommand.class;
             case "ultrasound" -> UltrasoundCommand.class;
+            case "motion" -> MotionCommand.class;
             default -> throw new IllegalArgumentException(name + " is no command");
         };
     }

@@ -8,6 +8,7 @@ import java.util.ServiceLoader;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.ExitCode;
+import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.SparkSubmit;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;

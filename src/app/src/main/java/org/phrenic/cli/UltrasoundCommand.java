@@ -17,6 +17,7 @@ import org.phrenic.cli.option.ScenarioOptions;
 import org.phrenic.cli.option.TimeOptions;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.ExitCode;
+import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.OrderedValues;

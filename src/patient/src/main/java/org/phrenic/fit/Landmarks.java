@@ -13,6 +13,7 @@ import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.MovingLeastSquares;
 import org.phrenic.mesh.query.SurfaceDistance;
 import org.phrenic.mesh.query.TriangleTree;
+import org.phrenic.motion.SlidingElasticSolid;
 import org.phrenic.simulation.observe.Surface;
 
 /**

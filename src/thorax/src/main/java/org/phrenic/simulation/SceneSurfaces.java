@@ -281,9 +281,7 @@ public final class SceneSurfaces {
             switch (surfaces.get(i).motion()) {
                 case DEFORMING -> toFloat(places.get(i).positionsAt(time, positions), frame.positions(i));
                 case RIGID -> toFloat(pose.pose(bodies.get(i)), frame.pose(i));
-                case STILL -> {
-                    // The rest mesh is sufficient.
-                }
+                case STILL -> {} // the rest mesh is sufficient
             }
         }
         toFloat(positions, frame.nodes());
@@ -331,6 +329,11 @@ public final class SceneSurfaces {
             }
             case STILL -> rest;
         };
+    }
+
+    /** Pose of a rigid surface ({@link HelicalBody#transformPoints}) at the last call of {@link #meshes}. */
+    public double[] pose(int surface) {
+        return pose.pose(bodies.get(surface)).clone();
     }
 
     /** Observables of the current state, in the order of {@link Observation#COLUMNS}. */

@@ -1,5 +1,6 @@
 package org.phrenic.cli.option;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -19,7 +20,8 @@ public final class ScenarioOptions {
     @Parameters(
             arity = "0..1",
             paramLabel = "SCENARIO",
-            description = "YAML file of what to simulate; without it, a quiet breath of the virtual adult male.")
+            description = "YAML file of what to simulate, or a folder with a body; without it, a quiet breath of the "
+                    + "virtual adult male.")
     private Path scenario;
 
     @Option(
@@ -70,8 +72,10 @@ public final class ScenarioOptions {
      * @param more assignments from other options of the command
      */
     public Scenario resolved(Assignment... more) {
-        Scenario base = scenario == null ? Scenario.defaults() : Scenario.read(scenario);
+        boolean body = scenario != null && Files.isDirectory(scenario);
+        Scenario base = scenario == null || body ? Scenario.defaults() : Scenario.read(scenario);
         List<Assignment> list = new ArrayList<>();
+        OptionValues.assign(list, "SCENARIO", "anatomy", body ? scenario.toString() : null);
         OptionValues.assign(list, "--anatomy", "anatomy", anatomy);
         if (PAPER.equals(preset)) {
             OptionValues.assign(list, "--preset", "material", Materials.PUBLISHED.label());

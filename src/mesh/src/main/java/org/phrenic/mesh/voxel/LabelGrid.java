@@ -91,6 +91,11 @@ public final class LabelGrid {
         return inside ? label(i + columns * (j + rows * k)) : 0;
     }
 
+    /** The affine matrix m0 to m11 from voxel indices to mm, three rows of four numbers. */
+    public double[] toMm() {
+        return toMm.clone();
+    }
+
     /** Converts voxel coordinates to a position in mm, written to {@code out}. */
     public void voxelToMm(double i, double j, double k, double[] out) {
         for (int row = 0; row < 3; row++) {

@@ -1,4 +1,4 @@
-package org.phrenic.fit;
+package org.phrenic.motion;
 
 import java.util.Arrays;
 import org.phrenic.mesh.TriangleMesh;

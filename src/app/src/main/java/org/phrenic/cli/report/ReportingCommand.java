@@ -1,11 +1,10 @@
-package org.phrenic.cli;
+package org.phrenic.cli.report;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
-import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.HtmlPage;
@@ -18,49 +17,49 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /** A command that prints its results as text or, with {@code --json}, as JSON. */
-abstract class ReportingCommand implements Callable<Integer> {
+public abstract class ReportingCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
     @Option(names = "--json", description = "Print JSON instead of tables.")
     private boolean json;
 
-    final CommandLine commandLine() {
+    protected final CommandLine commandLine() {
         return spec.commandLine();
     }
 
-    final boolean isJson() {
+    protected final boolean isJson() {
         return json;
     }
 
-    final PrintWriter out() {
+    protected final PrintWriter out() {
         return spec.commandLine().getOut();
     }
 
-    final PrintWriter err() {
+    protected final PrintWriter err() {
         return spec.commandLine().getErr();
     }
 
-    final ConsoleProgress progress() {
+    protected final ConsoleProgress progress() {
         return new ConsoleProgress(err());
     }
 
     /** @param counted label of the counter in progress lines, such as "cells done" */
-    final ConsoleProgress progress(String counted) {
+    protected final ConsoleProgress progress(String counted) {
         return new ConsoleProgress(err(), counted);
     }
 
     /** Prints the values as JSON with {@code --json}, and the text otherwise. */
-    final void print(Map<String, ?> values, Supplier<String> text) {
+    protected final void print(Map<String, ?> values, Supplier<String> text) {
         out().print(json ? JsonWriter.format(values) : text.get());
         out().flush();
     }
 
-    static String withDisclaimer(String text) {
+    protected static String withDisclaimer(String text) {
         return text + "\n" + Disclaimer.TEXT + "\n";
     }
 
-    static void writePages(Path folder, String name, ReportDocument report) {
+    protected static void writePages(Path folder, String name, ReportDocument report) {
         AtomicFile.write(folder.resolve(name + ".html"), HtmlPage.format(report));
         AtomicFile.write(folder.resolve(name + ".md"), MarkdownPage.format(report));
     }

@@ -1,4 +1,4 @@
-package org.phrenic.fit;
+package org.phrenic.motion;
 
 import java.util.Arrays;
 import org.phrenic.mesh.MeshMeasure;
@@ -18,7 +18,7 @@ import org.phrenic.mesh.query.TriangleTree;
  * of it that lies inside the body (finite cell method; Parvizian, Duester and Rank 2007, doi
  * 10.1007/s00466-007-0173-y).
  */
-final class SlidingElasticSolid {
+public final class SlidingElasticSolid {
     private static final double CELL_MM = 14;
     private static final double POISSON = 0.3;
     private static final double NORMAL_PER_MM = 1.4;
@@ -42,9 +42,13 @@ final class SlidingElasticSolid {
      * @param rest closed surface
      * @param now the same surface, moved
      */
-    SlidingElasticSolid(TriangleMesh rest, TriangleMesh now) {
+    public SlidingElasticSolid(TriangleMesh rest, TriangleMesh now) {
+        this(rest, now, new HexahedralGrid(rest, CELL_MM, SAMPLES, LEAST_SHARE, POISSON));
+    }
+
+    private SlidingElasticSolid(TriangleMesh rest, TriangleMesh now, HexahedralGrid grid) {
         this.rest = rest;
-        grid = new HexahedralGrid(rest, CELL_MM, SAMPLES, LEAST_SHARE, POISSON);
+        this.grid = grid;
         int stride = 1 + rest.vertexCount() / MOST_POINTS;
         points = new int[(rest.vertexCount() + stride - 1) / stride];
         Arrays.setAll(points, i -> i * stride);
@@ -54,8 +58,13 @@ final class SlidingElasticSolid {
         solve(now);
     }
 
+    /** The same body with its surface moved otherwise; the hexahedra are shared. */
+    SlidingElasticSolid withSurface(TriangleMesh now) {
+        return new SlidingElasticSolid(rest, now, grid);
+    }
+
     /** Where a point of the body at rest goes. */
-    double[] moved(double[] place) {
+    public double[] moved(double[] place) {
         double[] u = grid.interpolate(grid.locate(place), displacement);
         return new double[] {place[0] + u[0], place[1] + u[1], place[2] + u[2]};
     }

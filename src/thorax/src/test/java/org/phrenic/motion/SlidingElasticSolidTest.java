@@ -1,4 +1,4 @@
-package org.phrenic.fit;
+package org.phrenic.motion;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.offset;

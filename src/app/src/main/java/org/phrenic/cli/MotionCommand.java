@@ -1,0 +1,91 @@
+package org.phrenic.cli;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.cli.option.MotionOptions;
+import org.phrenic.cli.option.ReportFolder;
+import org.phrenic.cli.option.ScenarioOptions;
+import org.phrenic.cli.report.ConsoleProgress;
+import org.phrenic.cli.report.ExitCode;
+import org.phrenic.cli.report.ReportingCommand;
+import org.phrenic.cli.report.TextTable;
+import org.phrenic.document.OrderedValues;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.UserCache;
+import org.phrenic.motion.BodyMotion;
+import org.phrenic.motion.MotionExport;
+import org.phrenic.motion.MotionRequest;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.SimulationRun;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** {@code phrenic motion}: writes where every point of a breathing body goes. */
+@Command(
+        name = "motion",
+        description = "Write where every point of the breathing body goes: displacement fields, trajectories, images.",
+        footer = {
+            "",
+            "Examples:",
+            "  phrenic motion --grid 5mm --phases 4 --out fields",
+            "  phrenic motion --preset deep --points landmarks.csv --phases 20 --out tracks",
+            "  phrenic motion patient.yaml --warp ct.nii.gz --phases 10 --jacobian --out breathing",
+            "",
+            "DIR gets motion.json, which lists the files. Places are those at end-expiration: docs/motion.md.",
+            "",
+            Disclaimer.TEXT
+        })
+final class MotionCommand extends ReportingCommand {
+    @Mixin
+    private ScenarioOptions scenarioOptions;
+
+    @Mixin
+    private MotionOptions options;
+
+    @Option(names = "--out", paramLabel = "DIR", required = true, description = "Folder for the files.")
+    private Path out;
+
+    @Override
+    public Integer call() {
+        MotionRequest request = options.request();
+        ReportFolder.requireWritable(out);
+        Scenario scenario = scenarioOptions.resolved();
+        ConsoleProgress progress = progress();
+        OrderedValues report;
+        Thorax thorax = SimulationRun.loadThorax(scenario);
+        thorax.notes().forEach(progress::note);
+        try (Simulation simulation = Simulation.of(scenario, thorax, UserCache.ofUser());
+                BodyMotion motion = new BodyMotion(simulation, options.organs(), options.lungs(), scenario.threads())) {
+            double[] times = options.times(simulation.breathDurationS(), simulation.durationS());
+            report = new MotionExport(simulation, motion, request, out, progress).write(times);
+        } finally {
+            progress.end();
+        }
+        print(report, () -> table(report));
+        return ExitCode.SUCCESS;
+    }
+
+    private static String table(OrderedValues report) {
+        TextTable table = new TextTable(true, true, true).row("time_s", "error_mean_mm", "error_99%_mm");
+        for (Object phase : (List<?>) report.get("phases")) {
+            Map<?, ?> values = (Map<?, ?>) phase;
+            table.row(
+                    number("%.3f", values.get("time_s")),
+                    number("%.3f", values.get("lattice_error_mean_mm")),
+                    number("%.3f", values.get("lattice_error_percentile_99_mm")));
+        }
+        String files = String.join(
+                "\n",
+                ((List<?>) report.get("files")).stream().map(String::valueOf).toList());
+        return withDisclaimer(table.text() + "\n" + files + "\n");
+    }
+
+    private static String number(String format, Object value) {
+        return String.format(Locale.ROOT, format, (Double) value);
+    }
+}

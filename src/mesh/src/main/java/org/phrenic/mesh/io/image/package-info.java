@@ -1,0 +1,2 @@
+/** Writes volumes of real values, labels and displacements: NIfTI-1, NRRD and MetaImage. */
+package org.phrenic.mesh.io.image;

@@ -1,0 +1,253 @@
+package org.phrenic.motion;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.phrenic.document.JsonWriter;
+import org.phrenic.document.OrderedValues;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.OutputException;
+import org.phrenic.file.ScalarType;
+import org.phrenic.mesh.io.image.VoxelFiles;
+import org.phrenic.mesh.io.image.VoxelSeries;
+import org.phrenic.mesh.voxel.VoxelBox;
+import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.SimulationRun;
+
+/**
+ * Breathes a body and writes its motion at some times: displacement fields forward and backward, trajectories, warped
+ * images, Jacobian and ventilation. {@code motion.json} is written last and lists the files.
+ */
+public final class MotionExport {
+    private static final double SHARE_OF_MEMORY = 0.7;
+    /** Bytes a voxel: image, warped image, field, labels at rest and now, and their copies. */
+    private static final long BYTES_A_VOXEL = 30;
+
+    private static final double PACKED = 0.5;
+
+    private final Simulation simulation;
+    private final BodyMotion motion;
+    private final MotionRequest request;
+    private final Path out;
+    private final SimulationRun.Progress progress;
+    private final Optional<MovingImage> image;
+    private final Optional<MotionSampler> grid;
+    private final Optional<MotionPoints> points;
+    private final List<Object> phases = new ArrayList<>();
+    private final List<String> files = new ArrayList<>();
+
+    /**
+     * Prepares the body and reads what is to be carried.
+     *
+     * @param simulation at rest
+     * @throws BadInputException if a file cannot be used, the image does not overlap the body, or the voxels do not fit
+     *     into memory
+     */
+    public MotionExport(
+            Simulation simulation,
+            BodyMotion motion,
+            MotionRequest request,
+            Path out,
+            SimulationRun.Progress progress) {
+        this.simulation = simulation;
+        this.motion = motion;
+        this.request = request;
+        this.out = out;
+        this.progress = progress;
+        image = Optional.ofNullable(request.image()).map(file -> new MovingImage(file, request.labels(), motion));
+        image.ifPresent(i -> i.notes().forEach(progress::note));
+        if (request.gridMm() > 0) {
+            double[] b = motion.bounds();
+            double edge = request.gridMm();
+            long voxels = 1;
+            for (int axis = 0; axis < 3; axis++) {
+                voxels *= (long) ((b[3 + axis] - b[axis]) / edge) + 2;
+            }
+            checkMemory(voxels);
+            double[] low = {b[0], b[1], b[2]};
+            double[] high = {b[3], b[4], b[5]};
+            grid = Optional.of(new MotionSampler(motion, VoxelBox.covering(low, high, edge)));
+        } else {
+            grid = Optional.empty();
+        }
+        points = Optional.ofNullable(request.points()).map(file -> new MotionPoints(file, motion));
+    }
+
+    private static void checkMemory(long voxels) {
+        long memory = Runtime.getRuntime().maxMemory();
+        if (voxels * BYTES_A_VOXEL > SHARE_OF_MEMORY * memory) {
+            throw new BadInputException(
+                    "--grid: found " + voxels + " voxels, expected no more than fit into Java's memory" + " of "
+                            + (memory >> 20) + " MB (java -Xmx8g gives it 8 GB)");
+        }
+    }
+
+    /** Refuses to begin what the disk has no room for. */
+    private void checkSpace(int times) {
+        long voxels = grid.map(g -> 6L * Float.BYTES * g.box().voxels()).orElse(0L)
+                + image.map(i -> 2L * i.sampler().box().voxels()).orElse(0L);
+        double needed = voxels
+                * times
+                * (request.format().equals("nii") || request.format().equals("mha") ? 1 : PACKED);
+        try {
+            Path there = out.toAbsolutePath();
+            while (!Files.exists(there)) {
+                there = there.getParent();
+            }
+            long free = Files.getFileStore(there).getUsableSpace();
+            if (needed > free) {
+                throw new BadInputException(String.format(
+                        Locale.ROOT,
+                        "--out %s: found %d MB of free space, expected about %.0f MB for %d times",
+                        out,
+                        free >> 20,
+                        needed / (1 << 20),
+                        times));
+            }
+        } catch (IOException unknown) {
+            throw new OutputException(out + ": free space cannot be read: " + unknown.getMessage(), unknown);
+        }
+    }
+
+    /**
+     * Breathes and writes.
+     *
+     * @param times simulated times in ascending order, s
+     * @return what was written, as in {@code motion.json}
+     */
+    public OrderedValues write(double[] times) {
+        checkSpace(times.length);
+        boolean series = image.isPresent() && request.format().startsWith("nii");
+        if (series) {
+            VoxelSeries warped = image.get().series(times, n -> {
+                phase(times[n]);
+                return image.get().warped();
+            });
+            String name = "warped." + request.format();
+            VoxelFiles.write(out.resolve(name), warped);
+            files.add(name);
+        } else {
+            for (double time : times) {
+                phase(time);
+            }
+        }
+        points.ifPresent(p -> {
+            p.write(out.resolve("trajectories.csv"));
+            files.add("trajectories.csv");
+        });
+        OrderedValues report = new OrderedValues()
+                .with("from", "rest at end-expiration")
+                .with("axes", "LPS in MetaImage, NRRD and CSV; RAS in NIfTI; mm")
+                .with("phases", phases)
+                .with("regions", request.regions() ? motion.regionNames() : List.of())
+                .with("files", files)
+                .with("notice", Disclaimer.TEXT);
+        JsonWriter.write(out.resolve("motion.json"), report);
+        return report;
+    }
+
+    /** Breathes to a time and writes what belongs to it alone. */
+    private void phase(double time) {
+        double dt = simulation.stepper().dt();
+        long told = System.nanoTime();
+        while (simulation.time() < time - dt / 2) {
+            simulation.step();
+            if (System.nanoTime() - told > 1_000_000_000L) {
+                told = System.nanoTime();
+                progress.advanced(simulation.time(), time, 0);
+            }
+        }
+        motion.update();
+        String at = String.format(Locale.ROOT, "%.3f", simulation.time());
+        points.ifPresent(p -> p.add(simulation.time()));
+        double[] error = motion.latticeError();
+        OrderedValues values = new OrderedValues()
+                .with("time_s", simulation.time())
+                .with("lattice_error_mean_mm", error[0])
+                .with("lattice_error_percentile_99_mm", error[1])
+                .with("lattice_error_maximum_mm", error[2]);
+        grid.ifPresent(g -> writeFields(g, at, values));
+        image.ifPresent(i -> {
+            i.sampler().update();
+            if (grid.isEmpty() && request.jacobian()) {
+                writeJacobian(i.sampler(), at, values);
+            }
+            if (!request.format().startsWith("nii")) {
+                String name = "warped_at_" + at + "s." + request.format();
+                VoxelFiles.write(out.resolve(name), i.frame());
+                files.add(name);
+            }
+        });
+        phases.add(values);
+    }
+
+    private void writeFields(MotionSampler sampler, String at, OrderedValues values) {
+        sampler.update();
+        write(
+                sampler,
+                3,
+                sampler.forward(),
+                "displacement_forward_from_0.000s_to_" + at + "s",
+                field("0.000", at, true));
+        write(
+                sampler,
+                3,
+                sampler.backward(),
+                "displacement_backward_from_" + at + "s_to_0.000s",
+                field(at, "0.000", false));
+        if (request.jacobian()) {
+            writeJacobian(sampler, at, values);
+        }
+        if (request.regions()) {
+            String name = "regions_at_" + at + "s";
+            write(sampler, 1, sampler.regions(), name, Map.of(VoxelSeries.CONTENT, "regions at " + at + " s"));
+        }
+    }
+
+    /** What a displacement field says of itself. NRRD's key of the type is that of 3D Slicer. */
+    private static Map<String, String> field(String from, String to, boolean forward) {
+        Map<String, String> about = new LinkedHashMap<>();
+        about.put(VoxelSeries.CONTENT, "displacement mm from " + from + " s to " + to + " s");
+        about.put("displacement field type", forward ? "modeling" : "resampling");
+        about.put("displacement", "mm");
+        about.put("from", from + " s");
+        about.put("to", to + " s");
+        return about;
+    }
+
+    private void writeJacobian(MotionSampler sampler, String at, OrderedValues values) {
+        float[] jacobian = sampler.jacobian();
+        int folded = 0;
+        for (float j : jacobian) {
+            folded += j <= 0 ? 1 : 0;
+        }
+        values.with("jacobian_not_positive_percent", 100.0 * folded / Math.max(1, sampler.voxelsInBody()));
+        String times = " from 0.000 s to " + at + " s";
+        write(
+                sampler,
+                1,
+                jacobian,
+                "jacobian_from_0.000s_to_" + at + "s",
+                Map.of(VoxelSeries.CONTENT, "Jacobian determinant" + times));
+        write(
+                sampler,
+                1,
+                sampler.ventilation(jacobian),
+                "ventilation_from_0.000s_to_" + at + "s",
+                Map.of(VoxelSeries.CONTENT, "specific ventilation ml/ml" + times));
+    }
+
+    private void write(MotionSampler sampler, int components, float[] values, String name, Map<String, String> about) {
+        String file = name + "." + request.format();
+        ScalarType type = name.startsWith("regions") ? ScalarType.UINT8 : ScalarType.FLOAT32;
+        VoxelFiles.write(out.resolve(file), VoxelSeries.of(sampler.box(), components, type, values, about));
+        files.add(file);
+    }
+}

@@ -1,0 +1,71 @@
+package org.phrenic.motion;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.phrenic.document.CsvTable;
+import org.phrenic.document.CsvWriter;
+import org.phrenic.file.BadInputException;
+
+/**
+ * Points at rest and their trajectories. A CSV file has the columns {@code x_mm}, {@code y_mm}, {@code z_mm} (LPS) and,
+ * if wanted, {@code name} and {@code structure}. A point without a structure belongs to the closed surface that it is
+ * in, else to the soft tissue.
+ */
+final class MotionPoints {
+    private static final List<String> HEADER = List.of("name", "structure", "time_s", "x_mm", "y_mm", "z_mm");
+
+    private final BodyMotion motion;
+    private final List<String> names = new ArrayList<>();
+    private final List<double[]> places = new ArrayList<>();
+    private final List<Optional<Integer>> structures = new ArrayList<>();
+    private final List<String> regions = new ArrayList<>();
+    private final List<List<Object>> rows = new ArrayList<>();
+
+    /** @throws BadInputException if the file cannot be read, has no points or names a structure that is not there */
+    MotionPoints(Path file, BodyMotion motion) {
+        this.motion = motion;
+        CsvTable table = CsvTable.read(file);
+        double[] x = table.numbers("x_mm");
+        double[] y = table.numbers("y_mm");
+        double[] z = table.numbers("z_mm");
+        if (x.length == 0) {
+            throw new BadInputException(file + ": found no row, expected points");
+        }
+        for (int i = 0; i < x.length; i++) {
+            String name = table.has("name") ? table.texts("name").get(i) : "";
+            String structure = table.has("structure") ? table.texts("structure").get(i) : "";
+            names.add(name.isEmpty() ? Integer.toString(i + 1) : name);
+            places.add(new double[] {x[i], y[i], z[i]});
+            try {
+                structures.add(
+                        structure.isEmpty()
+                                ? motion.structureAt(x[i], y[i], z[i])
+                                : Optional.of(motion.structure(structure)));
+            } catch (BadInputException unknown) {
+                throw table.badCell(i, "structure", unknown.getMessage());
+            }
+            regions.add(structures
+                    .get(i)
+                    .map(s -> motion.surfaces().get(s).name())
+                    .orElseGet(() -> motion.softTissueAt(places.get(places.size() - 1))));
+        }
+    }
+
+    /** Adds where the points are now. */
+    void add(double timeS) {
+        for (int i = 0; i < places.size(); i++) {
+            double[] place = places.get(i);
+            double[] now = structures.get(i).isPresent()
+                    ? motion.moved(structures.get(i).get(), place)
+                    : motion.moved(place);
+            rows.add(List.of(names.get(i), regions.get(i), timeS, now[0], now[1], now[2]));
+        }
+    }
+
+    /** Writes the trajectories: a row for each point and time. */
+    void write(Path file) {
+        CsvWriter.write(file, HEADER, rows);
+    }
+}

@@ -1,0 +1,287 @@
+package org.phrenic.motion;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.TriangleTree;
+import org.phrenic.mesh.voxel.VoxelBox;
+import org.phrenic.simulation.Runs;
+import org.phrenic.simulation.Simulation;
+
+/** The motion of the coarse virtual man at the end of a quiet inspiration. */
+class BodyMotionTest {
+    private static final double END_INSPIRATION_S = 1.6;
+    private static final double EDGE_MM = 5;
+    /** Nearer to lungs and diaphragm tissue is at a face that slides; one edge of the lattice of soft tissue. */
+    private static final double AT_SLIDING_FACE_MM = 6;
+
+    private static Simulation simulation;
+    private static BodyMotion motion;
+    private static MotionSampler sampler;
+    private static VoxelBox box;
+
+    @BeforeAll
+    static void breathe() {
+        simulation = Simulation.of(Runs.scenario(), Runs.male());
+        motion = new BodyMotion(simulation, false, LungInside.VERTICES, 1);
+        while (simulation.time() < END_INSPIRATION_S) {
+            simulation.step();
+        }
+        motion.update();
+        double[] b = motion.bounds();
+        box = VoxelBox.covering(new double[] {b[0], b[1], b[2]}, new double[] {b[3], b[4], b[5]}, EDGE_MM);
+        sampler = new MotionSampler(motion, box);
+        sampler.update();
+    }
+
+    @AfterAll
+    static void end() {
+        motion.close();
+        simulation.close();
+    }
+
+    private static double[] vertex(double[] positions, int v) {
+        return Arrays.copyOfRange(positions, 3 * v, 3 * v + 3);
+    }
+
+    private static double distance(double[] a, double[] b) {
+        return Math.sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
+    }
+
+    @Test
+    void verticesOfEverySurfaceGoWhereTheSimulationPutsThem() {
+        for (int s = 0; s < motion.surfaces().size(); s++) {
+            double[] rest = motion.surfaces().get(s).rest().positions();
+            for (int v = 0; v < rest.length / 3; v += 5) {
+                double[] moved = motion.moved(s, vertex(rest, v));
+                assertThat(distance(moved, vertex(motion.positions(s), v)))
+                        .as(motion.surfaces().get(s).name())
+                        .isLessThan(1e-9);
+            }
+        }
+    }
+
+    /** A place on a lung's surface belongs to the lung, not to the wall beside it. */
+    @Test
+    void placesOnALungGoWithTheLung() {
+        int lung = motion.structure("lung_R");
+        double[] rest = motion.surfaces().get(lung).rest().positions();
+        for (int v = 0; v < rest.length / 3; v += 97) {
+            assertThat(distance(motion.moved(vertex(rest, v)), vertex(motion.positions(lung), v)))
+                    .isLessThan(1e-9);
+        }
+    }
+
+    @Test
+    void bonesStayRigid() {
+        int rib = motion.structure("rib_06_R");
+        TriangleMesh mesh = motion.surfaces().get(rib).rest();
+        double[] a = vertex(mesh.positions(), 0);
+        double[] b = vertex(mesh.positions(), mesh.vertexCount() - 1);
+        double[] middle = {0.7 * a[0] + 0.3 * b[0], 0.7 * a[1] + 0.3 * b[1], 0.7 * a[2] + 0.3 * b[2]};
+        double[] movedA = motion.moved(rib, a);
+        double[] movedMiddle = motion.moved(rib, middle);
+        assertThat(distance(movedA, a)).isGreaterThan(0.01);
+        assertThat(distance(movedA, motion.moved(rib, b))).isCloseTo(distance(a, b), within(1e-9));
+        assertThat(distance(movedA, movedMiddle)).isCloseTo(distance(a, middle), within(1e-9));
+    }
+
+    /**
+     * At vertices of the lungs beside ribs: the lung inside and the wall outside differ along the surface as the lung's
+     * vertex and the rib differ; across it they stay together.
+     */
+    @Test
+    void theJumpAcrossThePleuraIsTheSlipOfTheModel() {
+        int lung = motion.structure("lung_R");
+        TriangleMesh rest = motion.surfaces().get(lung).rest();
+        TriangleMesh now = rest.withPositions(motion.positions(lung));
+        double[] normals = MeshMeasure.vertexNormals(now);
+        TriangleTree tree = new TriangleTree(now);
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        List<TriangleTree> trees =
+                motion.surfaces().stream().map(s -> new TriangleTree(s.rest())).toList();
+        int count = 0;
+        double misses = 0;
+        double slips = 0;
+        for (int v = 0; v < rest.vertexCount(); v++) {
+            double[] place = vertex(rest.positions(), v);
+            int rib = ribBeside(trees, place);
+            if (rib < 0) {
+                continue;
+            }
+            double[] inside = motion.moved(lung, place);
+            double[] outside = {0, 0, 0};
+            motion.field(BodyRegions.WALL).at(place[0], place[1], place[2], outside);
+            double[] bone = motion.moved(rib, place);
+            double miss = 0;
+            double slip = 0;
+            double across = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                across += (bone[axis] - inside[axis]) * normals[3 * v + axis];
+            }
+            for (int axis = 0; axis < 3; axis++) {
+                double modelled = bone[axis] - inside[axis] - across * normals[3 * v + axis];
+                double jump = place[axis] + outside[axis] - inside[axis];
+                miss += (jump - modelled) * (jump - modelled);
+                slip += modelled * modelled;
+            }
+            misses += Math.sqrt(miss);
+            slips += Math.sqrt(slip);
+            tree.closest(place[0] + outside[0], place[1] + outside[1], place[2] + outside[2], hit);
+            assertThat(Math.sqrt(hit.distanceSquared))
+                    .as("gap at " + Arrays.toString(place))
+                    .isLessThan(1.5);
+            count++;
+        }
+        assertThat(count).isGreaterThan(50);
+        assertThat(slips / count).isGreaterThan(1);
+        assertThat(misses / slips).isLessThan(0.25);
+    }
+
+    private static int ribBeside(List<TriangleTree> ribs, double[] place) {
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        for (int s = 0; s < ribs.size(); s++) {
+            if (motion.surfaces().get(s).kind() == StructureKind.RIB
+                    && ribs.get(s).closest(place[0], place[1], place[2], 5, hit)) {
+                return s;
+            }
+        }
+        return -1;
+    }
+
+    /** Distance of each voxel at rest from lungs and diaphragm, mm. */
+    private static double[] toSlidingFaces() {
+        List<TriangleTree> faces = motion.surfaces().stream()
+                .filter(s -> s.kind() == StructureKind.LUNG || s.kind() == StructureKind.DIAPHRAGM)
+                .map(s -> new TriangleTree(s.rest()))
+                .toList();
+        double[] out = new double[box.voxels()];
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        double[] p = new double[3];
+        for (int v = 0; v < out.length; v++) {
+            place(v, p);
+            out[v] = faces.stream().anyMatch(f -> f.closest(p[0], p[1], p[2], AT_SLIDING_FACE_MM, hit)) ? 0 : 1e9;
+        }
+        return out;
+    }
+
+    private static void place(int v, double[] out) {
+        box.voxelToMm(v % box.columns(), v / box.columns() % box.rows(), v / box.columns() / box.rows(), out);
+    }
+
+    @Test
+    void nothingFoldsAwayFromSlidingFaces() {
+        float[] jacobian = sampler.jacobian();
+        double[] distance = toSlidingFaces();
+        double least = 9;
+        for (int v = 0; v < jacobian.length; v++) {
+            least = distance[v] > 0 ? Math.min(least, jacobian[v]) : least;
+        }
+        assertThat(least).isPositive();
+    }
+
+    /** The mean of the Jacobian over the lungs is what their surfaces enclose now over what they enclosed. */
+    @Test
+    void theJacobianOfTheLungsIsTheirGrowth() {
+        float[] ventilation = sampler.ventilation(sampler.jacobian());
+        byte[] labels = sampler.labels(false);
+        int lung = motion.structure("lung_L");
+        TriangleMesh rest = motion.surfaces().get(lung).rest();
+        double growth =
+                MeshMeasure.signedVolume(rest.withPositions(motion.positions(lung))) / MeshMeasure.signedVolume(rest)
+                        - 1;
+        double sum = 0;
+        int count = 0;
+        for (int v = 0; v < labels.length; v++) {
+            if (labels[v] == BodyRegions.FIRST + lung) {
+                sum += ventilation[v];
+                count++;
+            }
+        }
+        assertThat(growth).isGreaterThan(0.1);
+        assertThat(sum / count).isCloseTo(growth, within(0.03));
+    }
+
+    /** From each voxel forward, and back by the backward field at the place that is reached. */
+    @Test
+    void backwardUndoesForward() {
+        float[] forward = sampler.forward();
+        byte[] rest = sampler.labels(false);
+        int count = 0;
+        int near = 0;
+        double[] p = new double[3];
+        double[] w = new double[3];
+        for (int v = 0; v < rest.length; v++) {
+            int region = Byte.toUnsignedInt(rest[v]);
+            if (region != BodyRegions.OUTSIDE) {
+                place(v, p);
+                double[] to = {p[0] + forward[3 * v], p[1] + forward[3 * v + 1], p[2] + forward[3 * v + 2]};
+                sampler.back(region, to, w);
+                double[] again = {to[0] + w[0], to[1] + w[1], to[2] + w[2]};
+                count++;
+                near += distance(p, again) < 0.1 ? 1 : 0;
+            }
+        }
+        assertThat(count).isGreaterThan(50_000);
+        assertThat(near).isGreaterThan((int) (0.99 * count));
+    }
+
+    /**
+     * Labels that are carried, against the moved surfaces in the same voxels: where they differ the surface is less
+     * than half a voxel away, on the mean.
+     */
+    @Test
+    void carriedLabelsLieOnTheMovedSurfaces() {
+        byte[] now = sampler.labels(true);
+        float[] carried = sampler.warpNearest(sampler.regionsAtRest());
+        for (String name : new String[] {"lung_R", "lung_L", "liver"}) {
+            int s = motion.structure(name);
+            TriangleTree tree = new TriangleTree(motion.surfaces().get(s).rest().withPositions(motion.positions(s)));
+            TriangleTree.Hit hit = new TriangleTree.Hit();
+            double[] p = new double[3];
+            double[] off = new double[now.length];
+            int wrong = 0;
+            int all = 0;
+            for (int v = 0; v < now.length; v++) {
+                boolean is = Byte.toUnsignedInt(now[v]) == BodyRegions.FIRST + s;
+                boolean was = Math.round(carried[v]) == BodyRegions.FIRST + s;
+                all += is ? 1 : 0;
+                if (is != was) {
+                    place(v, p);
+                    tree.closest(p[0], p[1], p[2], hit);
+                    off[wrong++] = Math.sqrt(hit.distanceSquared) / EDGE_MM;
+                }
+            }
+            assertThat(Arrays.stream(off, 0, wrong).average().orElse(0))
+                    .as(name)
+                    .isLessThan(0.5);
+            assertThat(wrong).isLessThan(all / 10);
+        }
+    }
+
+    @Test
+    void threadsDoNotChangeTheBits() {
+        try (BodyMotion other = new BodyMotion(simulation, false, LungInside.VERTICES, 3)) {
+            MotionSampler twin = new MotionSampler(other, box);
+            twin.update();
+            assertThat(twin.backward()).isEqualTo(sampler.backward());
+        }
+    }
+
+    @Test
+    void namesTheStructuresThatThereAre() {
+        assertThatThrownBy(() -> motion.structure("spleeen"))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found structure 'spleeen', expected one of diaphragm, ");
+    }
+}
