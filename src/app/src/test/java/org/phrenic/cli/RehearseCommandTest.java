@@ -5,13 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.access.plan.RehearsalPlan;
 
 /**
@@ -150,12 +150,28 @@ class RehearseCommandTest {
         assertThat(folder.resolve("bad")).doesNotExist();
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"1-large-target", "2-dome-target", "3-held-breath"})
-    void theShippedExercisesCanBeRead(String name) {
-        RehearsalPlan plan = RehearsalPlan.read(Path.of("data/exercises", name + ".yaml"));
-        assertThat(plan.goals().hit()).isTrue();
-        assertThat(plan.steps()).isNotEmpty();
-        assertThat(plan.description()).isNotEmpty();
+    @Test
+    void theShippedExercisesCanBeReadAndAskForSomething() {
+        List<RehearsalPlan> exercises = RehearsalPlan.exercises();
+        assertThat(exercises).hasSizeGreaterThanOrEqualTo(8);
+        assertThat(exercises.stream().map(plan -> plan.scenario().anatomy()).distinct())
+                .as("bodies")
+                .hasSize(3);
+        assertThat(exercises).allSatisfy(plan -> {
+            assertThat(plan.goals().hit()).isTrue();
+            assertThat(plan.steps()).isNotEmpty();
+            assertThat(plan.description()).isNotEmpty();
+            assertThat(plan.difficulty()).isNotEmpty();
+        });
+    }
+
+    @Test
+    void thePlanForABodyOfOnesOwnNamesTheFolderThatIsMissing() {
+        CommandLineRun run = CommandLineRun.of(
+                "rehearse",
+                "data/exercises/own-body.yaml",
+                "--out",
+                folder.resolve("bad").toString());
+        told(run, "my-body");
     }
 }

@@ -2,7 +2,6 @@ package org.phrenic.study;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import org.phrenic.access.BreathCycle;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.MovingAnatomy;
@@ -47,26 +46,23 @@ public final class ExerciseStudy {
      *
      * @param attempts number of attempts in either way of breathing, more than 0
      * @return the results in free and in held breath
-     * @throws BadInputException if no path is free to its target
+     * @throws BadInputException if no path to its target is free at end-expiration
      */
     public static List<Result> of(
             RehearsalPlan plan, RobotOperator.Hand hand, int attempts, SimulationRun.Progress progress) {
         try (Simulation simulation = Simulation.of(plan.scenario(), SimulationRun.loadThorax(plan.scenario()));
                 Workers workers = Workers.of(plan.scenario().threads())) {
-            SceneSurfaces surfaces = new SceneSurfaces(simulation);
+            SceneSurfaces surfaces = SceneSurfaces.withOrgans(simulation);
             MovingAnatomy anatomy = new MovingAnatomy(surfaces.surfaces());
             anatomy.update(surfaces.newFrame());
             List<BreathMoment> cycle = BreathCycle.record(simulation, surfaces, MOMENTS);
             TargetAccess access =
                     TargetAccess.of(anatomy, cycle, plan.target(anatomy), plan.needle(), plan.avoided(), workers);
             AccessMap map = access.map();
-            double margin = AccessMap.SUFFICIENT_MARGIN_MM;
-            double[] entry = Optional.of(map.best(margin))
-                    .filter(best -> best.isPresent())
-                    .orElseGet(() -> map.bestAt(0, margin))
+            double[] entry = map.bestAt(0, AccessMap.SUFFICIENT_MARGIN_MM)
                     .map(map::pointAtRest)
-                    .orElseThrow(() ->
-                            new BadInputException(plan.file() + ": found no free path to the target, expected one"));
+                    .orElseThrow(() -> new BadInputException(
+                            plan.file() + ": found no path to the target free at end-expiration, expected one"));
             progress.note(plan.title() + ": breath and access map are there.");
             return List.of(
                     run(new RobotOperator(plan, anatomy, access, entry, hand, false), plan, false, attempts),

@@ -15,7 +15,8 @@ import org.phrenic.parameter.Setting;
 /** Settings of a run apart from the model: name, body, duration, output and scheduled changes. */
 public final class RunSettings {
     /** Built-in virtual bodies. */
-    public static final List<String> VIRTUAL_BODIES = List.of("virtual/adult-male", "virtual/adult-female");
+    public static final List<String> VIRTUAL_BODIES =
+            List.of("virtual/adult-male", "virtual/adult-female", "virtual/high-colon-male");
 
     private static final double MAX_DURATION_S = 86_400;
     private static final double MIN_OFFERED_S = 1e-5;

@@ -33,10 +33,10 @@ final class SceneCarriers {
     private final Scene scene;
     private final RibCagePose pose;
     private final Optional<LiverPart> liverPart;
-    private final OrganCarriers around = new OrganCarriers();
-    private final OrganCarriers liver = new OrganCarriers();
-    private final OrganCarriers wall = new OrganCarriers();
-    private final OrganCarriers chest = new OrganCarriers();
+    private final OrganCarriers around = new OrganCarriers(120);
+    private final OrganCarriers liver = new OrganCarriers(24);
+    private final OrganCarriers wall = new OrganCarriers(24);
+    private final OrganCarriers chest = new OrganCarriers(24);
     private final int ofSheet;
     private final int ofLiver;
     private final double[] sheet;

@@ -2,6 +2,7 @@ package org.phrenic.access.attempt;
 
 import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
@@ -46,6 +47,11 @@ final class AttemptLog {
     private double driftMm;
     private double capsulePullMm;
     private double rotationDeg;
+    private final Map<String, Double> peakN = new LinkedHashMap<>();
+    private NeedleLoad load = NeedleLoad.NONE;
+    private double pushMm;
+    private double sideN;
+    private double bendingMm;
     private double[] targetFrom;
     private double[] targetLow = new double[3];
     private double[] targetHigh = targetLow;
@@ -150,6 +156,27 @@ final class AttemptLog {
         rotationDeg = Math.max(rotationDeg, degrees);
     }
 
+    /** Records the loads on the needle at the last frame. */
+    void loaded(NeedleLoad now) {
+        load = now;
+        if (!now.layer().isEmpty()) {
+            peakN.merge(now.layer(), now.axialN(), Math::max);
+        }
+        pushMm = Math.max(pushMm, now.capsulePushMm());
+        sideN = Math.max(sideN, now.sideN());
+        bendingMm = Math.max(bendingMm, now.bendingMm());
+    }
+
+    NeedleLoad load() {
+        return load;
+    }
+
+    private NeedleLoads loads() {
+        Map<String, Double> ordered = new LinkedHashMap<>();
+        NeedleLoad.LAYERS.stream().filter(peakN::containsKey).forEach(l -> ordered.put(l, peakN.get(l)));
+        return new NeedleLoads(ordered, pushMm, sideN, bendingMm);
+    }
+
     /** Adds time during which the needle lay along a path. */
     void addExposure(PathAnalysis needle, double seconds) {
         needle.noGo().forEach(zone -> secondsIn.merge(zone, seconds, Double::sum));
@@ -187,6 +214,7 @@ final class AttemptLog {
                 Vectors.subtract(targetHigh, targetLow),
                 capsulePullMm,
                 rotationDeg,
-                driftMm);
+                driftMm,
+                loads());
     }
 }

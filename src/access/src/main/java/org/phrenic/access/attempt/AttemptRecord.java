@@ -30,6 +30,7 @@ import org.phrenic.document.report.Disclaimer;
  * @param capsulePullMm largest distance of the needle from its puncture point in the liver capsule, mm
  * @param rotationByLiverDeg largest rotation of the needle caused by liver motion, degrees
  * @param driftByLiverMm total movement of the tip along the needle caused by liver motion, mm
+ * @param loads greatest loads on the needle
  */
 public record AttemptRecord(
         TargetLesion target,
@@ -48,7 +49,8 @@ public record AttemptRecord(
         double[] targetRangeMm,
         double capsulePullMm,
         double rotationByLiverDeg,
-        double driftByLiverMm) {
+        double driftByLiverMm,
+        NeedleLoads loads) {
     /** A warning is given if the capsule is pulled further than this, mm. The value is chosen, not validated. */
     public static final double PULL_WARNING_MM = 5;
 
@@ -103,6 +105,7 @@ public record AttemptRecord(
                 .with("capsule_pull_warning", capsulePullMm > PULL_WARNING_MM)
                 .with("needle_turned_by_liver_deg", rotationByLiverDeg)
                 .with("needle_moved_along_by_liver_mm", driftByLiverMm)
+                .with("loads", loads.toMap())
                 .with("rib_lower_border_mm", borderMm)
                 .with(
                         "closest",

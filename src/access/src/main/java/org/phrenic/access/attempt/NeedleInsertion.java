@@ -25,10 +25,11 @@ import org.phrenic.simulation.observe.Frame;
  * withdrawn, and takes samples. The body moves from frame to frame. The result depends only on the frames and on the
  * commands between them. A manual attempt and a planned attempt with the same commands therefore give the same record.
  *
- * <p>The needle is straight, rigid and frictionless. It passes through a fixed point of the moving skin and keeps its
- * direction in space. Inside the liver, the tip moves with the tissue between advances and the needle rotates about the
- * skin point. The displacement at the capsule and the rotation are recorded; forces are not computed. Bone stops the
- * tip.
+ * <p>The needle is straight. It passes through a fixed point of the moving skin and keeps its direction in space. The
+ * capsule of the liver is pushed by some millimetres before it is cut; until then the tip is not in the liver. Inside
+ * the liver, the tip moves with the tissue between advances and the needle rotates about the skin point. The
+ * displacement at the capsule, the rotation and the {@link NeedleLoad} are recorded; the load moves nothing. Bone stops
+ * the tip.
  *
  * <p>Not thread-safe.
  */
@@ -133,13 +134,16 @@ public final class NeedleInsertion {
         Optional<Crossing> liver = Optional.empty();
         for (Crossing c : path.crossings()) {
             boolean isLiver = c.kind() == StructureKind.LIVER;
-            if (log.isFirstEntry(c.name())) {
-                double share = depth > before ? (c.fromMm() - before) / (depth - before) : 1;
+            boolean holdsTip = isLiver && c.toMm() >= depth - TOLERANCE_MM;
+            double cutMm = isLiver ? c.fromMm() + NeedleLoad.capsulePushMm(needle) : c.fromMm();
+            boolean pushed = holdsTip && !shaft.isTipAnchored() && depth < cutMm;
+            if (!pushed && log.isFirstEntry(c.name())) {
+                double share = depth > before ? (cutMm - before) / (depth - before) : 1;
                 double when = log.timeS() - elapsed * (1 - Math.max(0, Math.min(1, share)));
                 AttemptEvent.Kind kind = isLiver ? AttemptEvent.Kind.CAPSULE_PUNCTURE : AttemptEvent.Kind.ENTERS;
-                log.event(kind, c.label(), c.fromMm(), when);
+                log.event(kind, c.label(), cutMm, when);
             }
-            if (isLiver && c.toMm() >= depth - TOLERANCE_MM) {
+            if (holdsTip && !pushed) {
                 liver = Optional.of(c);
             }
         }
@@ -148,6 +152,22 @@ public final class NeedleInsertion {
         } else if (!shaft.isTipAnchored()) {
             shaft.anchorTip(liver.get().fromMm());
         }
+        log.loaded(loadOf(before, path));
+    }
+
+    private NeedleLoad loadOf(double before, PathAnalysis path) {
+        NeedleLoad side = shaft.isTipAnchored()
+                ? NeedleLoad.aside(needle, shaft.capsulePullMm(), shaft.capsuleDepthMm())
+                : NeedleLoad.NONE;
+        double depth = shaft.depth();
+        return depth > before
+                ? NeedleLoad.advancing(needle, before, depth, path.crossings(), shaft.isTipAnchored(), side)
+                : side;
+    }
+
+    /** Loads on the needle at the last frame. */
+    public NeedleLoad load() {
+        return shaft.isPlaced() ? log.load() : NeedleLoad.NONE;
     }
 
     /**

@@ -18,6 +18,7 @@ public final class NeedleShaft {
     private double depth;
     private Optional<LiverTissue.Point> tip = Optional.empty();
     private LiverTissue.Point capsule;
+    private double capsuleDepth;
     private double[] directionAtCapsule = new double[3];
 
     NeedleShaft(LiverTissue tissue) {
@@ -66,6 +67,7 @@ public final class NeedleShaft {
     void anchorTip(double capsuleDepthMm) {
         tip = Optional.of(tissue.pointNowAt(tip()));
         capsule = tissue.pointNowAt(at(capsuleDepthMm));
+        capsuleDepth = capsuleDepthMm;
         directionAtCapsule = direction;
     }
 
@@ -110,6 +112,11 @@ public final class NeedleShaft {
     /** Distance of the needle from its puncture point in the capsule, mm; 0 while the tip is not in the liver. */
     public double capsulePullMm() {
         return tip.isEmpty() ? 0 : Vectors.distanceToLine(tissue.position(capsule), entry, direction);
+    }
+
+    /** Depth at which the needle went through the capsule, mm; that of its latest puncture. */
+    double capsuleDepthMm() {
+        return capsuleDepth;
     }
 
     /** Rotation caused by the liver since capsule puncture, degrees; 0 while the tip is not in the liver. */

@@ -85,7 +85,8 @@ final class NeedleObserver {
                                 hold,
                                 probe.pose().orElseThrow(),
                                 depth > 0 && probe.isTipSeen(needle),
-                                inBeam(probe, needle))));
+                                inBeam(probe, needle))),
+                needle.load());
     }
 
     /** Angles of the needle, or of the planned one. */

@@ -3,6 +3,7 @@ package org.phrenic.access.plan;
 import java.util.List;
 import java.util.Optional;
 import org.phrenic.access.attempt.NeedleAngles;
+import org.phrenic.access.attempt.NeedleLoad;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.breathing.RespiratoryPhase;
 
@@ -27,6 +28,7 @@ import org.phrenic.breathing.RespiratoryPhase;
  * @param aimedByHand whether a hand points the needle, not the program
  * @param angles angles of the needle; before placement, of the planned needle
  * @param probe the ultrasound probe; empty while it is not on the skin
+ * @param load loads on the needle
  */
 public record NeedleState(
         double timeS,
@@ -50,7 +52,8 @@ public record NeedleState(
         String pendingHold,
         boolean aimedByHand,
         NeedleAngles angles,
-        Optional<ProbeState> probe) {
+        Optional<ProbeState> probe,
+        NeedleLoad load) {
     /** Whether there is a needle to display. */
     public boolean hasNeedle() {
         return entry.isPresent();

@@ -62,8 +62,16 @@ public record RehearsalPlan(
             "aids",
             "steps");
     private static final List<String> DIFFICULTIES = List.of("easy", "medium", "hard");
-    private static final List<String> EXERCISES =
-            List.of("1-large-target.yaml", "2-dome-target.yaml", "3-held-breath.yaml");
+    private static final List<String> EXERCISES = List.of(
+            "1-large-target.yaml",
+            "2-dome-target.yaml",
+            "3-held-breath.yaml",
+            "4-left-lobe.yaml",
+            "5-segment-five.yaml",
+            "6-between-gall-bladder-and-kidney.yaml",
+            "7-held-or-free.yaml",
+            "8-high-colon.yaml",
+            "9-small-moving.yaml");
     private static final int MAX_MOMENTS = 100;
     private static final double TIMEOUT_S = 60;
     /** Time in which a patient follows a breathing command, s. */
@@ -101,7 +109,7 @@ public record RehearsalPlan(
         return of(YamlDocument.read(file), file);
     }
 
-    /** The built-in exercises, ordered from easy to hard. */
+    /** The built-in exercises, in the order of their numbers. */
     public static List<RehearsalPlan> exercises() {
         return EXERCISES.stream().map(RehearsalPlan::exercise).toList();
     }

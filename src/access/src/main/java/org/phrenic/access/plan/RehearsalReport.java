@@ -15,6 +15,7 @@ import org.phrenic.access.PleuralReflection;
 import org.phrenic.access.TargetMotion;
 import org.phrenic.access.attempt.AttemptEvent;
 import org.phrenic.access.attempt.AttemptRecord;
+import org.phrenic.access.attempt.NeedleLoads;
 import org.phrenic.access.attempt.ProbeUse;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.path.AccessMap;
@@ -115,7 +116,8 @@ public final class RehearsalReport {
                 "Vessels below a rib: within " + mm(CostalGroove.NEUROVASCULAR_ZONE_MM)
                         + " mm of the rib's lower border.",
                 "Capsule pulled: distance between the needle and where it went through the capsule, which moves with"
-                        + " the liver. Forces are not computed.",
+                        + " the liver.",
+                "Forces: readouts of a model of layers, most of whose values are chosen; they move nothing.",
                 "The body has no organs but those listed in its scene: bowel, gall bladder, kidney and large vessels"
                         + " count only where the body has them.",
                 AttemptRecord.NOT_VALIDATED));
@@ -214,6 +216,12 @@ public final class RehearsalReport {
         String warning = record.capsulePullMm() > AttemptRecord.PULL_WARNING_MM ? " (warning)" : "";
         rows.add(List.of("Capsule pulled aside at most, mm", number(record.capsulePullMm()) + warning));
         rows.add(List.of("Needle turned by the liver at most, degrees", number(record.rotationByLiverDeg())));
+        NeedleLoads loads = record.loads();
+        rows.add(List.of("Greatest force along the needle, N", loads.peaks()));
+        rows.add(List.of("Capsule pushed before it was cut, mm", mm(loads.capsulePushMm())));
+        rows.add(List.of(
+                "Side load at the capsule, N; needle bent by, mm",
+                number(loads.sideN()) + "; " + number(loads.bendingMm())));
         ProbeUse probe = rehearsal.probe();
         long aims = rehearsal.plan().aimsByProgram();
         rows.add(List.of("Pointed by the program (0: by hand alone), times", "" + aims));

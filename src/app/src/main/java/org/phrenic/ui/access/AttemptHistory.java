@@ -26,7 +26,8 @@ import org.phrenic.file.OutputException;
 public record AttemptHistory(Path file, String session) {
     private static final String HEADER =
             "session,time,exercise,help,hit,distance_mm,axial_mm,lateral_mm,time_s,no_go_s,"
-                    + "probe_s,tip_out_of_beam_s,needle_in_beam_mm,needle_in_beam_share,aims_by_program";
+                    + "probe_s,tip_out_of_beam_s,needle_in_beam_mm,needle_in_beam_share,aims_by_program,"
+                    + "greatest_force_n,capsule_push_mm,side_load_n,bending_mm";
 
     private static final int TITLE = 2;
     private static final int HIT = 4;
@@ -55,6 +56,8 @@ public record AttemptHistory(Path file, String session) {
         if (lines.isEmpty()) {
             lines.add(HEADER);
         }
+        // Files of before have fewer columns; the later ones come last.
+        lines.set(0, HEADER);
         lines.add(row(attempt));
         AtomicFile.write(file, String.join("\n", lines) + "\n");
     }
@@ -79,6 +82,10 @@ public record AttemptHistory(Path file, String session) {
         cells.add(number(attempt.probe().needleInBeamMm()));
         cells.add(number(attempt.probe().needleInBeamShare()));
         cells.add(Long.toString(attempt.plan().aimsByProgram()));
+        cells.add(number(record.loads().greatestN()));
+        cells.add(number(record.loads().capsulePushMm()));
+        cells.add(number(record.loads().sideN()));
+        cells.add(number(record.loads().bendingMm()));
         return String.join(",", cells);
     }
 

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.access.Needle;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.attempt.NeedleAngles;
+import org.phrenic.access.attempt.NeedleLoad;
 import org.phrenic.access.plan.ImageMoment;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.ultrasound.CurvilinearProbe;
@@ -78,7 +79,8 @@ class UltrasoundUpdaterTest {
                 "",
                 true,
                 new NeedleAngles(90, 45),
-                Optional.empty());
+                Optional.empty(),
+                NeedleLoad.NONE);
     }
 
     @Test

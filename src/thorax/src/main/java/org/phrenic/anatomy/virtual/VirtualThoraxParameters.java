@@ -33,14 +33,14 @@ public record VirtualThoraxParameters(
     /**
      * Returns a built-in set of measures.
      *
-     * @param preset {@code adult-male} or {@code adult-female}
+     * @param preset {@code adult-male}, {@code adult-female} or {@code high-colon-male}
      * @throws IllegalArgumentException if there is no preset of this name
      */
     public static VirtualThoraxParameters preset(String preset) {
         String file = preset + ".yaml";
         String text = ShippedFile.find("thorax/" + file)
-                .orElseThrow(() -> new IllegalArgumentException(
-                        "virtual thorax '" + preset + "' is not known, expected adult-male or adult-female"));
+                .orElseThrow(() -> new IllegalArgumentException("virtual thorax '" + preset
+                        + "' is not known, expected adult-male, adult-female or high-colon-male"));
         return YamlDocument.parse(file, text).bind(VirtualThoraxParameters.class);
     }
 

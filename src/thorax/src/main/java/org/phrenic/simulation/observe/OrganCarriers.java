@@ -17,10 +17,27 @@ public final class OrganCarriers {
     /** Sampled vertices of a surface, their places at rest, and the first of them among all points. */
     private record Sampled(int[] vertices, double[] rest, int first) {}
 
+    private final int nearest;
     private final List<Sampled> moving = new ArrayList<>();
     private final List<double[]> movingPoints = new ArrayList<>();
     private final List<double[]> stillPoints = new ArrayList<>();
     private double[] displacement = new double[0];
+
+    /**
+     * No carriers yet.
+     *
+     * @param nearest how many of the points carry a point of an organ. Of few, organs follow what is next to them; of
+     *     many, the displacement varies less between places, so that organs between carriers that move differently do
+     *     not run into one another
+     */
+    public OrganCarriers(int nearest) {
+        this.nearest = nearest;
+    }
+
+    /** How many of the points carry a point of an organ. */
+    int nearest() {
+        return nearest;
+    }
 
     /**
      * Adds a surface that moves.

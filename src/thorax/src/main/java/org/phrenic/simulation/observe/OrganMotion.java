@@ -8,8 +8,8 @@ import org.phrenic.mesh.Vectors;
 
 /**
  * Motion of an organ that the model does not simulate, for display, images and needle paths: it affects neither forces
- * nor observables. Each point is displaced by a weighted mean of the displacements of the {@value #NEAREST} nearest
- * points of its carriers, by Shepard's method with the weights of Franke and Little:
+ * nor observables. Each point is displaced by a weighted mean of the displacements of the nearest points of its carriers
+ * ({@link OrganCarriers#nearest}), by Shepard's method with the weights of Franke and Little:
  *
  * <pre>
  * x = X + f(d) H Σ w_i (y_i - Y_i) / Σ w_i,   w_i = ((1 - r_i / R) / (r_i² + s²))²
@@ -32,8 +32,7 @@ public final class OrganMotion {
         SLIDING
     }
 
-    private static final int NEAREST = 24;
-    private static final double SOFTENING_MM = 12;
+    private static final double SOFTENING_MM = 5;
     private static final double WITH_CARRIER_MM = 30;
     private static final double FADE_MM = 200;
 
@@ -57,7 +56,7 @@ public final class OrganMotion {
         this.rest = rest;
         this.carriers = carriers;
         sliding = hold == Hold.SLIDING;
-        count = Math.min(NEAREST, carriers.movingPoints().size());
+        count = Math.min(carriers.nearest(), carriers.movingPoints().size());
         nearest = new int[rest.length / 3 * count];
         weights = new float[nearest.length];
         horizontal = new double[rest.length / 3];

@@ -33,6 +33,26 @@ class VirtualThoraxParametersTest {
     }
 
     @Test
+    void theBodyWithAHighColonIsTheManButForItsColonAndSkin() {
+        VirtualThoraxParameters man = VirtualThoraxParameters.preset("adult-male");
+        VirtualThoraxParameters stout = VirtualThoraxParameters.preset("high-colon-male");
+        assertThat(stout)
+                .usingRecursiveComparison()
+                .ignoringFields("name", "skin.sections", "organs.parts")
+                .isEqualTo(man);
+        for (int i = 0; i < man.organs().parts().size(); i++) {
+            boolean colon = man.organs().parts().get(i).name().equals("colon");
+            assertThat(stout.organs().parts().get(i).equals(man.organs().parts().get(i)))
+                    .as(man.organs().parts().get(i).name())
+                    .isNotEqualTo(colon);
+        }
+        // The belly's front lies 34 mm before that of the man, as the row at the lower end says.
+        assertThat(man.skin().sections().get(0).get(2)
+                        - stout.skin().sections().get(0).get(2))
+                .isEqualTo(34);
+    }
+
+    @Test
     void aMisspelledKeyIsNamed() {
         assertRefused(male().replace("  xiphoid_mm:", "  xyphoid_mm:"), "sternum", "xiphoid_mm");
     }

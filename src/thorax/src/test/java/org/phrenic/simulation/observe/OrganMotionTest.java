@@ -18,7 +18,7 @@ class OrganMotionTest {
     }
 
     private static double[] moved(double[] organ, double[] sheetNow) {
-        OrganCarriers carriers = new OrganCarriers();
+        OrganCarriers carriers = new OrganCarriers(24);
         int sheet = carriers.addMoving(sheet(0), v -> true);
         OrganMotion motion = new OrganMotion(organ, carriers, OrganMotion.Hold.SLIDING);
         carriers.update(sheet, sheetNow);
@@ -51,7 +51,7 @@ class OrganMotionTest {
 
     @Test
     void anOrganThatSlidesAlongAPlateGoesDownButStaysBesideItAndAFixedOneStays() {
-        OrganCarriers carriers = new OrganCarriers();
+        OrganCarriers carriers = new OrganCarriers(24);
         int sheet = carriers.addMoving(sheet(0), v -> true);
         carriers.addStill(sheet(-60), 2000);
         double[] organ = new double[3 * 60];

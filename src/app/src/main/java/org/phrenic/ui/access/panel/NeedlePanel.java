@@ -7,6 +7,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.access.attempt.NeedleLoad;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.NeedleState;
@@ -99,10 +100,11 @@ final class NeedlePanel extends AccessPanel {
             updating = false;
         }
         angles.setText(state.map(s -> NumberFormats.text(
-                        "%.0f\u00b0 in the axial plane, %.0f\u00b0 to the %s",
+                        "%.0f\u00b0 in the axial plane, %.0f\u00b0 to the %s%s",
                         s.angles().axialDeg(),
                         Math.abs(s.angles().cranialDeg()),
-                        s.angles().cranialDeg() < 0 ? "feet" : "head"))
+                        s.angles().cranialDeg() < 0 ? "feet" : "head",
+                        text(s.load())))
                 .orElse(" "));
         setEnabled(state.isPresent() && isReady(), aim);
         setEnabled(placed.isPresent() && isReady(), sample, remove, withdraw);
@@ -111,6 +113,11 @@ final class NeedlePanel extends AccessPanel {
     /** Whether the distance of the tip from the target is told. */
     boolean isTold() {
         return error.isVisible();
+    }
+
+    private static String text(NeedleLoad load) {
+        String axial = load.layer().isEmpty() ? "" : NumberFormats.text("; %.1f N, %s", load.axialN(), load.layer());
+        return load.sideN() < 0.1 ? axial : axial + NumberFormats.text("; %.1f N aside", load.sideN());
     }
 
     private static String text(TargetingError error) {

@@ -109,6 +109,9 @@ public final class ReportCard extends JPanel {
                 + number(r.targetExcursionMm()) + " mm");
         lines.add("Capsule pulled aside " + number(r.capsulePullMm()) + " mm"
                 + (r.capsulePullMm() > AttemptRecord.PULL_WARNING_MM ? " (warning)" : ""));
+        lines.add("Force at most, N: " + r.loads().peaks());
+        lines.add("Capsule pushed " + number(r.loads().capsulePushMm()) + " mm; needle bent "
+                + number(r.loads().bendingMm()) + " mm by " + number(r.loads().sideN()) + " N from the side");
         addEvent(r, AttemptEvent.Kind.SKIN_PUNCTURE, "Skin", lines);
         addEvent(r, AttemptEvent.Kind.CAPSULE_PUNCTURE, "Capsule", lines);
         addEvent(r, AttemptEvent.Kind.SAMPLE, "Sample", lines);
