@@ -174,7 +174,7 @@ final class AttemptLog {
     private NeedleLoads loads() {
         Map<String, Double> ordered = new LinkedHashMap<>();
         NeedleLoad.LAYERS.stream().filter(peakN::containsKey).forEach(l -> ordered.put(l, peakN.get(l)));
-        return new NeedleLoads(ordered, pushMm, sideN, bendingMm);
+        return new NeedleLoads(ordered, pushMm, sideN, bendingMm, rotationDeg);
     }
 
     /** Adds time during which the needle lay along a path. */
@@ -213,7 +213,6 @@ final class AttemptLog {
                 targetExcursionMm,
                 Vectors.subtract(targetHigh, targetLow),
                 capsulePullMm,
-                rotationDeg,
                 driftMm,
                 loads());
     }

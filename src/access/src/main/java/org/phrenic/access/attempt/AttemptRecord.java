@@ -28,7 +28,6 @@ import org.phrenic.document.report.Disclaimer;
  *     mm
  * @param targetRangeMm range of the target along x, y and z during the same time, mm
  * @param capsulePullMm largest distance of the needle from its puncture point in the liver capsule, mm
- * @param rotationByLiverDeg largest rotation of the needle caused by liver motion, degrees
  * @param driftByLiverMm total movement of the tip along the needle caused by liver motion, mm
  * @param loads greatest loads on the needle
  */
@@ -48,7 +47,6 @@ public record AttemptRecord(
         double targetExcursionMm,
         double[] targetRangeMm,
         double capsulePullMm,
-        double rotationByLiverDeg,
         double driftByLiverMm,
         NeedleLoads loads) {
     /** A warning is given if the capsule is pulled further than this, mm. The value is chosen, not validated. */
@@ -61,6 +59,11 @@ public record AttemptRecord(
     /** Whether a sample was taken inside the target. */
     public boolean hit() {
         return samples.stream().anyMatch(TargetingError::hit);
+    }
+
+    /** Largest rotation of the needle caused by liver motion, degrees. */
+    public double rotationByLiverDeg() {
+        return loads.rotationDeg();
     }
 
     public int count(AttemptEvent.Kind kind) {
@@ -103,7 +106,7 @@ public record AttemptRecord(
                 .with("target_rest_mm", target.restMm())
                 .with("target_range_lr_ap_si_mm", targetRangeMm)
                 .with("capsule_pull_warning", capsulePullMm > PULL_WARNING_MM)
-                .with("needle_turned_by_liver_deg", rotationByLiverDeg)
+                .with("needle_turned_by_liver_deg", rotationByLiverDeg())
                 .with("needle_moved_along_by_liver_mm", driftByLiverMm)
                 .with("loads", loads.toMap())
                 .with("rib_lower_border_mm", borderMm)

@@ -25,10 +25,12 @@ import org.phrenic.anatomy.StructureKind;
  * @param capsulePushMm how far the capsule is pushed, mm
  * @param sideN side load at the capsule, N
  * @param bendingMm how far it bends the needle there, mm
+ * @param inLiver whether the tip is in the liver
  */
-public record NeedleLoad(String layer, double axialN, double capsulePushMm, double sideN, double bendingMm) {
+public record NeedleLoad(
+        String layer, double axialN, double capsulePushMm, double sideN, double bendingMm, boolean inLiver) {
     /** No load. */
-    public static final NeedleLoad NONE = new NeedleLoad("", 0, 0, 0, 0);
+    public static final NeedleLoad NONE = new NeedleLoad("", 0, 0, 0, 0, false);
 
     /** Layers, in the order in which a needle meets them. */
     static final List<String> LAYERS = List.of("skin", "wall", "pleura", "capsule", "liver");
@@ -87,7 +89,7 @@ public record NeedleLoad(String layer, double axialN, double capsulePushMm, doub
         double cutting = inLiver ? LIVER_N : WALL_N;
         double axial = scale * (cutting + FRICTION_N_PER_MM * toMm + push);
         double pushed = inLiver ? 0 : Math.max(0, toMm - capsule);
-        return new NeedleLoad(layer, axial, pushed, side.sideN, side.bendingMm);
+        return new NeedleLoad(layer, axial, pushed, side.sideN, side.bendingMm, inLiver);
     }
 
     /** Side load of a needle whose puncture in the capsule lies beside its line. */
@@ -97,7 +99,7 @@ public record NeedleLoad(String layer, double axialN, double capsulePushMm, doub
         double length = Math.max(1, capsuleDepthMm);
         double k = 3 * STEEL_MPA * inertia / (length * length * length);
         double force = pullMm * k * TISSUE_N_PER_MM / (k + TISSUE_N_PER_MM);
-        return new NeedleLoad("", 0, 0, force, force / k);
+        return new NeedleLoad("", 0, 0, force, force / k, true);
     }
 
     private static double first(List<Crossing> crossings, StructureKind kind) {

@@ -12,8 +12,10 @@ import org.phrenic.document.OrderedValues;
  * @param capsulePushMm how far the capsule was pushed, mm
  * @param sideN side load at the capsule, N
  * @param bendingMm how far it bent the needle there, mm
+ * @param rotationDeg rotation of the needle by the liver, degrees
  */
-public record NeedleLoads(Map<String, Double> peakN, double capsulePushMm, double sideN, double bendingMm) {
+public record NeedleLoads(
+        Map<String, Double> peakN, double capsulePushMm, double sideN, double bendingMm, double rotationDeg) {
     /** Greatest axial force of all layers, N. */
     public double greatestN() {
         return peakN.values().stream().mapToDouble(n -> n).max().orElse(0);

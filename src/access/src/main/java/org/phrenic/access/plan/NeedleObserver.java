@@ -69,7 +69,6 @@ final class NeedleObserver {
                 Vectors.addScaled(start, direction, depth),
                 depth,
                 aimed,
-                shaft.isTipAnchored(),
                 needle.isMoving(),
                 placed ? Optional.of(needle.targetingError()) : Optional.empty(),
                 path.map(p -> p.reasons(plan.avoided())).orElse(List.of()),

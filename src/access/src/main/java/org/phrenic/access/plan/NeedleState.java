@@ -41,7 +41,6 @@ public record NeedleState(
         double[] tip,
         double depthMm,
         double aimedDepthMm,
-        boolean inLiver,
         boolean moving,
         Optional<TargetingError> targetingError,
         List<String> reasons,
@@ -54,6 +53,11 @@ public record NeedleState(
         NeedleAngles angles,
         Optional<ProbeState> probe,
         NeedleLoad load) {
+    /** Whether the tip is in the liver. */
+    public boolean inLiver() {
+        return load.inLiver();
+    }
+
     /** Whether there is a needle to display. */
     public boolean hasNeedle() {
         return entry.isPresent();

@@ -54,6 +54,6 @@ class NeedleLoadTest {
         assertThat(NeedleLoad.aside(new Needle(22, 150), 8, 50).bendingMm()).isGreaterThan(load.bendingMm());
         assertThat(NeedleLoad.aside(NEEDLE, 8, 90).bendingMm()).isGreaterThan(load.bendingMm());
         assertThat(NeedleLoad.aside(NEEDLE, 8, 90).sideN()).isLessThan(load.sideN());
-        assertThat(NeedleLoad.aside(NEEDLE, 0, 50)).isEqualTo(NeedleLoad.NONE);
+        assertThat(NeedleLoad.aside(NEEDLE, 0, 50).sideN()).isZero();
     }
 }

@@ -27,7 +27,7 @@ public final class ScenarioOptions {
     @Option(
             names = "--anatomy",
             paramLabel = "BODY",
-            description = "virtual/adult-male, virtual/adult-female or a folder.")
+            description = "virtual/adult-male, virtual/adult-female, virtual/high-colon-male or a folder.")
     private String anatomy;
 
     @Option(

@@ -68,7 +68,6 @@ class UltrasoundUpdaterTest {
                 NEEDLE.tip(),
                 60,
                 60,
-                true,
                 false,
                 Optional.empty(),
                 List.of(),

@@ -8,8 +8,8 @@ import org.phrenic.mesh.Vectors;
 
 /**
  * Motion of an organ that the model does not simulate, for display, images and needle paths: it affects neither forces
- * nor observables. Each point is displaced by a weighted mean of the displacements of the nearest points of its carriers
- * ({@link OrganCarriers#nearest}), by Shepard's method with the weights of Franke and Little:
+ * nor observables. Each point is displaced by a weighted mean of the displacements of the nearest points of its
+ * carriers ({@link OrganCarriers#nearest}), by Shepard's method with the weights of Franke and Little:
  *
  * <pre>
  * x = X + f(d) H Σ w_i (y_i - Y_i) / Σ w_i,   w_i = ((1 - r_i / R) / (r_i² + s²))²
@@ -17,11 +17,11 @@ import org.phrenic.mesh.Vectors;
  *
  * {@code r_i} is the distance from carrier point i and {@code R} that of the farthest of them, whose weight is 0;
  * {@code s} is {@value #SOFTENING_MM} mm. The displacement is a continuous function of the place at rest, so organs
- * with the same carriers do not pass through one another. {@code d} is the distance from the carriers; {@code f} is 1
- * up to {@value #WITH_CARRIER_MM} mm and falls to 0 over the next {@value #FADE_MM} mm: organs of the pelvis stand
- * still. {@code H} is the hold of what stands still, at a distance e: {@code d² / (d² + e²)} is what it takes away,
- * from all components, or from the horizontal ones alone for an organ that slides along it. The constants are chosen,
- * not fitted.
+ * with the same carriers keep clear of one another as far as it varies slowly. {@code d} is the distance from the
+ * carriers; {@code f} is 1 up to {@value #WITH_CARRIER_MM} mm and falls to 0 over the next {@value #FADE_MM} mm: organs
+ * of the pelvis stand still. {@code H} is the hold of what stands still, at a distance e: {@code d² / (d² + e²)} is
+ * what it takes away, from all components, or from the horizontal ones alone for an organ that slides along it. The
+ * constants are chosen, not fitted.
  */
 public final class OrganMotion {
     /** How an organ is held by what stands still. */

@@ -47,8 +47,8 @@ class VirtualThoraxParametersTest {
                     .isNotEqualTo(colon);
         }
         // The belly's front lies 34 mm before that of the man, as the row at the lower end says.
-        assertThat(man.skin().sections().get(0).get(2)
-                        - stout.skin().sections().get(0).get(2))
+        assertThat(man.skin().sections().get(0).at(2)
+                        - stout.skin().sections().get(0).at(2))
                 .isEqualTo(34);
     }
 
