@@ -1,0 +1,65 @@
+package org.phrenic.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.phrenic.file.ScalarType;
+import org.phrenic.mesh.io.image.VoxelFiles;
+import org.phrenic.mesh.io.image.VoxelSeries;
+import org.phrenic.mesh.voxel.VoxelBox;
+
+class MotionCommandTest {
+    @TempDir
+    private Path folder;
+
+    private CommandLineRun motion(String... more) {
+        List<String> args = new ArrayList<>(List.of("motion", "--resolution", "low", "--no-organs", "--out"));
+        args.add(folder.resolve("out").toString());
+        args.addAll(List.of(more));
+        return CommandLineRun.of(args.toArray(new String[0]));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--at 0 | found none of --grid, --points and --warp",
+                "--grid 5mm | found 0 of --phases, --at and --times",
+                "--grid 5mm --at 0 --phases 3 | found 2 of --phases, --at and --times",
+                "--grid five --at 0 | --grid: found 'five', expected a number",
+                "--grid 5mm --labels --at 0 | --labels: found no --warp",
+                "--grid 5mm --at 0 --format tif | --format: found 'tif', expected one of nii.gz",
+                "--grid 5mm --at 0 --lungs wet | --lungs: found 'wet'"
+            })
+    void saysInOneSentenceWhatCannotBe(String options, String problem) {
+        CommandLineRun run = motion(options.split(" ", -1));
+        assertThat(run.exitCode()).isEqualTo(2);
+        assertThat(run.err().strip()).contains(problem).doesNotContain("\n");
+        assertThat(folder.resolve("out")).doesNotExist();
+    }
+
+    @Test
+    void refusesAnImageBesideTheBodyAndStructuresThatAreNotThere() throws IOException {
+        Path image = folder.resolve("far.nii.gz");
+        VoxelBox box = new VoxelBox(new int[] {2, 2, 2}, new double[] {1, 0, 0, 5000, 0, 1, 0, 0, 0, 0, 1, 0});
+        VoxelFiles.write(image, VoxelSeries.of(box, 1, ScalarType.INT16, new float[8], Map.of()));
+        CommandLineRun far = motion("--warp", image.toString(), "--at", "0");
+        assertThat(far.exitCode()).isEqualTo(2);
+        assertThat(far.err()).contains("found no voxel inside the body");
+        Path points = folder.resolve("points.csv");
+        Files.writeString(points, "x_mm,y_mm,z_mm,structure\n0,0,0,lung_X\n");
+        CommandLineRun unknown = motion("--points", points.toString(), "--at", "0");
+        assertThat(unknown.exitCode()).isEqualTo(2);
+        assertThat(unknown.err()).contains("line 2, column 'structure'", "found structure 'lung_X'");
+        assertThat(folder.resolve("out")).doesNotExist();
+    }
+}
