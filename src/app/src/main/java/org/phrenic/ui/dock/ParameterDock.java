@@ -6,9 +6,11 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.swing.JButton;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
@@ -40,6 +42,7 @@ public final class ParameterDock extends SessionDock {
 
     private final transient Map<Group, CollapsibleGroup> groups = new EnumMap<>(Group.class);
     private final transient List<SettingRow> stepLimitingRows = new ArrayList<>();
+    private final JLabel nothingFound = new JLabel();
     private final JTextField search = Controls.describe(
             new JTextField(),
             "Search parameters",
@@ -123,7 +126,8 @@ public final class ParameterDock extends SessionDock {
                 "Reset all", "Back to the defaults of material and breathing preset, in one change", this::resetAll);
         reset.setMnemonic('a');
         tools.add(search);
-        tools.add(reset);
+        tools.add(reset, "wrap");
+        tools.add(nothingFound, "spanx, growx, wmin 0, hidemode 3");
         return tools;
     }
 
@@ -146,8 +150,23 @@ public final class ParameterDock extends SessionDock {
 
     @Override
     public void onChange() {
-        groups.values().forEach(group -> group.show(session.scenario(), search.getText()));
+        Scenario scenario = session.scenario();
+        groups.values().forEach(group -> group.show(scenario, search.getText()));
+        boolean found = rows().stream().anyMatch(r -> r.applies(scenario) && r.matches(search.getText()));
+        nothingFound.setVisible(!found);
+        nothingFound.setText(
+                "<html>No parameter of the material '" + scenario.material().label()
+                        + "' has this in its name, key or description." + inOtherMaterials(scenario) + "</html>");
         revalidate();
+    }
+
+    /** Labels of what the search finds among the parameters that the chosen material does not use. */
+    private String inOtherMaterials(Scenario scenario) {
+        String labels = rows().stream()
+                .filter(r -> !r.applies(scenario) && r.matches(search.getText()))
+                .map(SettingRow::label)
+                .collect(Collectors.joining(", "));
+        return labels.isEmpty() ? "" : " Other materials have " + labels + ".";
     }
 
     @Override
@@ -188,5 +207,10 @@ public final class ParameterDock extends SessionDock {
 
     JTextField search() {
         return search;
+    }
+
+    /** What a search says that finds no parameter. */
+    JLabel nothingFound() {
+        return nothingFound;
     }
 }

@@ -101,6 +101,10 @@ abstract class SettingRow extends JPanel {
         return SPACES.splitAsStream(search.toLowerCase(Locale.ROOT).strip()).allMatch(searchText::contains);
     }
 
+    final String label() {
+        return setting.label();
+    }
+
     final boolean isFor(String key) {
         return setting.key().equals(key);
     }

@@ -35,6 +35,8 @@ public final class SettingsDock extends JPanel {
     private final JButton swap = Controls.button(
             "Switch", "Goes to A, and with the next press to B, and so on; each can be undone", this::swap);
     private final JLabel comparisonLabel = Controls.secondaryLabel(" ");
+    private final JLabel emptyLabel = Controls.secondaryLabel(
+            "<html>Save... keeps all present settings under a name, to go back to them or to compare two.</html>");
     private boolean secondIsNext;
 
     public SettingsDock(Session session) {
@@ -60,6 +62,7 @@ public final class SettingsDock extends JPanel {
         });
         JPanel body = new JPanel(
                 new MigLayout("insets 8, fillx, hidemode 3", "[grow,fill,sg b][grow,fill,sg b][grow,fill,sg b]"));
+        body.add(emptyLabel, "spanx 3, wmin 0, wrap");
         body.add(new JScrollPane(list), "spanx 3, growx, growy, pushy, h 90:140:, wrap");
         body.add(Controls.button("Save...", "Store the present settings under a name", this::save));
         body.add(Controls.button("Restore", "Go to the selected settings; can be undone", this::restore));
@@ -142,6 +145,7 @@ public final class SettingsDock extends JPanel {
             fillChoices(first, stored, 0);
             fillChoices(second, stored, 1);
             swap.setEnabled(stored.size() > 1);
+            emptyLabel.setVisible(stored.isEmpty());
         });
     }
 

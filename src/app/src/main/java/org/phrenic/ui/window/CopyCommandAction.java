@@ -7,6 +7,7 @@ import java.awt.event.ActionEvent;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.AbstractAction;
+import org.phrenic.simulation.live.LiveRun;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
 
@@ -32,20 +33,21 @@ public final class CopyCommandAction extends AbstractAction {
 
     @Override
     public void actionPerformed(ActionEvent e) {
-        copy(line -> session.note("Copied: " + line));
+        copy(state -> session.note("Copied: " + state.command()
+                + (state.stateHash().isEmpty() ? "" : "; it ends at state_sha256 " + state.stateHash())));
     }
 
     /** Copies the line, then passes it to {@code done} on the event dispatch thread. */
-    void copy(Consumer<String> done) {
-        Consumer<String> copy = line -> {
+    void copy(Consumer<LiveRun.Reproduction> done) {
+        Consumer<LiveRun.Reproduction> copy = state -> {
             try {
-                clipboard.get().setContents(new StringSelection(line), null);
-                done.accept(line);
+                clipboard.get().setContents(new StringSelection(state.command()), null);
+                done.accept(state);
             } catch (IllegalStateException busy) {
                 refuse(busy.getMessage());
             }
         };
-        BackgroundWorker.execute(session.live()::command, copy, this::refuse);
+        BackgroundWorker.execute(session.live()::reproduction, copy, this::refuse);
     }
 
     private void refuse(String reason) {

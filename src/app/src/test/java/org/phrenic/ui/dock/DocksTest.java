@@ -156,6 +156,10 @@ class DocksTest {
         assertThat(dock.rows().stream().filter(SettingRow::isVisible))
                 .hasSizeBetween(1, 3)
                 .contains(row(dock, "tendon_stiffness_ratio"));
+        assertThat(dock.nothingFound().isVisible()).isFalse();
+        EventThread.run(() -> dock.search().setText("muscle force"));
+        assertThat(dock.nothingFound().isVisible()).isTrue();
+        assertThat(dock.nothingFound().getText()).contains("'physical'").contains("Other materials have Muscle force");
     }
 
     @Test

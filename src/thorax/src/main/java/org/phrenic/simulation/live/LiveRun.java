@@ -272,6 +272,22 @@ public final class LiveRun implements AutoCloseable {
         return loop.commands.submitAndWait(() -> loop.running == null ? "" : loop.running.simulation.stateHash());
     }
 
+    /**
+     * A state and how to reach it again.
+     *
+     * @param command as {@link #command}
+     * @param stateHash as {@link #commandHash}
+     */
+    public record Reproduction(String command, String stateHash) {}
+
+    /** Command line and hash of one and the same state. */
+    public Reproduction reproduction() {
+        return loop.commands.submitAndWait(() -> loop.running == null
+                ? new Reproduction(RunCommandLine.of(settings.current()), "")
+                : new Reproduction(
+                        RunCommandLine.of(loop.running.recordedScenario()), loop.running.simulation.stateHash()));
+    }
+
     /** Whether the run is slower than {@link #setSpeed} asks for. Always true without a speed limit. */
     public boolean isBehindRealTime() {
         return loop.behindRealTime;
