@@ -45,7 +45,8 @@ public final class MotionSampler {
             double[] place = new double[3];
             double[] working = new double[9];
             for (int v = 0; v < slice; v++) {
-                box.voxelToMm(v % box.columns(), v / box.columns(), k, place);
+                int row = v / box.columns();
+                box.voxelToMm(v % box.columns(), row, k, place);
                 int at = k * slice + v;
                 voxel.at(Byte.toUnsignedInt(labels[at]), place, working, at);
             }

@@ -104,13 +104,13 @@ final class SoftTissue {
         byte[] labels = regions.label(wall.box(), rest);
         SoftTissue outer = new SoftTissue(surfaces, regions, labels, wall, BodyRegions.WALL, new int[0]);
         VectorLattice abdomen = new VectorLattice(wall.low, wall.size, wall.edge);
-        int[] border = border(surfaces, regions, labels, wall);
+        int[] border = border(surfaces, labels, wall);
         return new SoftTissue[] {outer, new SoftTissue(surfaces, regions, labels, abdomen, BodyRegions.ABDOMEN, border)
         };
     }
 
     /** Nodes of the abdomen beside the wall and away from the diaphragm. */
-    private static int[] border(List<Surface> surfaces, BodyRegions regions, byte[] labels, VectorLattice lattice) {
+    private static int[] border(List<Surface> surfaces, byte[] labels, VectorLattice lattice) {
         IntList border = new IntList();
         List<TriangleTree> diaphragm = new ArrayList<>();
         for (Surface s : surfaces) {

@@ -17,8 +17,8 @@ import javax.swing.JPanel;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.scene.BodySection;
-import org.phrenic.scene.annotate.PatientOrientation;
 import org.phrenic.scene.NeedleMarkers;
+import org.phrenic.scene.annotate.PatientOrientation;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Theme;
 
