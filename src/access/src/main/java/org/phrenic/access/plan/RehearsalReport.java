@@ -162,8 +162,12 @@ public final class RehearsalReport {
                 + (last.coreInTargetMm().isEmpty() ? ": the tip was " : ": the middle of the core was ")
                 + mm(last.distanceMm())
                 + " mm from the middle of a target of " + mm(rehearsal.target().diameterMm()) + " mm ("
-                + mm(last.axialMm()) + " mm along the needle, " + mm(last.lateralMm()) + " mm aside)." + core(last)
+                + place(last) + ")." + core(last)
                 + motion();
+    }
+
+    static String place(TargetingError sample) {
+        return mm(sample.axialMm()) + " mm along the needle, " + mm(sample.lateralMm()) + " mm aside";
     }
 
     private String core(TargetingError sample) {

@@ -127,6 +127,9 @@ class NeedleInsertionTest {
         TargetingError miss = session.sample();
         assertThat(miss.axialMm()).isCloseTo(-0.6 * AMPLITUDE_MM, within(TOLERANCE_MM));
         assertThat(miss.lateralMm()).isCloseTo(0.8 * AMPLITUDE_MM, within(TOLERANCE_MM));
+        assertThat(session.record().headlines())
+                .containsEntry("axial_error_mm", miss.axialMm())
+                .containsEntry("lateral_error_mm", miss.lateralMm());
     }
 
     @Test

@@ -284,7 +284,7 @@ class WindowTest {
         Files.write(scan, ScanSamples.voxels(), StandardOpenOption.APPEND);
         drop(scan);
         JDialog dialog = dialog("import");
-        JButton start = (JButton) dialog.getRootPane().getDefaultButton();
+        JButton start = dialog.getRootPane().getDefaultButton();
         assertThat(start.isEnabled()).as("no label has a known name").isFalse();
         Path body = folder.resolve("imported");
         WindowHarness.doOnEdt(() -> {

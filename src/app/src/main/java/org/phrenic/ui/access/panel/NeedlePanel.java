@@ -120,7 +120,7 @@ final class NeedlePanel extends AccessPanel {
         return load.sideN() < 0.1 ? axial : axial + NumberFormats.text("; %.1f N aside", load.sideN());
     }
 
-    private static String text(TargetingError error) {
+    static String text(TargetingError error) {
         return NumberFormats.text(
                 "Tip to target %.1f mm: %.1f %s, %.1f aside%s",
                 error.distanceMm(),

@@ -71,15 +71,16 @@ public final class ReportCard extends JPanel {
                 : NumberFormats.text(
                         " Of the core of %.0f mm, %.1f mm lay in it.",
                         record.needle().coreMm(), last.coreInTargetMm().getAsDouble());
-        String what = core.isEmpty() ? "The tip" : "The middle of the core";
-        return what
-                + NumberFormats.text(
-                        " was %.1f mm from the middle of the target: %.1f mm %s, %.1f mm aside.",
-                        last.distanceMm(),
-                        Math.abs(last.axialMm()),
-                        last.axialMm() < 0 ? "too deep" : "short of it",
-                        last.lateralMm())
-                + core;
+        return (core.isEmpty() ? "The tip" : "The middle of the core") + place(last) + core;
+    }
+
+    static String place(TargetingError sample) {
+        return NumberFormats.text(
+                " was %.1f mm from the middle of the target: %.1f mm %s, %.1f mm aside.",
+                sample.distanceMm(),
+                Math.abs(sample.axialMm()),
+                sample.axialMm() < 0 ? "too deep" : "short of it",
+                sample.lateralMm());
     }
 
     private static List<String> goals(Rehearsal rehearsal) {
