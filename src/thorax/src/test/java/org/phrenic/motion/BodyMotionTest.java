@@ -176,7 +176,9 @@ class BodyMotionTest {
     }
 
     private static void place(int v, double[] out) {
-        box.voxelToMm(v % box.columns(), v / box.columns() % box.rows(), v / box.columns() / box.rows(), out);
+        int line = v / box.columns();
+        int slice = line / box.rows();
+        box.voxelToMm(v % box.columns(), line % box.rows(), slice, out);
     }
 
     @Test
