@@ -7,7 +7,7 @@ import java.awt.event.ActionEvent;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.AbstractAction;
-import org.phrenic.simulation.live.LiveRun;
+import org.phrenic.simulation.live.ReachedState;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
 
@@ -38,8 +38,8 @@ public final class CopyCommandAction extends AbstractAction {
     }
 
     /** Copies the line, then passes it to {@code done} on the event dispatch thread. */
-    void copy(Consumer<LiveRun.Reproduction> done) {
-        Consumer<LiveRun.Reproduction> copy = state -> {
+    void copy(Consumer<ReachedState> done) {
+        Consumer<ReachedState> copy = state -> {
             try {
                 clipboard.get().setContents(new StringSelection(state.command()), null);
                 done.accept(state);

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.cli.Phrenic;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.simulation.live.LiveRun;
+import org.phrenic.simulation.live.ReachedState;
 import org.phrenic.ui.session.EventThread;
 import org.phrenic.ui.session.Session;
 
@@ -53,7 +53,7 @@ class CopyCommandActionTest {
 
     private static String copied(Session session) throws Exception {
         Clipboard clipboard = new Clipboard("test");
-        AtomicReference<LiveRun.Reproduction> told = new AtomicReference<>();
+        AtomicReference<ReachedState> told = new AtomicReference<>();
         EventThread.run(() -> new CopyCommandAction(session, () -> clipboard).copy(told::set));
         EventThread.until("it is copied", () -> told.get() != null);
         return (String) clipboard.getData(DataFlavor.stringFlavor);

@@ -261,31 +261,17 @@ public final class LiveRun implements AutoCloseable {
 
     /** Command line that reproduces the run so far without a window. */
     public String command() {
-        return RunCommandLine.of(recordedScenario());
+        return reproduction().command();
     }
 
-    /**
-     * Hash of the current state, equal to the {@code state_sha256} that {@link #command} prints. Empty before the first
-     * scene.
-     */
+    /** Hash of the current state; empty before the first scene. */
     public String commandHash() {
-        return loop.commands.submitAndWait(() -> loop.running == null ? "" : loop.running.simulation.stateHash());
+        return reproduction().stateHash();
     }
-
-    /**
-     * A state and how to reach it again.
-     *
-     * @param command as {@link #command}
-     * @param stateHash as {@link #commandHash}
-     */
-    public record Reproduction(String command, String stateHash) {}
 
     /** Command line and hash of one and the same state. */
-    public Reproduction reproduction() {
-        return loop.commands.submitAndWait(() -> loop.running == null
-                ? new Reproduction(RunCommandLine.of(settings.current()), "")
-                : new Reproduction(
-                        RunCommandLine.of(loop.running.recordedScenario()), loop.running.simulation.stateHash()));
+    public ReachedState reproduction() {
+        return loop.commands.submitAndWait(() -> ReachedState.of(loop.running, settings.current()));
     }
 
     /** Whether the run is slower than {@link #setSpeed} asks for. Always true without a speed limit. */
@@ -302,9 +288,7 @@ public final class LiveRun implements AutoCloseable {
         return loop.status;
     }
 
-    /**
-     * Copies the newest frame if it is newer than {@code into} and of the same scene. Does not block the simulation.
-     */
+    /** Copies the newest frame, without a wait, if it is newer than {@code into} and of the same scene. */
     public boolean copyNewestFrame(Frame into) {
         RunningScene now = loop.running;
         return now != null && now.pipe.copyNewest(into);
