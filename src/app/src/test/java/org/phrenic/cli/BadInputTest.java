@@ -132,7 +132,10 @@ class BadInputTest {
     static Stream<Arguments> scenarios() {
         return Stream.of(
                 bad("missing scenario", "none.yaml", f -> List.of("run", f + "/none.yaml", "--out", out(f))),
-                bad("folder as scenario", "folder", f -> List.of("run", f.toString(), "--out", out(f))),
+                bad(
+                        "empty folder as scenario",
+                        "no mesh has the name of a structure",
+                        f -> List.of("run", f.toString(), "--out", out(f))),
                 bad("empty scenario", "no keys", run("# nothing\n")),
                 bad("unknown key", "did you mean 'preset'?", run("prest: quiet\n")),
                 bad("key twice", "line 2", run("preset: quiet\npreset: deep\n")),

@@ -63,11 +63,12 @@ public record FailureHandler(BooleanSupplier debug) implements IParameterExcepti
     /** What is missing of what a command or a group of options needs, without what was given. */
     private static String missing(MissingParameterException failure, String... args) {
         Set<String> given = Arrays.stream(args).map(a -> a.split("=", 2)[0]).collect(Collectors.toSet());
-        return failure.getMissing().stream()
+        String lacking = failure.getMissing().stream()
                 .filter(a ->
                         !(a instanceof OptionSpec o) || Arrays.stream(o.names()).noneMatch(given::contains))
                 .map(a -> a instanceof OptionSpec o ? o.longestName() + " " + o.paramLabel() : a.paramLabel())
-                .collect(Collectors.joining(" and ", "found no ", ""));
+                .collect(Collectors.joining(" and "));
+        return lacking.isEmpty() ? failure.getMessage() : "found no " + lacking;
     }
 
     private static String unknownArgument(UnmatchedArgumentException failure, CommandLine line) {

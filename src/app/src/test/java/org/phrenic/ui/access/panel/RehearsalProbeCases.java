@@ -186,7 +186,7 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
                 .contains("2 samples in 2 sessions", String.format(Locale.ROOT, "%.1f \u00b1 0.0 mm off", mm));
         later.export(folder.resolve("copy.csv"));
         List<String> lines = Files.readAllLines(folder.resolve("copy.csv"));
-        assertThat(lines).hasSize(3).allMatch(line -> line.split(",", -1).length == 15);
+        assertThat(lines).hasSize(3).allMatch(line -> line.split(",", -1).length == 19);
         assertThat(lines.get(2)).startsWith("other,").contains(",see-through,");
     }
 
