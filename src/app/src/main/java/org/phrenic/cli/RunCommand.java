@@ -10,6 +10,7 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.RunReport;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.error.ErrorTable;
@@ -64,6 +65,7 @@ final class RunCommand extends ReportingCommand {
             scenario = scenario.with(chosen.settings().assignments("--max-error " + maxError));
             remarks.put("chosen", chosen.sentence());
         }
+        Breathing.traceDescription(scenario).ifPresent(sentence -> remarks.put("trace_read", sentence));
         Map<String, Object> summary = RunReport.run(scenario, remarks, out, err());
         print(summary, () -> RunReport.table(summary));
         return ExitCode.SUCCESS;

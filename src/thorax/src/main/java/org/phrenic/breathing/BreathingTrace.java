@@ -10,12 +10,13 @@ import org.apache.commons.math3.stat.descriptive.rank.Percentile.EstimationType;
  * <p>The arrays are shared, not copied, and must not be modified.
  *
  * @param name source of the recording
+ * @param signal what was read from the source as the signal: a column, or what was computed from columns
  * @param timeS sample times, s, strictly increasing
  * @param amplitude signal
  * @param dropped number of rows left out of the recording because their times did not increase
  */
 @SuppressWarnings("ArrayRecordComponent") // samples, read only
-public record BreathingTrace(String name, double[] timeS, double[] amplitude, int dropped) {
+public record BreathingTrace(String name, String signal, double[] timeS, double[] amplitude, int dropped) {
     /**
      * Percentile taken as end-expiration when a trace is normalised. A percentile is robust to coughs and artefacts,
      * unlike the extremes.
@@ -44,6 +45,13 @@ public record BreathingTrace(String name, double[] timeS, double[] amplitude, in
         }
     }
 
+    /** Amplitude below which this percentage of the samples lies; linear between samples. */
+    public double percentile(double percent) {
+        Percentile percentile = new Percentile().withEstimationType(EstimationType.R_7);
+        percentile.setData(amplitude);
+        return percentile.evaluate(percent);
+    }
+
     /** Subtracts the least-squares line, which removes sensor drift and slow sinking of the body. */
     public BreathingTrace detrended() {
         int count = timeS.length;
@@ -59,7 +67,7 @@ public record BreathingTrace(String name, double[] timeS, double[] amplitude, in
         for (int i = 0; i < count; i++) {
             level[i] = amplitude[i] - product / square * (timeS[i] - meanTime);
         }
-        return new BreathingTrace(name, timeS, level, dropped);
+        return new BreathingTrace(name, signal, timeS, level, dropped);
     }
 
     /**
@@ -69,15 +77,13 @@ public record BreathingTrace(String name, double[] timeS, double[] amplitude, in
      * @throws IllegalArgumentException if the signal is constant
      */
     public BreathingTrace normalised() {
-        Percentile percentile = new Percentile().withEstimationType(EstimationType.R_7);
-        percentile.setData(amplitude);
-        double low = percentile.evaluate(BASELINE_PERCENT);
-        double high = percentile.evaluate(PEAK_PERCENT);
+        double low = percentile(BASELINE_PERCENT);
+        double high = percentile(PEAK_PERCENT);
         if (!(high > low)) {
             throw new IllegalArgumentException(name + ": the signal stays at " + low + ", expected breathing");
         }
         double[] scaled = new double[amplitude.length];
         Arrays.setAll(scaled, i -> (amplitude[i] - low) / (high - low));
-        return new BreathingTrace(name, timeS, scaled, dropped);
+        return new BreathingTrace(name, signal, timeS, scaled, dropped);
     }
 }

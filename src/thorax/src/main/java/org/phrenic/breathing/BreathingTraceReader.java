@@ -61,7 +61,8 @@ public final class BreathingTraceReader {
         }
         try {
             double[] amplitude = marker ? PrincipalComponent.firstComponent(name, rows, 2) : signal;
-            return new BreathingTrace(name, timeS, amplitude, count - kept.length);
+            String read = marker ? "first principal component of columns x, y, z" : "column amplitude";
+            return new BreathingTrace(name, read, timeS, amplitude, count - kept.length);
         } catch (IllegalArgumentException e) {
             throw new BadInputException(e.getMessage(), e);
         }

@@ -1,13 +1,17 @@
 package org.phrenic.ui.chart;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.simulation.observe.Observation;
 
 /**
  * Respiratory phases of recorded samples, from the drives of diaphragm and ribs: rising in inspiration, falling in
- * expiration, constant in a pause (at rest) and a hold.
+ * expiration, constant in a pause (at rest) and a hold. A turn counts once the drives have gone back by
+ * {@value #MIN_TURN_SHARE} of their range between the two times, so that noise in a recorded breath is no phase.
  */
 final class PhaseBands {
     /** An interval of one phase, s; {@code breath} counts the breaths before it. */
@@ -28,14 +32,19 @@ final class PhaseBands {
     /** Shortest hold, s; the turning point between phases is shorter. */
     private static final double MIN_HOLD_S = 0.3;
 
+    private static final double MIN_TURN_SHARE = 0.08;
+
     private PhaseBands() {}
 
     /** Bands between two times, in order and without gaps; none where nothing is recorded. */
     static List<Band> of(SampleRingBuffer ring, double from, double to) {
         List<Band> bands = new ArrayList<>();
         int end = Math.min(ring.size(), ring.firstFrom(to) + 1);
-        for (int i = Math.max(1, ring.firstFrom(from)); i < end; i++) {
-            append(bands, new Band(ring.time(i - 1), ring.time(i), label(ring, i), (int) ring.value(BREATH, i)), false);
+        int begin = Math.max(1, ring.firstFrom(from));
+        boolean[] rising = rising(ring, begin, end);
+        for (int i = begin; i < end; i++) {
+            RespiratoryPhase label = label(ring, i, rising[i - begin]);
+            append(bands, new Band(ring.time(i - 1), ring.time(i), label, (int) ring.value(BREATH, i)), false);
         }
         List<Band> merged = new ArrayList<>();
         for (Band band : bands) {
@@ -56,13 +65,46 @@ final class PhaseBands {
         }
     }
 
-    private static RespiratoryPhase label(SampleRingBuffer ring, int i) {
+    /** Whether the drives rise towards each of these samples, between turning points that are no noise. */
+    private static boolean[] rising(SampleRingBuffer ring, int begin, int end) {
+        boolean[] rising = new boolean[Math.max(0, end - begin)];
+        if (rising.length == 0) {
+            return rising;
+        }
+        double[] sums = IntStream.range(begin - 1, end)
+                .mapToDouble(i -> driveSum(ring, i))
+                .toArray();
+        DoubleSummaryStatistics range = Arrays.stream(sums).summaryStatistics();
+        double turn = MIN_TURN_SHARE * (range.getMax() - range.getMin());
+        int extreme = 0;
+        int least = 0;
+        int greatest = 0;
+        int direction = 0;
+        for (int i = 1; i < sums.length; i++) {
+            least = sums[i] <= sums[least] ? i : least;
+            greatest = sums[i] >= sums[greatest] ? i : greatest;
+            boolean turnsUp = direction <= 0 && sums[i] - sums[least] > turn;
+            boolean turnsDown = direction >= 0 && sums[greatest] - sums[i] > turn;
+            if (turnsUp || turnsDown) {
+                int turned = turnsUp ? least : greatest;
+                Arrays.fill(rising, extreme, turned, direction == 0 ? turnsDown : direction > 0);
+                direction = turnsUp ? 1 : -1;
+                extreme = turned;
+                least = i;
+                greatest = i;
+            }
+        }
+        Arrays.fill(rising, extreme, rising.length, direction == 0 ? sums[sums.length - 1] > sums[0] : direction > 0);
+        return rising;
+    }
+
+    private static RespiratoryPhase label(SampleRingBuffer ring, int i, boolean rising) {
         double now = driveSum(ring, i);
         double rate = (now - driveSum(ring, i - 1)) / (ring.time(i) - ring.time(i - 1));
         if (Math.abs(rate) < STATIONARY_RATE_PER_S) {
             return now < REST_THRESHOLD ? RespiratoryPhase.PAUSE : RespiratoryPhase.HOLD;
         }
-        return rate > 0 ? RespiratoryPhase.INSPIRATION : RespiratoryPhase.EXPIRATION;
+        return rising ? RespiratoryPhase.INSPIRATION : RespiratoryPhase.EXPIRATION;
     }
 
     private static double driveSum(SampleRingBuffer ring, int i) {

@@ -40,6 +40,7 @@ public final class BreathDock extends SessionDock {
     private static final int BREATH = Observation.COLUMNS.indexOf("breath");
     private static final List<Parameter> PRESET_PARAMETERS =
             List.of(Breathing.RATE, Breathing.INSPIRATORY_FRACTION, Breathing.CHEST_SHARE);
+    private static final List<Parameter> REPLACED_BY_TRACE = List.of(Breathing.RATE, Breathing.INSPIRATORY_FRACTION);
 
     private final PhaseBar bar = new PhaseBar();
     private final JLabel breath = Controls.secondaryLabel(" ");
@@ -47,6 +48,8 @@ public final class BreathDock extends SessionDock {
     private final ButtonGroup presetGroup = new ButtonGroup();
     private final JToggleButton hold = new JToggleButton("Hold now");
     private final JLabel trace = new JLabel("Breath by preset");
+    private final JLabel traceDescription = Controls.secondaryLabel("");
+    private transient Optional<Path> describedTrace = Optional.empty();
     private final JButton removeTrace =
             Controls.iconButton(Icons.CLOSE, "Remove the recorded trace", this::removeTrace);
     private final transient List<SliderRow> rows;
@@ -99,7 +102,9 @@ public final class BreathDock extends SessionDock {
         removeTrace.setToolTipText("Back to the breathing preset; reloads the scene");
         panel.add(open);
         panel.add(trace, "wmin 0");
-        panel.add(removeTrace);
+        panel.add(removeTrace, "wrap");
+        traceDescription.setVisible(false);
+        panel.add(traceDescription, "spanx 3, growx, wmin 0");
         return panel;
     }
 
@@ -162,7 +167,39 @@ public final class BreathDock extends SessionDock {
         trace.setText(file.map(f -> f.getFileName().toString()).orElse("Breath by preset"));
         trace.setToolTipText(file.map(Path::toString).orElse("No recorded breath"));
         removeTrace.setVisible(file.isPresent());
+        describeTrace(scenario, file);
         bar.setPattern(scenario);
+    }
+
+    /** Says what was read of another trace, and disables what a trace replaces. */
+    private void describeTrace(Scenario scenario, Optional<Path> file) {
+        String reason = file.isEmpty() ? "" : "Not used: the recorded breath has its own.";
+        rows.stream()
+                .filter(row -> REPLACED_BY_TRACE.stream().anyMatch(parameter -> row.isFor(parameter.key())))
+                .forEach(row -> row.setUnused(reason));
+        if (file.equals(describedTrace)) {
+            return;
+        }
+        describedTrace = file;
+        String sentence;
+        try {
+            sentence = Breathing.traceDescription(scenario).orElse("");
+        } catch (BadInputException unreadable) {
+            sentence = unreadable.getMessage();
+        }
+        traceDescription.setText("<html>" + Controls.escapeHtml(sentence) + "</html>");
+        traceDescription.setVisible(!sentence.isEmpty());
+    }
+
+    JLabel traceDescription() {
+        return traceDescription;
+    }
+
+    SliderRow row(Parameter parameter) {
+        return rows.stream()
+                .filter(row -> row.isFor(parameter.key()))
+                .findFirst()
+                .orElseThrow();
     }
 
     @Override

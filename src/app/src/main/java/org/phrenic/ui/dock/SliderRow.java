@@ -40,6 +40,7 @@ final class SliderRow extends SettingRow {
     private double sentValue = Double.NaN;
     private double defaultValue = Double.NaN;
     private boolean updating;
+    private boolean used = true;
 
     SliderRow(Session session, NumberSetting setting) {
         super(setting, setting.key());
@@ -148,7 +149,20 @@ final class SliderRow extends SettingRow {
             field.setText(text);
         }
         updating = false;
-        reset.setEnabled(value != defaultValue && !Double.isNaN(defaultValue));
+        enableReset();
+    }
+
+    private void enableReset() {
+        reset.setEnabled(used && value != defaultValue && !Double.isNaN(defaultValue));
+    }
+
+    /** Enables the controls; with a reason, which is shown below them, disables them. */
+    void setUnused(String reason) {
+        used = reason.isEmpty();
+        setHint(reason, false);
+        slider.setEnabled(used);
+        field.setEnabled(used);
+        enableReset();
     }
 
     @Override

@@ -15,6 +15,11 @@ class PhaseBandsTest {
     private static final double STEP_S = 0.02;
 
     private static SampleRingBuffer recorded(String preset, double seconds) throws Exception {
+        return recorded(preset, seconds, 0);
+    }
+
+    /** @param ripple amplitude of a vibration of 6 Hz on the drive of the muscle, as noise of a camera has it */
+    private static SampleRingBuffer recorded(String preset, double seconds, double ripple) throws Exception {
         BreathingPattern pattern = BreathingPreset.named(preset).pattern();
         BreathState state = new BreathState();
         SampleRingBuffer ring = new SampleRingBuffer(Observation.COLUMNS.size(), 5000);
@@ -22,7 +27,8 @@ class PhaseBandsTest {
             pattern.at(i * STEP_S, state);
             double[] values = new double[Observation.COLUMNS.size()];
             values[Observation.COLUMNS.indexOf("breath")] = state.breath;
-            values[Observation.COLUMNS.indexOf("activation")] = state.activation;
+            values[Observation.COLUMNS.indexOf("activation")] =
+                    state.activation + ripple * Math.sin(12 * Math.PI * i * STEP_S);
             values[Observation.COLUMNS.indexOf("rib_turn")] = state.ribTurn;
             ring.add(i * STEP_S, values);
         }
@@ -47,6 +53,18 @@ class PhaseBandsTest {
         for (int i = 1; i < bands.size(); i++) {
             assertThat(bands.get(i).from()).isEqualTo(bands.get(i - 1).to());
         }
+    }
+
+    /** A ripple of 0.01 beats the slope of the drives at every turn of the ripple. */
+    @Test
+    void noiseOnABreathIsNoPhase() throws Exception {
+        List<PhaseBands.Band> bands = PhaseBands.of(recorded("quiet", 7.9, 0.01), 0, 7.9);
+        int turns = 0;
+        for (int i = 1; i < bands.size(); i++) {
+            turns += bands.get(i).label() == bands.get(i - 1).label() ? 0 : 1;
+        }
+        // Up and down twice; the ripple hides the pauses, and the first samples before the first rise may be falling.
+        assertThat(turns).isBetween(3, 5);
     }
 
     @Test

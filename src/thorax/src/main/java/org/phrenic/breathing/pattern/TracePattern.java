@@ -1,6 +1,8 @@
 package org.phrenic.breathing.pattern;
 
+import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Locale;
 import org.phrenic.breathing.BreathState;
 import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.breathing.BreathingPattern;
@@ -13,19 +15,23 @@ import org.phrenic.breathing.Smootherstep;
  *
  * <p>The trace is normalised (0 at the 5th, 1 at the 95th percentile), trimmed to begin and end near end-expiration,
  * clamped to the possible range of depth and interpolated by monotone cubics. Its first and last {@value #FADE_S} s are
- * faded, so that it starts and ends exactly at end-expiration. After its end it rests or repeats.
+ * faded, so that it starts and ends exactly at end-expiration. After its end it rests or repeats. A breath is
+ * inspiration up to its highest sample and expiration from there, whatever noise does to the slope.
  */
 public final class TracePattern implements BreathingPattern {
     private static final double FADE_S = 0.5;
+    /** Digits of the range of a trace that are stated. */
+    private static final int SCALE_DIGITS = 3;
 
     /** Minimum rise and fall of a breath as a fraction of a typical one. Smaller peaks are noise or cardiac motion. */
     private static final double PROMINENCE = 0.4;
 
-    private final String name;
+    private final BreathingTrace trace;
     private final boolean loops;
     private final double durationS;
     private final MonotoneCubic curve;
     private final double[] onsetsS;
+    private final double[] peaksS;
     private final RespiratoryDrive drive;
 
     /**
@@ -36,7 +42,7 @@ public final class TracePattern implements BreathingPattern {
      */
     public TracePattern(BreathingTrace trace, BreathingParameters parameters, boolean loops) {
         this.loops = loops;
-        name = trace.name();
+        this.trace = trace;
         drive = new RespiratoryDrive(parameters);
         double[] amplitude = trace.normalised().amplitude();
         int[] restful = endExpirations(amplitude);
@@ -45,7 +51,7 @@ public final class TracePattern implements BreathingPattern {
         double startS = trace.timeS()[first];
         durationS = trace.timeS()[last] - startS;
         if (!(durationS > 2 * FADE_S)) {
-            throw new IllegalArgumentException(name + ": " + durationS
+            throw new IllegalArgumentException(name() + ": " + durationS
                     + " s from the first to the last end-expiration, " + "expected more than " + 2 * FADE_S + " s");
         }
         double deepest = drive.maxDepth();
@@ -58,11 +64,13 @@ public final class TracePattern implements BreathingPattern {
         curve = new MonotoneCubic(timeS, depth);
         onsetsS = new double[restful.length];
         Arrays.setAll(onsetsS, i -> timeS[restful[i] - first]);
+        peaksS = new double[restful.length - 1];
+        Arrays.setAll(peaksS, i -> timeS[highest(amplitude, restful[i], restful[i + 1]) - first]);
     }
 
     @Override
     public String name() {
-        return name;
+        return trace.name();
     }
 
     @Override
@@ -82,7 +90,7 @@ public final class TracePattern implements BreathingPattern {
         boolean over = timeS < 0 || (!loops && rounds >= 1);
         int round = loops ? (int) rounds : 0;
         double t = Math.min((rounds - round) * durationS, durationS);
-        setPlace(t, round, state);
+        int breath = setPlace(t, round, state);
         double raw = curve.value(t);
         double in = Smootherstep.value(t / FADE_S);
         double out = Smootherstep.value((durationS - t) / FADE_S);
@@ -96,7 +104,7 @@ public final class TracePattern implements BreathingPattern {
         } else if (rate == 0 && depth == 0) {
             state.respiratoryPhase = RespiratoryPhase.PAUSE;
         } else {
-            state.respiratoryPhase = rate > 0 ? RespiratoryPhase.INSPIRATION : RespiratoryPhase.EXPIRATION;
+            state.respiratoryPhase = t < peaksS[breath] ? RespiratoryPhase.INSPIRATION : RespiratoryPhase.EXPIRATION;
         }
     }
 
@@ -105,11 +113,46 @@ public final class TracePattern implements BreathingPattern {
         return onsetsS.length - 1;
     }
 
-    private void setPlace(double t, int round, BreathState state) {
+    /** What was read from the recording, and how it is breathed: signal, scale, number and period of breaths. */
+    public String description() {
+        double low = trace.percentile(BreathingTrace.BASELINE_PERCENT);
+        double high = trace.percentile(BreathingTrace.PEAK_PERCENT);
+        int decimals = Math.max(0, SCALE_DIGITS - 1 - (int) Math.floor(Math.log10(high - low)));
+        String value = "%." + decimals + "f";
+        String text = "%s: %s; depth 0 at " + value + ", 1 at " + value
+                + " (%.0fth and %.0fth percentile); %d %s in %.1f s, %.1f s each%s;"
+                + " rate and inspiratory fraction are those of the recording";
+        return String.format(
+                Locale.ROOT,
+                text,
+                Path.of(name()).getFileName(),
+                trace.signal(),
+                low,
+                high,
+                BreathingTrace.BASELINE_PERCENT,
+                BreathingTrace.PEAK_PERCENT,
+                breaths(),
+                breaths() == 1 ? "breath" : "breaths",
+                durationS,
+                durationS / breaths(),
+                loops ? ", then again from the first" : "");
+    }
+
+    /** Sets breath and phase; returns the number of the breath within the recording. */
+    private int setPlace(double t, int round, BreathState state) {
         int found = Arrays.binarySearch(onsetsS, t);
         int breath = Math.max(0, Math.min(found >= 0 ? found : -found - 2, onsetsS.length - 2));
         state.breath = round * breaths() + breath;
         state.phase = Math.min((t - onsetsS[breath]) / (onsetsS[breath + 1] - onsetsS[breath]), Math.nextDown(1.0));
+        return breath;
+    }
+
+    private static int highest(double[] depth, int from, int to) {
+        int highest = from;
+        for (int i = from; i <= to; i++) {
+            highest = depth[i] > depth[highest] ? i : highest;
+        }
+        return highest;
     }
 
     /**

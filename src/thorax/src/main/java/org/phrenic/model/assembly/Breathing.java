@@ -91,6 +91,15 @@ public final class Breathing extends ScenePart {
         return trace.isEmpty() ? preset.pattern(p) : new TracePattern(BreathingTraceReader.read(trace.get()), p, true);
     }
 
+    /**
+     * What was read from the recording, in one sentence; empty without a recording.
+     *
+     * @throws BadInputException if the recording cannot be read
+     */
+    public static Optional<String> traceDescription(SettingValues values) {
+        return patternOf(values) instanceof TracePattern trace ? Optional.of(trace.description()) : Optional.empty();
+    }
+
     private static Optional<Path> trace(YamlMap yaml, String key, Path folder) {
         String found = yaml.text(key);
         if (found.equals("none")) {

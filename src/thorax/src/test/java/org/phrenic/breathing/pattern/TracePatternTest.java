@@ -64,6 +64,47 @@ class TracePatternTest {
     }
 
     @Test
+    void whatWasReadOfATraceIsSaidWithItsScaleAndPeriod() throws IOException {
+        Path file = write(noisy());
+        TracePattern pattern = new TracePattern(BreathingTraceReader.read(file), DEPTH, true);
+        // It begins and ends at a minimum of the vibration, each less than 0.33 s inside the 30 s.
+        assertThat(pattern.description())
+                .contains(file.getFileName() + ": column amplitude", "6 breaths", "again from the first")
+                .containsPattern("depth 0 at -?0\\.0\\d+, 1 at (0\\.9|1\\.0)\\d+ \\(5th and 95th percentile\\)")
+                .containsPattern("(4\\.9|5\\.0) s each");
+        TracePattern markers = new TracePattern(BreathingTraceReader.read(write(markers(300))), DEPTH, true);
+        assertThat(markers.description()).contains("first principal component of columns x, y, z", "5.0 s each");
+    }
+
+    /** Noise turns the slope many times a breath; a breath still is one inspiration and one expiration. */
+    @Test
+    void aNoisyTraceHasOneInspirationABreath() throws IOException {
+        TracePattern pattern = new TracePattern(BreathingTraceReader.read(write(noisy())), DEPTH, true);
+        int inspirations = 0;
+        RespiratoryPhase before = RespiratoryPhase.PAUSE;
+        for (double t = 0.1; t < pattern.periodS() - 0.1; t += 0.02) {
+            RespiratoryPhase now = at(pattern, t).respiratoryPhase;
+            if (now == RespiratoryPhase.INSPIRATION && before != now && before != RespiratoryPhase.PAUSE) {
+                inspirations++;
+            }
+            before = now == RespiratoryPhase.PAUSE ? before : now;
+        }
+        // The first begins at the start of the recording and follows no expiration.
+        assertThat(inspirations).isEqualTo(5);
+    }
+
+    /** Breaths of 5 s with a vibration of 3 Hz, 4 % of their depth. */
+    private static String noisy() {
+        StringBuilder csv = new StringBuilder("time_s,amplitude\n");
+        for (int i = 0; i <= 600; i++) {
+            double t = i / 20.0;
+            double breath = (1 - Math.cos(2 * Math.PI * t / 5)) / 2 + 0.04 * Math.sin(6 * Math.PI * t);
+            csv.append(t).append(',').append(breath).append('\n');
+        }
+        return csv.toString();
+    }
+
+    @Test
     void withoutLoopingItRestsAtTheEnd() throws IOException {
         TracePattern pattern = new TracePattern(BreathingTraceReader.read(write(markers(300))), DEPTH, false);
         BreathState over = at(pattern, 100);
@@ -97,7 +138,8 @@ class TracePatternTest {
         refused("time_s,amplitude\n0,1\n1\n", ": line 3: found 1 cells, expected 2 as in the header");
         refused(
                 "time_s,amplitude\n0,1\n1,2\n0.5,2\n",
-                ": line 4, column 'time_s': found time 0.5, expected more than the 1.0 before it (1 of 3 rows are out of order)");
+                ": line 4, column 'time_s': found time 0.5, expected more than the 1.0 before it (1 of 3 rows are out"
+                        + " of order)");
         refused("time_s,amplitude\n0,1\n", ": 1 times and 1 values, expected as many of both and at least 8");
         refused("", ": found an empty file, expected content");
         refused(
