@@ -33,10 +33,15 @@ import org.jfree.data.xy.DefaultXYDataset;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.ui.widget.Theme;
 
-/** The chart: curves of one unit share a plot, and the plots share the time axis. Colours follow the look and feel. */
+/**
+ * The chart: curves of one unit share a plot, and the plots share the time axis. A kept breath is drawn in thin dashes
+ * over every breath, at the same phases. Colours follow the look and feel.
+ */
 final class PlotChart {
     private static final float LINE_WIDTH = 1.6f;
     private static final float[] DASH_PATTERN = {6, 4};
+    private static final float OVERLAY_WIDTH = 1;
+    private static final float[] OVERLAY_DASH = {2, 3};
     private static final double PLOT_GAP = 8;
     /** Faint enough for the curves to keep their contrast. */
     private static final float BAND_ALPHA = 0.35f;
@@ -59,6 +64,7 @@ final class PlotChart {
     private final List<Subplot> subplots = new ArrayList<>();
     private final double[] x = new double[MAX_POINTS];
     private final double[] y = new double[MAX_POINTS];
+    private KeptBreath overlay;
 
     PlotChart() {
         plots.setGap(PLOT_GAP);
@@ -100,6 +106,11 @@ final class PlotChart {
         applyTheme();
     }
 
+    /** Draws a breath over those of the run from the next update on; null for none. */
+    void setOverlay(KeptBreath breath) {
+        overlay = breath;
+    }
+
     /** Draws the samples of the ring between two times. */
     void update(SampleRingBuffer ring, double from, double to) {
         chart.setNotify(false);
@@ -111,10 +122,23 @@ final class PlotChart {
                 double[][] points = {Arrays.copyOf(x, count), Arrays.copyOf(y, count)};
                 subplot.data.addSeries(curve.label(), points);
             }
+            subplot.curves.forEach(
+                    curve -> subplot.data.addSeries(curve.label() + " overlay", overlayPoints(ring, curve, from, to)));
             fitRange(subplot);
             markPhases(subplot.plot, bands);
         }
         chart.setNotify(true);
+    }
+
+    /** The overlay at the phases of the samples between two times. */
+    private double[][] overlayPoints(SampleRingBuffer ring, PlotCurve curve, double from, double to) {
+        if (overlay == null) {
+            return new double[2][0];
+        }
+        int count = ring.curve(KeptBreath.PHASE, from, to, x, y);
+        double[] values = new double[count];
+        Arrays.setAll(values, i -> overlay.value(curve.index(), y[i]));
+        return new double[][] {Arrays.copyOf(x, count), values};
     }
 
     /** Marks the phases behind the curves in the colours of the timeline; pauses stay plain. */
@@ -178,7 +202,10 @@ final class PlotChart {
             styleAxis(plot.getRangeAxis(), text, font);
             XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) plot.getRenderer();
             renderer.setDrawSeriesLineAsPath(true);
-            for (int k = 0; k < subplot.curves.size(); k++) {
+            int count = subplot.curves.size();
+            for (int k = 0; k < count; k++) {
+                renderer.setSeriesPaint(count + k, subplot.curves.get(k).colour());
+                renderer.setSeriesStroke(count + k, dashes(OVERLAY_WIDTH, OVERLAY_DASH));
                 renderer.setSeriesPaint(k, subplot.curves.get(k).colour());
                 renderer.setSeriesStroke(k, stroke(subplot.curves.get(k)));
             }
@@ -187,8 +214,12 @@ final class PlotChart {
 
     static Stroke stroke(PlotCurve curve) {
         return curve.dashed()
-                ? new BasicStroke(LINE_WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, DASH_PATTERN, 0)
+                ? dashes(LINE_WIDTH, DASH_PATTERN)
                 : new BasicStroke(LINE_WIDTH, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+    }
+
+    private static Stroke dashes(float width, float[] pattern) {
+        return new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, pattern, 0);
     }
 
     private static void styleAxis(ValueAxis axis, Color text, Font font) {

@@ -4,6 +4,7 @@ import java.awt.BorderLayout;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import javax.swing.JButton;
@@ -15,6 +16,7 @@ import net.miginfocom.swing.MigLayout;
 import org.jfree.chart.JFreeChart;
 import org.jfree.data.Range;
 import org.phrenic.document.CsvWriter;
+import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.export.PngFile;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunHistory;
@@ -27,12 +29,15 @@ import org.phrenic.ui.widget.ScrollablePanel;
 
 /**
  * Plots the observables of the last 10, 30 or 60 s, or of all recorded samples, at most ten times per second. Dragging
- * zooms into a time range, which then stays; a double click follows the present again.
+ * zooms into a time range, which then stays; a double click follows the present again. The last whole breath can be
+ * kept and drawn over those that follow.
  */
 public final class PlotDock extends JPanel implements Session.Listener {
     private static final Set<String> DEFAULT_CURVES = Set.of("dome_right_mm", "dome_left_mm", "lung_volume_change_ml");
     private static final long MIN_REDRAW_NS = 95_000_000L;
     private static final int PNG_SCALE = 2;
+    /** Samples that lie further back than this, s, are those of a run that began anew. */
+    private static final double RESTART_S = 0.5;
 
     private record TimeSpan(String label, double seconds) {
         @Override
@@ -58,6 +63,10 @@ public final class PlotDock extends JPanel implements Session.Listener {
     private final JComboBox<TimeSpan> timeSpan = new JComboBox<>(TIME_SPANS);
     private final JButton resetZoom =
             Controls.button("Reset zoom", "Follow the present again (double click on the plot)", this::followLatest);
+    private final JLabel overlayLabel = Controls.secondaryLabel("");
+    private transient Optional<KeptBreath> overlay = Optional.empty();
+    private transient Scenario lastScenario;
+    private double changedS;
     private boolean frozen;
     private long drawnNs;
 
@@ -76,7 +85,7 @@ public final class PlotDock extends JPanel implements Session.Listener {
     }
 
     private JComponent toolBar() {
-        JPanel tools = new JPanel(new MigLayout("insets 4 8 2 8, fillx", "[][]push[][][]"));
+        JPanel tools = new JPanel(new MigLayout("insets 4 8 2 8, fillx", "[][][grow,fill,0::][][][]"));
         JLabel label = new JLabel("Show the last");
         label.setDisplayedMnemonic('l');
         label.setLabelFor(timeSpan);
@@ -85,6 +94,7 @@ public final class PlotDock extends JPanel implements Session.Listener {
         resetZoom.setEnabled(false);
         tools.add(label);
         tools.add(timeSpan);
+        tools.add(overlayLabel, "wmin 0");
         tools.add(resetZoom);
         tools.add(Controls.button(
                 "CSV...",
@@ -104,6 +114,35 @@ public final class PlotDock extends JPanel implements Session.Listener {
             legend.add(curve, true);
             onCurveSelection();
         });
+    }
+
+    /**
+     * Keeps the last whole breath since the last change of a setting, and draws it over those that follow.
+     *
+     * @param name settings that it was breathed with
+     * @return false if there is no such breath; then the overlay is removed
+     */
+    public boolean keepBreath(String name) {
+        showOverlay(KeptBreath.last(name, ring, changedS));
+        return overlay.isPresent();
+    }
+
+    public void removeOverlay() {
+        showOverlay(Optional.empty());
+    }
+
+    private void showOverlay(Optional<KeptBreath> breath) {
+        overlay = breath;
+        chart.setOverlay(breath.orElse(null));
+        overlayLabel.setText(breath.map(kept -> "Thin dashes: " + kept.name()).orElse(""));
+        overlayLabel.setToolTipText(overlayLabel.getText());
+        draw();
+    }
+
+    /** Peak-to-peak values of the curves that are shown, of the kept breath and of the last; empty without one. */
+    public Optional<BreathComparison> comparison() {
+        return overlay.map(
+                kept -> BreathComparison.of(legend.selectedCurves(), kept, KeptBreath.last("", ring, changedS)));
     }
 
     private void onCurveSelection() {
@@ -126,13 +165,26 @@ public final class PlotDock extends JPanel implements Session.Listener {
     @Override
     public void onScene(LiveScene scene) {
         ring.clear();
+        changedS = 0;
+        lastScenario = session.scenario();
         pointTracker.reset(scene);
         followLatest();
     }
 
     @Override
+    public void onChange() {
+        if (!session.scenario().equals(lastScenario)) {
+            lastScenario = session.scenario();
+            changedS = session.live().status().timeS();
+        }
+    }
+
+    @Override
     public void onTick(RunStatus status) {
         boolean any = ring.update(session.live().history());
+        if (ring.size() > 0 && ring.time(ring.size() - 1) < changedS - RESTART_S) {
+            changedS = 0;
+        }
         pointTracker.record(ring);
         long now = System.nanoTime();
         if (any && isShowing() && now - drawnNs >= MIN_REDRAW_NS) {

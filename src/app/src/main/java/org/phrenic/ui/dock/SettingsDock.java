@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.DefaultListModel;
 import javax.swing.JButton;
+import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JList;
@@ -18,16 +19,23 @@ import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.live.RunStatus;
+import org.phrenic.ui.chart.BreathComparison;
+import org.phrenic.ui.chart.PlotDock;
 import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.ScenarioStore;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 
-/** Scenarios stored by name: save, restore, delete, and switch between two of them to compare. */
-public final class SettingsDock extends JPanel {
+/**
+ * Scenarios stored by name: save, restore, delete, and switch between two of them to compare. The last whole breath of
+ * the settings that are left stays in the plot as an overlay, and a table compares it with the present breath.
+ */
+public final class SettingsDock extends JPanel implements Session.Listener {
     private final transient Session session;
     private final transient ScenarioStore store;
     private final transient Supplier<Optional<String>> askName;
+    private final PlotDock plots;
     private final DefaultListModel<String> names = new DefaultListModel<>();
     private final JList<String> list = new JList<>(names);
     private final JComboBox<String> first = Controls.describe(new JComboBox<>(), "Settings A", "Settings A");
@@ -37,17 +45,23 @@ public final class SettingsDock extends JPanel {
     private final JLabel comparisonLabel = Controls.secondaryLabel(" ");
     private final JLabel emptyLabel = Controls.secondaryLabel(
             "<html>Save... keeps all present settings under a name, to go back to them or to compare two.</html>");
+    private final JCheckBox overlay = new JCheckBox("Keep the last breath in the plot", true);
+    private final JLabel table = new JLabel();
     private boolean secondIsNext;
+    /** Settings that the last press went to; empty before the first. */
+    private String present = "";
 
-    public SettingsDock(Session session) {
-        this(session, ScenarioStore.ofUser(), null);
+    /** @param plots where the breath of the settings that are left stays as an overlay */
+    public SettingsDock(Session session, PlotDock plots) {
+        this(session, ScenarioStore.ofUser(), null, plots);
     }
 
     /** @param askName asks for a name; null for a dialog */
-    SettingsDock(Session session, ScenarioStore store, Supplier<Optional<String>> askName) {
+    SettingsDock(Session session, ScenarioStore store, Supplier<Optional<String>> askName, PlotDock plots) {
         super(new BorderLayout());
         this.session = session;
         this.store = store;
+        this.plots = plots;
         this.askName = askName == null ? this::promptName : askName;
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.setVisibleRowCount(6);
@@ -72,9 +86,16 @@ public final class SettingsDock extends JPanel {
         body.add(first, "wmin 0");
         body.add(second, "wmin 0");
         body.add(swap, "wrap");
-        body.add(comparisonLabel, "spanx 3, wmin 0");
+        body.add(comparisonLabel, "spanx 3, wmin 0, wrap");
+        overlay.setToolTipText(
+                "Draws the last whole breath of the settings that are left in thin dashes, and compares");
+        overlay.addActionListener(e -> onOverlay());
+        body.add(overlay, "spanx 3, wrap");
+        table.setVisible(false);
+        body.add(table, "spanx 3, wmin 0");
         add(body, BorderLayout.CENTER);
         refresh();
+        session.addListener(this);
     }
 
     private Optional<String> promptName() {
@@ -112,10 +133,51 @@ public final class SettingsDock extends JPanel {
     void swap() {
         Object name = (secondIsNext ? second : first).getSelectedItem();
         if (name != null) {
+            String left = present.isEmpty() ? "the settings before" : present;
+            boolean kept = overlay.isSelected() && plots.keepBreath(left);
+            boolean none = overlay.isSelected() && !kept;
             apply((String) name);
-            comparisonLabel.setText("Now " + (secondIsNext ? "B: " : "A: ") + name);
+            present = (secondIsNext ? "B: " : "A: ") + name;
+            String sentence = "Now " + present + (none ? "; no whole breath of " + left + " to keep" : "");
+            comparisonLabel.setText("<html>" + Controls.escapeHtml(sentence) + "</html>");
             secondIsNext = !secondIsNext;
+            showTable();
         }
+    }
+
+    private void onOverlay() {
+        if (!overlay.isSelected()) {
+            plots.removeOverlay();
+        }
+        showTable();
+    }
+
+    @Override
+    public void onTick(RunStatus status) {
+        if (isShowing()) {
+            showTable();
+        }
+    }
+
+    private void showTable() {
+        Optional<BreathComparison> comparison = plots.comparison();
+        String text = comparison.map(BreathComparison::html).orElse("");
+        if (!text.equals(table.getText())) {
+            table.setText(text);
+            table.setVisible(!text.isEmpty());
+        }
+    }
+
+    JLabel comparisonTable() {
+        return table;
+    }
+
+    JComboBox<String> firstChoice() {
+        return first;
+    }
+
+    JComboBox<String> secondChoice() {
+        return second;
     }
 
     private void apply(String name) {
@@ -142,21 +204,21 @@ public final class SettingsDock extends JPanel {
             List<String> stored = store.names();
             names.clear();
             names.addAll(stored);
-            fillChoices(first, stored, 0);
-            fillChoices(second, stored, 1);
+            fillChoices(first, stored, null);
+            fillChoices(second, stored, first.getSelectedItem());
             swap.setEnabled(stored.size() > 1);
             emptyLabel.setVisible(stored.isEmpty());
         });
     }
 
-    private static void fillChoices(JComboBox<String> box, List<String> stored, int otherwise) {
+    /** Offers the stored names; a selection stays, else the first name other than {@code taken} is selected. */
+    private static void fillChoices(JComboBox<String> box, List<String> stored, Object taken) {
         Object before = box.getSelectedItem();
         box.removeAllItems();
         stored.forEach(box::addItem);
-        if (stored.contains(before)) {
-            box.setSelectedItem(before);
-        } else {
-            box.setSelectedIndex(otherwise < stored.size() ? otherwise : -1);
-        }
+        boolean stays = before != null && !before.equals(taken) && stored.contains(before);
+        Optional<String> other =
+                stored.stream().filter(name -> !name.equals(taken)).findFirst();
+        box.setSelectedItem(stays ? before : other.orElse(null));
     }
 }

@@ -76,8 +76,8 @@ public final class DockManager {
         parameters = new ParameterDock(session);
         breath = new BreathDock(session);
         forces = new ForcesDock(session);
-        settings = new SettingsDock(session);
         plots = new PlotDock(session);
+        settings = new SettingsDock(session, plots);
         timeline = new TimelineDock(session);
         rehearsalController = new RehearsalController(session, appearance, view);
     }

@@ -56,6 +56,7 @@ final class DockGallery {
         Map<String, JFrame> frames = new LinkedHashMap<>();
         Session[] session = new Session[1];
         PlotDock[] plot = new PlotDock[1];
+        SettingsDock[] settings = new SettingsDock[1];
         SwingUtilities.invokeAndWait(() -> {
             session[0] = new Session(scenario);
             plot[0] = new PlotDock(session[0]);
@@ -66,13 +67,14 @@ final class DockGallery {
             frames.put("parameters-narrow", frame(new ParameterDock(session[0]), 300, 500));
             frames.put("breath", frame(new BreathDock(session[0]), 360, 470));
             frames.put("forces", frame(new ForcesDock(session[0]), 360, 330));
-            frames.put("settings", frame(new SettingsDock(session[0], store, null), 360, 340));
+            settings[0] = new SettingsDock(session[0], store, null, plot[0]);
+            frames.put("settings", frame(settings[0], 360, 460));
             frames.put("timeline", frame(new TimelineDock(session[0]), 1100, 70));
             frames.put("plot", frame(plot[0], 1100, 330));
         });
-        while (session[0].scene().isEmpty() || session[0].live().status().timeS() < BREATHE_S) {
-            Thread.sleep(100);
-        }
+        breathe(session[0], BREATHE_S);
+        SwingUtilities.invokeAndWait(settings[0]::swap);
+        breathe(session[0], 2 * BREATHE_S + 3);
         SwingUtilities.invokeAndWait(() -> {
             session[0].change(
                     "Muscle stiffness 300 -> 420 N/m", Assignment.read("gallery", "muscle_stiffness_n_per_m", "420"));
@@ -92,6 +94,12 @@ final class DockGallery {
             session[0].close();
             frames.values().forEach(JFrame::dispose);
         });
+    }
+
+    private static void breathe(Session session, double untilS) throws InterruptedException {
+        while (session.scene().isEmpty() || session.live().status().timeS() < untilS) {
+            Thread.sleep(100);
+        }
     }
 
     private static JFrame frame(JComponent dock, int width, int height) {

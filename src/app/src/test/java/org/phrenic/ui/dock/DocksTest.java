@@ -16,7 +16,9 @@ import java.util.stream.Stream;
 import javax.swing.JComboBox;
 import org.jfree.chart.plot.CombinedDomainXYPlot;
 import org.jfree.chart.plot.IntervalMarker;
+import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.ui.Layer;
+import org.jfree.data.xy.XYDataset;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -41,6 +43,7 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.simulation.live.RunHistory;
 import org.phrenic.simulation.observe.Observation;
+import org.phrenic.ui.chart.BreathComparison;
 import org.phrenic.ui.chart.PhaseColours;
 import org.phrenic.ui.chart.PlotDock;
 import org.phrenic.ui.chart.TimelineDock;
@@ -367,7 +370,8 @@ class DocksTest {
     void settingsAreStoredRestoredAndComparedWhileItBreathes(@TempDir Path folder) {
         ScenarioStore store = new ScenarioStore(folder);
         String[] name = {"as it was"};
-        SettingsDock dock = on(() -> new SettingsDock(session, store, () -> Optional.of(name[0])));
+        SettingsDock dock =
+                on(() -> new SettingsDock(session, store, () -> Optional.of(name[0]), new PlotDock(session)));
         EventThread.run(dock::save);
         long scene = on(() -> session.scene().orElseThrow().id());
         EventThread.run(() -> session.change("Depth", Assignment.read("test", "depth", "1.3")));
@@ -379,6 +383,67 @@ class DocksTest {
         EventThread.run(dock::swap);
         assertThat(on(() -> session.scenario().get(Breathing.DEPTH))).isEqualTo(1.3);
         assertThat(on(() -> session.scene().orElseThrow().id())).isEqualTo(scene);
+    }
+
+    private static void breathe(double seconds) {
+        double from = session.live().status().timeS();
+        EventThread.until("it has breathed", () -> session.live().status().timeS() > from + seconds);
+    }
+
+    /** Breaths take 1.5 s: after 3.5 s one has been whole. */
+    @Test
+    void theBreathThatIsLeftStaysInThePlotAndIsComparedWithThePresentOne(@TempDir Path folder) {
+        ScenarioStore store = new ScenarioStore(folder);
+        String[] name = {"shallow"};
+        PlotDock plots = on(() -> new PlotDock(session));
+        SettingsDock dock = on(() -> new SettingsDock(session, store, () -> Optional.of(name[0]), plots));
+        EventThread.run(dock::save);
+        EventThread.run(() -> session.change("Depth", Assignment.read("test", "depth", "1.3")));
+        name[0] = "deeper";
+        EventThread.run(dock::save);
+        assertThat(on(() -> dock.firstChoice().getSelectedItem())).isEqualTo("shallow");
+        assertThat(on(() -> dock.secondChoice().getSelectedItem())).isEqualTo("deeper");
+        EventThread.run(dock::swap);
+        breathe(4);
+        EventThread.run(() -> plots.onTick(session.live().status()));
+        EventThread.run(dock::swap);
+        breathe(4);
+        EventThread.run(() -> plots.onTick(session.live().status()));
+        EventThread.run(() -> dock.onTick(session.live().status()));
+        BreathComparison comparison = on(() -> plots.comparison().orElseThrow());
+        assertThat(comparison.keptName()).isEqualTo("A: shallow");
+        assertThat(comparison.rows()).hasSize(3).allSatisfy(row -> {
+            assertThat(row.kept()).isPositive();
+            // Drives of 1.3 times the depth move everything further.
+            assertThat(row.difference()).as(row.label()).isGreaterThan(0.1 * row.kept());
+        });
+        CombinedDomainXYPlot chart = (CombinedDomainXYPlot) plots.chart().getXYPlot();
+        int overlaid = on(() -> {
+            plots.draw();
+            XYDataset data = ((XYPlot) chart.getSubplots().get(0)).getDataset();
+            return data.getItemCount(data.indexOf("Dome right overlay"));
+        });
+        assertThat(overlaid).isGreaterThan(20);
+    }
+
+    @Test
+    void aTraceSaysWhatWasReadAndDisablesTheRate(@TempDir Path folder) throws Exception {
+        StringBuilder csv = new StringBuilder("time_s,amplitude\n");
+        for (int i = 0; i <= 200; i++) {
+            csv.append(i / 10.0).append(',').append(-Math.cos(Math.PI * i / 20)).append('\n');
+        }
+        Path file = Files.writeString(folder.resolve("mine.csv"), csv);
+        BreathDock dock = on(() -> new BreathDock(session));
+        EventThread.run(() -> dock.openTrace(file));
+        EventThread.until("the trace is taken", () -> session.scenario().trace().isPresent());
+        EventThread.run(dock::onChange);
+        assertThat(on(() -> dock.traceDescription().getText())).contains("column amplitude", "5 breaths", "4.0 s each");
+        assertThat(on(() -> dock.row(Breathing.RATE).slider().isEnabled())).isFalse();
+        assertThat(on(() -> dock.row(Breathing.RATE).message())).contains("recorded breath");
+        assertThat(on(() -> dock.row(Breathing.DEPTH).slider().isEnabled())).isTrue();
+        EventThread.run(() -> session.edits().undo());
+        EventThread.until(
+                "the rate is back", () -> dock.row(Breathing.RATE).slider().isEnabled());
     }
 
     @Test
