@@ -10,7 +10,9 @@ import org.phrenic.model.organ.SpringList;
  *
  * <p>With springs k along unit vectors n and A_i = Σ k n nᵀ over the springs at node i, the energy Σ k (n·(u_a - u_b))²
  * is at most 2 Σ u_iᵀ A_i u_i. No frequency therefore exceeds the largest of ω_i² = 2 λ_max(A_i) / m_i; on a triangular
- * lattice the bound is attained. A spring to bone counts half. Every mass is raised to at least 2 λ_max(A_i) / ω².
+ * lattice the bound is attained. Tissue that folds turns its springs; then the trace of A_i bounds the eigenvalue in
+ * any shape ({@link #leastMassForAnyShape}). A spring to bone counts half. Every mass is raised to at least 2
+ * λ_max(A_i) / ω².
  */
 final class MassScaling {
     /** Number of entries of the upper triangle of A_i: xx, xy, xz, yy, yz, zz. */
@@ -18,11 +20,14 @@ final class MassScaling {
 
     private final double[] positions;
     private final double[] nodeStiffness;
+    /** The part of A_i that is the same in all directions, N/m. */
+    private final double[] isotropic;
 
     /** @param positions of all nodes, mm */
     MassScaling(double[] positions) {
         this.positions = positions;
         nodeStiffness = new double[SYMMETRIC * (positions.length / 3)];
+        isotropic = new double[positions.length / 3];
     }
 
     /** Adds springs between nodes to A_i. */
@@ -62,6 +67,7 @@ final class MassScaling {
             nodeStiffness[at] += half;
             nodeStiffness[at + 3] += half;
             nodeStiffness[at + 5] += half;
+            isotropic[nodes[i]] += half;
         }
     }
 
@@ -73,6 +79,17 @@ final class MassScaling {
             least[i] = 2 * largestEigenvalue(SYMMETRIC * i) / (omega * omega);
         }
         return least;
+    }
+
+    /**
+     * Mass of a node from which velocity Verlet is stable with this step (s) whichever way its springs turn, kg: the
+     * trace of A_i, which is that of all springs along one line, in place of the largest eigenvalue.
+     */
+    double leastMassForAnyShape(int node, double step) {
+        int at = SYMMETRIC * node;
+        double trace = nodeStiffness[at] + nodeStiffness[at + 3] + nodeStiffness[at + 5] - 2 * isotropic[node];
+        double omega = 2 / step;
+        return 2 * trace / (omega * omega);
     }
 
     /** Largest eigenvalue of a symmetric 3 × 3 matrix in closed form (Smith 1961, doi 10.1145/355578.366316). */

@@ -125,6 +125,10 @@ final class PhysicalMaterial extends TissueMaterial {
                 scene.settings().get(BoneAttachments.STERNUM_COUPLING));
         scaling.addAttachments(scene.diaphragm().cruralNodes, scene.diaphragm().cruralStiffnesses, 1);
         scene.lungs().ifPresent(l -> scaling.addAttachments(l.baseSprings.node(), l.baseSprings.stiffnesses(), 1));
-        return scaling.leastMasses(scene.settings().get(Numerics.MASS_SCALING) / Stepper.SAFETY);
+        double step = scene.settings().get(Numerics.MASS_SCALING) / Stepper.SAFETY;
+        double[] least = scaling.leastMasses(step);
+        // In a deep breath lungs fold at their edges; nothing that is observed of the diaphragm depends on their mass.
+        scene.lungs().ifPresent(lungs -> lungs.forEachNode(n -> least[n] = scaling.leastMassForAnyShape(n, step)));
+        return least;
     }
 }

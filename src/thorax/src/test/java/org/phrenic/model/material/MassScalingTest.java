@@ -56,4 +56,22 @@ class MassScalingTest {
         assertThat(Math.sqrt(STIFFNESS / least[0]) * STEP_S).isCloseTo(2, offset(EXACT));
         assertThat(least[1]).isZero();
     }
+
+    /** Two springs at a right angle that a fold lays side by side are one spring of twice the stiffness. */
+    @Test
+    void aNodeThatIsStableInAnyShapeBearsSpringsLaidSideBySide() {
+        MassScaling open = new MassScaling(new double[] {0, 0, 0, 5, 0, 0, 0, 5, 0});
+        MassScaling folded = new MassScaling(new double[] {0, 0, 0, 5, 0, 0, 5, 0, 0});
+        for (MassScaling scaling : new MassScaling[] {open, folded}) {
+            SpringList springs = new SpringList();
+            springs.add(0, 1, STIFFNESS, 5, 0);
+            springs.add(0, 2, STIFFNESS, 5, 0);
+            scaling.addSprings(springs);
+            scaling.addAttachments(new int[] {0}, new double[] {STIFFNESS}, 1);
+        }
+        double most = folded.leastMasses(STEP_S)[0];
+        assertThat(open.leastMasses(STEP_S)[0]).isLessThan(0.61 * most);
+        assertThat(open.leastMassForAnyShape(0, STEP_S)).isCloseTo(most, offset(EXACT * most));
+        assertThat(folded.leastMassForAnyShape(0, STEP_S)).isCloseTo(most, offset(EXACT * most));
+    }
 }
