@@ -29,14 +29,14 @@ import picocli.CommandLine.Option;
             "  phrenic bench stability --only published,sliders --integrator verlet,rk2",
             "",
             "DIR gets stability.md, stability.csv and stability.json. Exit code 3 if a cell fails in silence or a body",
-            "does not return. With --quick 3 minutes of processor time; without, two hours and more, of which 'hour'",
+            "does not return. With --quick 10 minutes of processor time; without, two hours and more, of which 'hour'",
             "takes 20 minutes and 'sliders' 10. Progress says how much time is left.",
             "The cases: docs/stability.md."
         })
 final class BenchStabilityCommand extends ReportingCommand {
     private static final double MAX_SPEND = 1e15;
 
-    @Option(names = "--quick", description = "Shorter times on coarser domes: 3 minutes of processor time.")
+    @Option(names = "--quick", description = "Shorter times on coarser domes: 10 minutes of processor time.")
     private boolean quick;
 
     @Option(names = "--only", paramLabel = "CASE,...", description = "Only these cases.")
@@ -66,7 +66,7 @@ final class BenchStabilityCommand extends ReportingCommand {
         out.check();
         StabilityStudy.Settings settings = settings();
         if (!quick && only == null) {
-            progress().note("All cells take two hours of processor time and more; --quick takes 3 minutes.");
+            progress().note("All cells take two hours of processor time and more; --quick takes 10 minutes.");
         }
         StabilityStudy study = StabilityStudy.of(settings, progress("cells done"));
         StabilityReport report = new StabilityReport(study);
