@@ -65,9 +65,7 @@ public final class ImageGrid {
 
     /** Converts voxel coordinates to a position in mm, written to {@code out}. */
     public void voxelToMm(double i, double j, double k, double[] out) {
-        for (int row = 0; row < 3; row++) {
-            out[row] = toMm[4 * row] * i + toMm[4 * row + 1] * j + toMm[4 * row + 2] * k + toMm[4 * row + 3];
-        }
+        VoxelBox.apply(toMm, i, j, k, out);
     }
 
     @Override

@@ -98,36 +98,24 @@ public final class LabelGrid {
 
     /** Converts voxel coordinates to a position in mm, written to {@code out}. */
     public void voxelToMm(double i, double j, double k, double[] out) {
-        for (int row = 0; row < 3; row++) {
-            out[row] = toMm[4 * row] * i + toMm[4 * row + 1] * j + toMm[4 * row + 2] * k + toMm[4 * row + 3];
-        }
+        VoxelBox.apply(toMm, i, j, k, out);
     }
 
     /** Spacing of voxel centres along a grid direction (0 columns, 1 rows, 2 slices), mm. */
     public double spacing(int direction) {
-        double x = toMm[direction];
-        double y = toMm[4 + direction];
-        double z = toMm[8 + direction];
-        return Math.sqrt(x * x + y * y + z * z);
+        return VoxelBox.spacing(toMm, direction);
     }
 
     /** Volume of a voxel, mm^3. */
     public double voxelVolume() {
-        return Math.abs(determinant());
+        return Math.abs(VoxelBox.determinant(toMm));
     }
 
     /**
      * Whether columns, rows and slices are left-handed, as in most images whose first row is at the front of the body.
      */
     public boolean isMirrored() {
-        return determinant() < 0;
-    }
-
-    private double determinant() {
-        double[] m = toMm;
-        return m[0] * (m[5] * m[10] - m[6] * m[9])
-                - m[1] * (m[4] * m[10] - m[6] * m[8])
-                + m[2] * (m[4] * m[9] - m[5] * m[8]);
+        return VoxelBox.determinant(toMm) < 0;
     }
 
     /** Number of voxels of each label, indexed by label up to the largest label present. */

@@ -82,6 +82,10 @@ public record VoxelBox(int[] size, double[] toMm) {
 
     /** Spacing of voxel centres along a grid direction (0 columns, 1 rows, 2 slices), mm. */
     public double spacing(int direction) {
+        return spacing(toMm, direction);
+    }
+
+    static double spacing(double[] toMm, int direction) {
         double x = toMm[direction];
         double y = toMm[4 + direction];
         double z = toMm[8 + direction];
@@ -106,7 +110,7 @@ public record VoxelBox(int[] size, double[] toMm) {
         return out;
     }
 
-    private static double determinant(double[] m) {
+    static double determinant(double[] m) {
         return m[0] * (m[5] * m[10] - m[6] * m[9])
                 - m[1] * (m[4] * m[10] - m[6] * m[8])
                 + m[2] * (m[4] * m[9] - m[5] * m[8]);
