@@ -1,33 +1,26 @@
 package org.phrenic.simulation.live;
 
-import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
-import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 
 /**
  * Works on the frames of a scene on a thread of its own, one at a time, while the simulation goes on. Used by one
  * thread at a time; what a task writes is visible to that thread after {@link #finish}.
  */
 final class FrameWriter implements AutoCloseable {
-    private final BlockingQueue<Runnable> tasks = new LinkedBlockingQueue<>();
-    private final Thread thread = new Thread(this::serve, "phrenic-frames");
-    private FutureTask<Void> pending;
-    private boolean started;
-
-    FrameWriter() {
+    private final ExecutorService worker = Executors.newSingleThreadExecutor(task -> {
+        Thread thread = new Thread(task, "phrenic-frames");
         thread.setDaemon(true);
-    }
+        return thread;
+    });
+    private Future<?> pending;
 
     /** Starts a task; the one before is finished first. */
     void start(Runnable task) {
         finish();
-        if (!started) {
-            started = true;
-            thread.start();
-        }
-        pending = new FutureTask<>(task, null);
-        tasks.add(pending);
+        pending = worker.submit(task);
     }
 
     /** Whether no task is at work. */
@@ -37,7 +30,7 @@ final class FrameWriter implements AutoCloseable {
 
     /** Waits for the task at work; its exception is thrown here. */
     void finish() {
-        FutureTask<Void> last = pending;
+        Future<?> last = pending;
         pending = null;
         boolean interrupted = false;
         while (last != null) {
@@ -55,21 +48,10 @@ final class FrameWriter implements AutoCloseable {
         }
     }
 
-    private void serve() {
-        try {
-            while (true) {
-                tasks.take().run();
-            }
-        } catch (InterruptedException e) {
-            // Closed.
-            return;
-        }
-    }
-
     /** Ends the thread after the task at work. */
     @Override
     public void close() {
         finish();
-        thread.interrupt();
+        worker.shutdown();
     }
 }
