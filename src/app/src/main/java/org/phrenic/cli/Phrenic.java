@@ -64,8 +64,10 @@ public final class Phrenic implements Callable<Integer> {
     public static void main(String[] args) {
         PrintWriter out = new PrintWriter(System.out, true, StandardCharsets.UTF_8);
         PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
-        int code = hasLibraries() ? execute(out, err, args) : ExitCode.BAD_INPUT;
-        if (!hasLibraries()) {
+        int code = ExitCode.BAD_INPUT;
+        if (hasLibraries()) {
+            code = execute(out, err, args);
+        } else {
             err.println("phrenic: found phrenic.jar without its folder lib, expected both side by side, as in target or"
                     + " in the zip");
         }

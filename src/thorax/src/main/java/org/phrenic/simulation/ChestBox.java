@@ -2,7 +2,6 @@ package org.phrenic.simulation;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.IntStream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.engine.integrator.Stepper;
@@ -22,14 +21,7 @@ final class ChestBox {
 
     /** Lets a stepper notice lungs that leave the chest. Does nothing without lungs of springs. */
     static void confineLungs(Scene scene, Stepper stepper) {
-        scene.lungs().ifPresent(lungs -> stepper.confine(nodes(lungs), box(scene, lungs), "the chest"));
-    }
-
-    private static int[] nodes(LungPart lungs) {
-        return IntStream.range(0, lungs.structures.size())
-                .flatMap(i -> IntStream.range(0, lungs.structures.get(i).mesh().vertexCount())
-                        .map(vertex -> lungs.firstNodes.get(i) + vertex))
-                .toArray();
+        scene.lungs().ifPresent(lungs -> stepper.confine(lungs.nodes().toArray(), box(scene, lungs), "the chest"));
     }
 
     private static double[] box(Scene scene, LungPart lungs) {

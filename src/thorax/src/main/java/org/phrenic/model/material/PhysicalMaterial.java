@@ -128,7 +128,7 @@ final class PhysicalMaterial extends TissueMaterial {
         double step = scene.settings().get(Numerics.MASS_SCALING) / Stepper.SAFETY;
         double[] least = scaling.leastMasses(step);
         // In a deep breath lungs fold at their edges; nothing that is observed of the diaphragm depends on their mass.
-        scene.lungs().ifPresent(lungs -> lungs.forEachNode(n -> least[n] = scaling.leastMassForAnyShape(n, step)));
+        scene.lungs().ifPresent(lungs -> lungs.nodes().forEach(n -> least[n] = scaling.leastMassForAnyShape(n, step)));
         return least;
     }
 }

@@ -236,9 +236,7 @@ public final class DiaphragmPart {
      */
     public double tendonFactor(int spring, double ratio, double assembledRatio) {
         double share = spring < tendonShare.length ? tendonShare[spring] : 0;
-        return share == 0
-                ? 1
-                : share == 1 ? ratio / assembledRatio : inSeries(share, ratio) / inSeries(share, assembledRatio);
+        return inSeries(share, ratio) / inSeries(share, assembledRatio);
     }
 
     /** Contractile share along the fibres of each edge of the sheet, 0 in the tendon. */

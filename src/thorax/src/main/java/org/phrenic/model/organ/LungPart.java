@@ -2,7 +2,7 @@ package org.phrenic.model.organ;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.cage.MovingChestWall;
@@ -125,15 +125,12 @@ public final class LungPart {
         TieSprings.connect(parts, lungs, firstNodes, edge);
     }
 
-    /** Calls a function with each scene node of the lungs. */
-    public void forEachNode(IntConsumer action) {
-        for (int k = 0; k < structures.size(); k++) {
+    /** Scene nodes of the lungs. */
+    public IntStream nodes() {
+        return IntStream.range(0, structures.size()).flatMap(k -> {
             int first = firstNodes.get(k);
-            int end = first + structures.get(k).mesh().vertexCount();
-            for (int n = first; n < end; n++) {
-                action.accept(n);
-            }
-        }
+            return IntStream.range(first, first + structures.get(k).mesh().vertexCount());
+        });
     }
 
     /**
