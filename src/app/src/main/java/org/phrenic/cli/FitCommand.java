@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.cli.option.FitSearchOptions;
 import org.phrenic.cli.option.OptionValues;
@@ -169,6 +170,7 @@ final class FitCommand extends ReportingCommand {
         FitReport report = new FitReport(result);
         List<ReportDocument.Picture> pictures = noPictures ? List.of() : FitPictures.draw(result, out, err());
         report.write(out);
+        inside.ifPresent(points -> points.write(out.resolve("landmarks.csv"), body.structuresOf(StructureKind.LUNG)));
         writePages(out, "report", report.document(pictures));
         print(report.values(), () -> {
             String distances = TextTable.of(FitReport.DISTANCES, report.distances());

@@ -41,6 +41,8 @@ import picocli.CommandLine.Option;
             Disclaimer.TEXT
         })
 final class MotionCommand extends ReportingCommand {
+    private static final String POINTS_OFF = "points_off_mean_mm";
+
     @Mixin
     private ScenarioOptions scenarioOptions;
 
@@ -71,13 +73,17 @@ final class MotionCommand extends ReportingCommand {
     }
 
     private static String table(OrderedValues report) {
-        TextTable table = new TextTable(true, true, true).row("time_s", "error_mean_mm", "error_99%_mm");
-        for (Object phase : (List<?>) report.get("phases")) {
+        List<?> phases = (List<?>) report.get("phases");
+        boolean seen = phases.stream().anyMatch(phase -> ((Map<?, ?>) phase).containsKey(POINTS_OFF));
+        TextTable table = new TextTable(true, true, true, true)
+                .row("time_s", "error_mean_mm", "error_99%_mm", seen ? "points_off_mm" : "");
+        for (Object phase : phases) {
             Map<?, ?> values = (Map<?, ?>) phase;
             table.row(
-                    number("%.3f", values.get("time_s")),
-                    number("%.3f", values.get("lattice_error_mean_mm")),
-                    number("%.3f", values.get("lattice_error_percentile_99_mm")));
+                    number(values.get("time_s")),
+                    number(values.get("lattice_error_mean_mm")),
+                    number(values.get("lattice_error_percentile_99_mm")),
+                    seen ? number(values.get(POINTS_OFF)) : "");
         }
         String files = String.join(
                 "\n",
@@ -85,7 +91,7 @@ final class MotionCommand extends ReportingCommand {
         return withDisclaimer(table.text() + "\n" + files + "\n");
     }
 
-    private static String number(String format, Object value) {
-        return String.format(Locale.ROOT, format, (Double) value);
+    private static String number(Object value) {
+        return String.format(Locale.ROOT, "%.3f", (Double) value);
     }
 }

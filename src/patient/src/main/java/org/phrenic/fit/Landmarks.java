@@ -4,8 +4,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.document.CsvTable;
+import org.phrenic.document.CsvWriter;
 import org.phrenic.engine.kinematics.RigidMotion;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
@@ -103,17 +105,7 @@ public record Landmarks(double[] from, double[] scanned, RigidMotion motion) {
     /** Errors for lungs at end-expiration and at the second breath level, in the same order. */
     Errors errors(List<TriangleMesh> rest, List<TriangleMesh> now) {
         double[] depths = new double[from.length / 3];
-        int[] lungs = new int[depths.length];
-        Arrays.fill(depths, Double.POSITIVE_INFINITY);
-        for (int s = 0; s < rest.size(); s++) {
-            double[] signed = new SurfaceDistance(rest.get(s)).signedDistance(from);
-            for (int i = 0; i < depths.length; i++) {
-                if (signed[i] < depths[i]) {
-                    depths[i] = signed[i];
-                    lungs[i] = s;
-                }
-            }
-        }
+        int[] lungs = deepestIn(rest, depths);
         double[] carried = new double[from.length];
         double[] attached = new double[from.length];
         double[] beside = new double[from.length];
@@ -144,6 +136,47 @@ public record Landmarks(double[] from, double[] scanned, RigidMotion motion) {
                 summary(aligned, carried, false),
                 summary(aligned, carried, true),
                 new Shifts(mean(aligned, scanned), mean(aligned, from), outside));
+    }
+
+    /** The lung that each point lies deepest in; writes its signed distance from it, mm. */
+    private int[] deepestIn(List<TriangleMesh> rest, double[] depths) {
+        int[] lungs = new int[depths.length];
+        Arrays.fill(depths, Double.POSITIVE_INFINITY);
+        for (int s = 0; s < rest.size(); s++) {
+            double[] signed = new SurfaceDistance(rest.get(s)).signedDistance(from);
+            for (int i = 0; i < depths.length; i++) {
+                if (signed[i] < depths[i]) {
+                    depths[i] = signed[i];
+                    lungs[i] = s;
+                }
+            }
+        }
+        return lungs;
+    }
+
+    /**
+     * Writes the pairs in the axes of the body with the lung of each, as {@code phrenic motion --points} takes them.
+     *
+     * @param lungs at end-expiration
+     */
+    public void write(Path file, List<Structure> lungs) {
+        int[] own = deepestIn(lungs.stream().map(Structure::mesh).toList(), new double[from.length / 3]);
+        double[] aligned = scanned.clone();
+        motion.apply(aligned);
+        List<List<Object>> rows = new ArrayList<>();
+        for (int i = 0; i < own.length; i++) {
+            List<Object> row = new ArrayList<>(List.of(lungs.get(own[i]).name()));
+            for (double[] places : List.of(from, aligned)) {
+                for (int axis = 0; axis < 3; axis++) {
+                    row.add(places[3 * i + axis]);
+                }
+            }
+            rows.add(row);
+        }
+        List<String> header = new ArrayList<>(List.of("structure"));
+        header.addAll(List.of(FitTarget.FROM));
+        header.addAll(List.of(FitTarget.TO));
+        CsvWriter.write(file, header, rows);
     }
 
     /** A point displaced as the nearest point of a surface. */

@@ -10,6 +10,10 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.document.CsvTable;
 import org.phrenic.engine.kinematics.RigidMotion;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
@@ -86,6 +90,21 @@ class LandmarksTest {
         assertThat(e.bySurface().attached().mean()).isCloseTo(18, offset(1e-9));
         assertThat(e.fittedLessMean().mean()).isLessThan(e.fitted().mean());
         assertThat(e.rigidLessMean().mean()).isLessThan(e.rigid().mean());
+    }
+
+    @Test
+    void pairsAreWrittenInTheAxesOfTheBodyWithTheirLungs() {
+        double[] scanned = FROM.clone();
+        TABLE.inverse().apply(scanned);
+        Path file = folder.resolve("landmarks.csv");
+        List<Structure> lungs = List.of(
+                new Structure("lung_R", StructureKind.LUNG, 0, Side.RIGHT, REST.get(0)),
+                new Structure("lung_L", StructureKind.LUNG, 0, Side.LEFT, REST.get(1)));
+        new Landmarks(FROM, scanned, TABLE).write(file, lungs);
+        CsvTable table = CsvTable.read(file);
+        assertThat(table.texts("structure")).containsExactly("lung_R", "lung_R", "lung_L", "lung_L");
+        assertThat(FitTarget.points(table, FitTarget.FROM)).containsExactly(FROM);
+        assertThat(FitTarget.points(table, FitTarget.TO)).containsExactly(FROM, offset(1e-9));
     }
 
     @Test

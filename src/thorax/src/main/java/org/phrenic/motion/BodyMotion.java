@@ -235,13 +235,17 @@ public final class BodyMotion implements AutoCloseable {
         return closed[surface] == null ? rigid[surface] : closed[surface].lattice();
     }
 
-    /** Distance of the fields for images from the vertices of the surfaces, mm: mean, 99th percentile, greatest. */
+    /**
+     * Distance of the fields for images from the vertices of the surfaces, mm: mean, 99th percentile, greatest.
+     * Vertices along which an elastic lung slides do not count.
+     */
     public double[] latticeError() {
         List<Double> errors = new ArrayList<>();
         double[] u = new double[3];
         for (int i = 0; i < closed.length; i++) {
             double[] p = surfaces.get(i).rest().positions();
-            for (int k = 0; k < p.length && closed[i] != null; k += 3) {
+            boolean held = closed[i] != null && !closed[i].isElastic();
+            for (int k = 0; k < p.length && held; k += 3) {
                 closed[i].lattice().at(p[k], p[k + 1], p[k + 2], u);
                 double square = 0;
                 for (int axis = 0; axis < 3; axis++) {

@@ -75,25 +75,35 @@ final class ClosedRegion {
             return;
         }
         TriangleMesh moved = rest.withPositions(now);
+        double[] u = new double[3];
         solid = solid == null ? new SlidingElasticSolid(rest, moved) : solid.withSurface(moved);
         for (int node = 0; node < active.length; node++) {
             if (active[node]) {
-                double[] place = {lattice.place(node, 0), lattice.place(node, 1), lattice.place(node, 2)};
-                double[] at = solid.moved(place);
-                for (int axis = 0; axis < 3; axis++) {
-                    lattice.vectors[3 * node + axis] = at[axis] - place[axis];
-                }
+                carriedBySolid(lattice.place(node, 0), lattice.place(node, 1), lattice.place(node, 2), u);
+                System.arraycopy(u, 0, lattice.vectors, 3 * node, 3);
             }
         }
         extension.extend();
+    }
+
+    boolean isElastic() {
+        return elastic;
     }
 
     VectorLattice lattice() {
         return lattice;
     }
 
-    /** The field that is exact on the surface; of an elastic solid the field itself, whose surface slides. */
+    /** The field that is exact on the surface; of an elastic solid, whose surface slides, its own. */
     RegionField exact() {
-        return elastic ? lattice : follower.exact(lattice, now);
+        return elastic ? this::carriedBySolid : follower.exact(lattice, now);
+    }
+
+    private void carriedBySolid(double x, double y, double z, double[] out) {
+        double[] place = {x, y, z};
+        double[] at = solid.moved(place);
+        for (int axis = 0; axis < 3; axis++) {
+            out[axis] = at[axis] - place[axis];
+        }
     }
 }

@@ -166,13 +166,15 @@ public final class MotionExport {
         }
         motion.update();
         String at = String.format(Locale.ROOT, "%.3f", simulation.time());
-        points.ifPresent(p -> p.add(simulation.time()));
         double[] error = motion.latticeError();
         OrderedValues values = new OrderedValues()
                 .with("time_s", simulation.time())
                 .with("lattice_error_mean_mm", error[0])
                 .with("lattice_error_percentile_99_mm", error[1])
                 .with("lattice_error_maximum_mm", error[2]);
+        points.flatMap(p -> p.add(simulation.time())).ifPresent(off -> values.with("points_off_mean_mm", off.mean())
+                .with("points_off_sd_mm", off.deviation())
+                .with("points_off_percentile_95_mm", off.percentile95()));
         grid.ifPresent(g -> writeFields(g, at, values));
         image.ifPresent(i -> {
             i.sampler().update();

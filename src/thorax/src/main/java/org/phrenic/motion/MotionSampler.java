@@ -20,6 +20,7 @@ public final class MotionSampler {
     private final BodyMotion motion;
     private final VoxelBox box;
     private final byte[] restLabels;
+    private final RestTissue tissue;
     private final RegionField[] inverse = new RegionField[256];
     private byte[] nowLabels;
 
@@ -27,6 +28,7 @@ public final class MotionSampler {
         this.motion = motion;
         this.box = box;
         restLabels = motion.regions().label(box, motion.rest());
+        tissue = new RestTissue(box, restLabels);
         nowLabels = restLabels;
     }
 
@@ -190,7 +192,7 @@ public final class MotionSampler {
         double[] toVoxel = box.toVoxel();
         each(nowLabels, (region, p, u, voxel) -> {
             source(region, p, u, toVoxel);
-            out[voxel] = linear(values, u[3], u[4], u[5], beyond);
+            out[voxel] = tissue.value(values, region, u[3], u[4], u[5], beyond);
         });
         return out;
     }
@@ -201,11 +203,7 @@ public final class MotionSampler {
         double[] toVoxel = box.toVoxel();
         each(nowLabels, (region, p, u, voxel) -> {
             source(region, p, u, toVoxel);
-            long i = Math.round(u[3]);
-            long j = Math.round(u[4]);
-            long k = Math.round(u[5]);
-            boolean inside = i >= 0 && j >= 0 && k >= 0 && i < box.columns() && j < box.rows() && k < box.slices();
-            out[voxel] = inside ? values[(int) (i + box.columns() * (j + box.rows() * k))] : 0;
+            out[voxel] = tissue.label(values, region, u[3], u[4], u[5]);
         });
         return out;
     }
@@ -220,33 +218,6 @@ public final class MotionSampler {
             int m = 4 * row;
             u[3 + row] = toVoxel[m] * x + toVoxel[m + 1] * y + toVoxel[m + 2] * z + toVoxel[m + 3];
         }
-    }
-
-    private float linear(float[] values, double x, double y, double z, float beyond) {
-        if (!(x > -0.5 && y > -0.5 && z > -0.5)
-                || x >= box.columns() - 0.5
-                || y >= box.rows() - 0.5
-                || z >= box.slices() - 0.5) {
-            return beyond;
-        }
-        double sum = 0;
-        double cx = Math.max(0, Math.min(box.columns() - 1, x));
-        double cy = Math.max(0, Math.min(box.rows() - 1, y));
-        double cz = Math.max(0, Math.min(box.slices() - 1, z));
-        int i = Math.min((int) cx, Math.max(0, box.columns() - 2));
-        int j = Math.min((int) cy, Math.max(0, box.rows() - 2));
-        int k = Math.min((int) cz, Math.max(0, box.slices() - 2));
-        for (int c = 0; c < 8; c++) {
-            double w = ((c & 1) == 1 ? cx - i : 1 - cx + i)
-                    * ((c >> 1 & 1) == 1 ? cy - j : 1 - cy + j)
-                    * (c >> 2 == 1 ? cz - k : 1 - cz + k);
-            if (w != 0) {
-                int a = i + (c & 1);
-                int b = j + (c >> 1 & 1);
-                sum += w * values[a + box.columns() * (b + box.rows() * (k + (c >> 2)))];
-            }
-        }
-        return (float) sum;
     }
 
     /** The region of each voxel now, as a number of {@link BodyMotion#regionNames}. */
