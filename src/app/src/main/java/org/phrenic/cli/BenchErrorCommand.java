@@ -126,7 +126,7 @@ final class BenchErrorCommand extends ReportingCommand {
             names = "--check",
             paramLabel = "FILE",
             description = "Instead: measure six rows of a table again, drawn by its hash; exit code 3 if one is off by"
-                    + " more than 25 %.")
+                    + " more than 25 %%.")
     private Path check;
 
     @Mixin

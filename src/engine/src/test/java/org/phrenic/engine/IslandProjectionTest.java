@@ -55,11 +55,13 @@ class IslandProjectionTest {
                     layout, Arrays.copyOf(upper, linked), Arrays.copyOf(lower, linked), rest, 1e-9, 10)));
             int[] outer = Arrays.copyOfRange(upper, linked, PAIRS);
             int[] inner = Arrays.copyOfRange(lower, linked, PAIRS);
-            int[] triangle = new int[3 * outer.length];
-            Arrays.setAll(triangle, i -> outer[(i / 3 + i % 3) % outer.length]);
+            int[][] ring = new int[outer.length][];
+            Arrays.setAll(ring, i -> IntStream.range(i, i + 3)
+                    .map(k -> outer[k % outer.length])
+                    .toArray());
             double[] least = new double[outer.length];
             Arrays.fill(least, 0.3);
-            system.add(how.apply(new NonInversionPairs(layout, outer, inner, triangle, least, 0)));
+            system.add(how.apply(new NonInversionPairs(layout, outer, inner, ring, least, 0)));
             system.add(how.apply(
                     new SlidingContact(layout, IntStream.range(0, 2 * PAIRS).toArray(), FLOOR, 0)));
             system.setProjectionSweeps(sweeps);

@@ -58,10 +58,10 @@ class LungsInADeepBreathTest {
         }
     }
 
-    /** One of 1,256 vertices is. */
+    /** Two of 1,256 vertices are, in a fold at the back. */
     @Test
     void hardlyAnyIsBelowTheSheet() {
-        assertThat(through(Runs.male(), "virtual/adult-male")).isLessThan(0.001);
+        assertThat(through(Runs.male(), "virtual/adult-male")).isLessThan(0.002);
     }
 
     /**

@@ -1,5 +1,6 @@
 package org.phrenic.engine.constraint;
 
+import java.util.Arrays;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.SeparableConstraint;
 import org.phrenic.engine.math.Triangles;
@@ -12,13 +13,19 @@ import org.phrenic.engine.parallel.NodeLayout;
  *
  * <p>No node may be in two pairs. Where a pair violates the constraint, both nodes are moved, the correction shared by
  * inverse mass, and their approach velocity is removed. They return no faster than
- * {@link SlidingContact#MAX_RETURN_SPEED}. The normal is that of one triangle of the outer face at the outer node,
- * refreshed at an interval.
+ * {@link SlidingContact#MAX_RETURN_SPEED}. The normal is the mean of the triangles about the outer node, weighted by
+ * area and refreshed at an interval. In a fold single triangles turn over while the sheet as a whole does not; the mean
+ * normal follows the sheet, so that pairs in a fold ask nothing that contact with a wall has to undo.
  */
 public final class NonInversionPairs implements SeparableConstraint {
     private final int[] outer;
     private final int[] inner;
-    private final int[] triangle;
+    /**
+     * Corners of the triangles about the outer nodes, times 3; pair i has those from ringStart[i] to ringStart[i+1].
+     */
+    private final int[] ring;
+
+    private final int[] ringStart;
     private final double[] minDistance;
     private final double[] normal;
     private final double[] fresh = new double[3];
@@ -28,33 +35,36 @@ public final class NonInversionPairs implements SeparableConstraint {
      * @param layout layout of the system
      * @param outer outer node of each pair, caller's numbering
      * @param inner inner node of each pair
-     * @param triangle three nodes a pair, a triangle of the outer face, anticlockwise seen from outside
+     * @param rings corners of the triangles of the outer face at each outer node, three nodes a triangle, anticlockwise
+     *     seen from outside
      * @param least smallest distance along the normal, mm, one a pair
      * @param refreshInterval simulated time after which normals are refreshed, s
      */
     public NonInversionPairs(
-            NodeLayout layout, int[] outer, int[] inner, int[] triangle, double[] least, double refreshInterval) {
+            NodeLayout layout, int[] outer, int[] inner, int[][] rings, double[] least, double refreshInterval) {
         int n = outer.length;
-        if (inner.length != n || triangle.length != 3 * n || least.length != n) {
+        if (inner.length != n || rings.length != n || least.length != n) {
             String found =
-                    n + " outer nodes, " + inner.length + " inner, " + triangle.length + " corners and " + least.length;
+                    n + " outer nodes, " + inner.length + " inner, " + rings.length + " rings and " + least.length;
             throw new IllegalArgumentException(
-                    "ordered pairs: found " + found + " distances, expected as many, as many, 3 each and as many");
+                    "ordered pairs: found " + found + " distances, expected as many of each");
         }
         this.outer = new int[n];
         this.inner = new int[n];
-        this.triangle = new int[3 * n];
+        this.ringStart = new int[n + 1];
         this.minDistance = new double[n];
         int[] order = layout.inMemoryOrder(outer);
         for (int i = 0; i < n; i++) {
             int listed = order[i];
             this.outer[i] = 3 * layout.internal(outer[listed]);
             this.inner[i] = 3 * layout.internal(inner[listed]);
-            for (int c = 0; c < 3; c++) {
-                this.triangle[3 * i + c] = 3 * layout.internal(triangle[3 * listed + c]);
-            }
+            this.ringStart[i + 1] = this.ringStart[i] + rings[listed].length;
             this.minDistance[i] = least[listed];
         }
+        this.ring = Arrays.stream(order)
+                .flatMap(listed -> Arrays.stream(rings[listed]))
+                .map(node -> 3 * layout.internal(node))
+                .toArray();
         this.refresh = new RefreshClock(refreshInterval);
         this.normal = new double[3 * n];
     }
@@ -87,10 +97,22 @@ public final class NonInversionPairs implements SeparableConstraint {
     }
 
     private void refreshNormals(double[] x) {
-        for (int i = 0; i < normal.length; i += 3) {
-            // A degenerate triangle keeps its previous normal.
-            if (Triangles.normal(x, triangle[i], triangle[i + 1], triangle[i + 2], fresh) > 0) {
-                System.arraycopy(fresh, 0, normal, i, 3);
+        for (int i = 0; i < outer.length; i++) {
+            double nx = 0;
+            double ny = 0;
+            double nz = 0;
+            for (int t = ringStart[i]; t < ringStart[i + 1]; t += 3) {
+                double doubleArea = Triangles.normal(x, ring[t], ring[t + 1], ring[t + 2], fresh);
+                nx += doubleArea * fresh[0];
+                ny += doubleArea * fresh[1];
+                nz += doubleArea * fresh[2];
+            }
+            double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+            // A degenerate ring keeps its previous normal.
+            if (length > 0) {
+                normal[3 * i] = nx / length;
+                normal[3 * i + 1] = ny / length;
+                normal[3 * i + 2] = nz / length;
             }
         }
     }

@@ -17,7 +17,7 @@ class NonInversionPairsTest {
         NodeLayout layout = NodeLayout.morton(x);
         ParticleSystem system = new ParticleSystem(layout, x, new double[] {1, 1, 1, 3}, Workers.of(1));
         system.add(new NonInversionPairs(
-                layout, new int[] {0}, new int[] {3}, new int[] {0, 1, 2}, new double[] {1}, 0.01));
+                layout, new int[] {0}, new int[] {3}, new int[][] {{0, 1, 2}}, new double[] {1}, 0.01));
         return system;
     }
 
@@ -43,5 +43,41 @@ class NonInversionPairsTest {
         double step = SlidingContact.MAX_RETURN_SPEED * H;
         assertThat(height(system, 0)).isCloseTo(0.75 * step, within(1e-12));
         assertThat(height(system, 3)).isCloseTo(2 - 0.25 * step, within(1e-12));
+    }
+
+    /**
+     * Four triangles about the outer node, of which one has turned over: its far corner was carried across. Along that
+     * triangle's own normal the pair is inverted; along the mean normal, which is +z, it is apart.
+     */
+    @Test
+    void aTriangleThatTurnsOverInAFoldLeavesItsPairAlone() {
+        double[] x = {0, 0, 0, 2, 0, 0, 0, 2, 0, -2, 0, 0, 0.4, 0.5, 0, 0, 0, -1.1};
+        NodeLayout layout = NodeLayout.morton(x);
+        double[] mass = {1, 1, 1, 1, 1, 3};
+        int[] ring = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
+        ParticleSystem system = new ParticleSystem(layout, x, mass, Workers.of(1));
+        system.add(new NonInversionPairs(
+                layout, new int[] {0}, new int[] {5}, new int[][] {ring}, new double[] {1}, 0.01));
+        system.project(0, H);
+        assertThat(height(system, 0)).isZero();
+        assertThat(height(system, 5)).isEqualTo(-1.1);
+        NonInversionPairs byOne = new NonInversionPairs(
+                layout, new int[] {0}, new int[] {5}, new int[][] {{0, 4, 1}}, new double[] {1}, 0.01);
+        byOne.prepare(system, 0);
+        assertThat(byOne.error(system))
+                .as("along the normal of the triangle that turned over")
+                .isCloseTo(2.1, within(1e-12));
+    }
+
+    @Test
+    void theNormalIsTheMeanOfTheRingWeightedByArea() {
+        // Triangles of areas 2 and 1 in the planes z = 0 and x = 0: the mean normal is (1, 0, 2) / sqrt(5).
+        double[] x = {0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, -1, 0, 0, -3};
+        NodeLayout layout = NodeLayout.morton(x);
+        ParticleSystem system = new ParticleSystem(layout, x, new double[] {1, 1, 1, 1, 1}, Workers.of(1));
+        NonInversionPairs pairs = new NonInversionPairs(
+                layout, new int[] {0}, new int[] {4}, new int[][] {{0, 1, 2, 0, 3, 2}}, new double[] {4}, 0.01);
+        pairs.prepare(system, 0);
+        assertThat(pairs.error(system)).isCloseTo(4 - 6 / Math.sqrt(5), within(1e-12));
     }
 }

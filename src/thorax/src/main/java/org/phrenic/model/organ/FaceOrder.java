@@ -1,6 +1,7 @@
 package org.phrenic.model.organ;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
@@ -39,47 +40,52 @@ final class FaceOrder {
         int[] t = diaphragm.sheet().triangles();
         int[] outer = uprightPairs.stream().mapToInt(p -> firstNode + p.outer).toArray();
         int[] inner = uprightPairs.stream().mapToInt(p -> firstNode + p.inner).toArray();
-        int[] corners = uprightPairs.stream()
-                .flatMapToInt(p -> IntStream.range(3 * p.triangle, 3 * p.triangle + 3))
-                .map(c -> firstNode + t[c])
-                .toArray();
+        int[][] rings = uprightPairs.stream()
+                .map(p -> Arrays.stream(p.ring)
+                        .flatMap(triangle -> IntStream.range(3 * triangle, 3 * triangle + 3))
+                        .map(c -> firstNode + t[c])
+                        .toArray())
+                .toArray(int[][]::new);
         double[] separation =
                 uprightPairs.stream().mapToDouble(p -> p.minSeparation).toArray();
-        return new NonInversionPairs(layout, outer, inner, corners, separation, refresh);
+        return new NonInversionPairs(layout, outer, inner, rings, separation, refresh);
     }
 
     /**
      * Two opposing vertices that must not invert.
      *
-     * @param triangle of the outer face; its normal points outward
-     * @param minSeparation minimum distance along that normal, mm
+     * @param ring triangles at the outer vertex; their normals point outward
+     * @param minSeparation minimum distance along their mean normal, mm
      */
-    private record OrderedPair(int outer, int inner, int triangle, double minSeparation) {}
+    private record OrderedPair(int outer, int inner, int[] ring, double minSeparation) {}
 
     /** The pairs across muscle that are nearly normal to the sheet. */
     private List<OrderedPair> uprightPairs(List<OpposingVertices.Pair> pairs) {
         TriangleMesh s = diaphragm.sheet();
         MeshTopology topology = diaphragm.topology();
         double[] p = s.positions();
-        double[] normals = MeshMeasure.triangleNormals(s);
+        double[] normals = MeshMeasure.vertexNormals(s);
         List<OrderedPair> out = new ArrayList<>();
         for (OpposingVertices.Pair pair : pairs) {
             int a = diaphragm.isThoracic(pair.a()) ? pair.a() : pair.b();
             int b = a == pair.a() ? pair.b() : pair.a();
-            int t = topology.vertexTriangles()[topology.vertexTriangleStart()[a]];
-            double along = distanceAlongNormal(p, normals, a, b, t);
+            double along = distanceAlongNormal(p, normals, a, b);
             if (along > UPRIGHT * MassSpringBuilder.distance(p, a, p, b)) {
-                out.add(new OrderedPair(a, b, t, Math.min(MIN_SEPARATION_MM, MIN_SEPARATION_SHARE * along)));
+                int[] ring = Arrays.copyOfRange(
+                        topology.vertexTriangles(),
+                        topology.vertexTriangleStart()[a],
+                        topology.vertexTriangleStart()[a + 1]);
+                out.add(new OrderedPair(a, b, ring, Math.min(MIN_SEPARATION_MM, MIN_SEPARATION_SHARE * along)));
             }
         }
         return out;
     }
 
-    /** Distance of a from b along the normal of a triangle. */
-    private static double distanceAlongNormal(double[] p, double[] normals, int a, int b, int triangle) {
+    /** Distance of a from b along the normal of a. */
+    private static double distanceAlongNormal(double[] p, double[] normals, int a, int b) {
         double sum = 0;
         for (int axis = 0; axis < 3; axis++) {
-            sum += normals[3 * triangle + axis] * (p[3 * a + axis] - p[3 * b + axis]);
+            sum += normals[3 * a + axis] * (p[3 * a + axis] - p[3 * b + axis]);
         }
         return sum;
     }
