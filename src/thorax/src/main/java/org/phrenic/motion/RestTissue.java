@@ -4,9 +4,10 @@ import org.phrenic.mesh.voxel.VoxelBox;
 
 /**
  * What an image of the body at rest shows at a place that lies in a region. Where the voxel that holds the place is of
- * the region, the image is read there. Else the field has led across the border of the region, by less than a voxel
- * where voxels are coarse, or by more where the model opens a gap that nothing has moved into; then the nearest voxel
- * of the region within {@value #REACH_MM} mm stands for the place, so that no region shows the tissue of another.
+ * the region, the image is read there, from voxels of the region alone. Else the field has led across the border of the
+ * region, by less than a voxel where voxels are coarse, or by more where the model opens a gap that nothing has moved
+ * into; then the nearest voxel of the region within {@value #REACH_MM} mm stands for the place, so that no region shows
+ * the tissue of another.
  */
 final class RestTissue {
     /** Deepest gap of the model with some to spare, mm. */
@@ -39,13 +40,19 @@ final class RestTissue {
         return labels[nearest < 0 ? own : nearest];
     }
 
-    /** Value of a region at a place in voxel coordinates, linear between voxels; {@code beyond} beyond the image. */
+    /**
+     * Value of a region at a place in voxel coordinates, linear between its voxels; {@code beyond} beyond the image.
+     */
     float value(float[] values, int region, double x, double y, double z, float beyond) {
         if (beyond(x, y, z)) {
             return beyond;
         }
-        int nearest = holds(voxel(x, y, z), region) ? -1 : nearest(region, x, y, z);
-        return nearest < 0 ? linear(values, x, y, z) : values[nearest];
+        int own = voxel(x, y, z);
+        if (holds(own, region)) {
+            return linear(values, region, x, y, z);
+        }
+        int nearest = nearest(region, x, y, z);
+        return nearest < 0 ? linear(values, Byte.toUnsignedInt(regions[own]), x, y, z) : values[nearest];
     }
 
     private boolean beyond(double x, double y, double z) {
@@ -99,8 +106,10 @@ final class RestTissue {
         return mm * mm;
     }
 
-    private float linear(float[] values, double x, double y, double z) {
+    /** Linear between the voxels of a region that surround a place; it holds the nearest of them. */
+    private float linear(float[] values, int region, double x, double y, double z) {
         double sum = 0;
+        double weights = 0;
         double cx = Math.max(0, Math.min(columns - 1, x));
         double cy = Math.max(0, Math.min(rows - 1, y));
         double cz = Math.max(0, Math.min(slices - 1, z));
@@ -111,10 +120,12 @@ final class RestTissue {
             double w = ((c & 1) == 1 ? cx - i : 1 - cx + i)
                     * ((c >> 1 & 1) == 1 ? cy - j : 1 - cy + j)
                     * (c >> 2 == 1 ? cz - k : 1 - cz + k);
-            if (w != 0) {
-                sum += w * values[index(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2))];
+            int corner = w == 0 ? -1 : index(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2));
+            if (corner >= 0 && holds(corner, region)) {
+                sum += w * values[corner];
+                weights += w;
             }
         }
-        return (float) sum;
+        return (float) (sum / weights);
     }
 }

@@ -29,6 +29,12 @@ class RestTissueTest {
     }
 
     @Test
+    void mixesNoTissueOfAnotherRegionIn() {
+        assertThat(tissue.value(VALUES, 1, 3.4, 0, 0, BEYOND)).isEqualTo(3);
+        assertThat(tissue.value(VALUES, 2, 3.6, 0, 0, BEYOND)).isEqualTo(4);
+    }
+
+    @Test
     void readsThePlaceWhereTheRegionIsOutOfReach() {
         assertThat(tissue.label(VALUES, 3, 6.2, 0, 0)).isEqualTo(6);
         assertThat(tissue.value(VALUES, 3, 6.5, 0, 0, BEYOND)).isEqualTo(6.5f);
