@@ -42,13 +42,19 @@ public final class ErrorBudgetOptions {
             description = "With --whole: a scanned body besides the virtual ones.")
     private Path scan;
 
+    @Option(
+            names = "--beside",
+            paramLabel = "FILE",
+            description = "With --whole: a scenario whose distance from equilibrium is measured beside the defaults'.")
+    private Path beside;
+
     public boolean isGiven() {
         return whole;
     }
 
     /** The options that select scenes, as they were given. */
     public String scenes() {
-        return scan == null ? "" : " --scan DIR";
+        return (scan == null ? "" : " --scan DIR") + (beside == null ? "" : " --beside " + beside.getFileName());
     }
 
     /**
@@ -69,11 +75,15 @@ public final class ErrorBudgetOptions {
         List<Resolution> meshes = OptionValues.split(resolutions).stream()
                 .map(name -> Scenario.defaults().with("resolution=" + name).resolution())
                 .toList();
-        BudgetPlan plan = quick ? BudgetPlan.quick(bodies) : BudgetPlan.full(bodies, meshes);
+        BudgetPlan plan = quick ? BudgetPlan.quick(bodies) : BudgetPlan.full(bodies, meshes, variants());
         Set<BudgetPart> wanted = parts();
         BudgetTable table = new BudgetTable(out == null ? null : out.resolve(TABLE));
         new BudgetStudy(plan, table, progress).run(wanted);
         return new BudgetReport(table);
+    }
+
+    private List<Scenario> variants() {
+        return beside == null ? List.of() : List.of(Scenario.read(beside));
     }
 
     private Set<BudgetPart> parts() {

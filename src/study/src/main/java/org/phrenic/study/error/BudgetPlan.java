@@ -16,6 +16,8 @@ import org.phrenic.study.ReportNumbers;
  * @param sheetVertices numbers of vertices of the diaphragm of the space part, coarsest first
  * @param windowShare part of a breath that is simulated; beyond the end of inspiration for the full excursion
  * @param settings assignments of all scenes
+ * @param variants scenarios, on bodies, breaths and meshes of the plan, whose distance from equilibrium is measured
+ *     beside that of the defaults
  */
 public record BudgetPlan(
         List<Body> bodies,
@@ -23,7 +25,8 @@ public record BudgetPlan(
         List<Mesh> meshes,
         List<Integer> sheetVertices,
         double windowShare,
-        List<String> settings) {
+        List<String> settings,
+        List<Scenario> variants) {
     /** Part of a breath until the domes stand lowest: inspiration, a pause, and what they lag behind. */
     private static final double INSPIRATION_SHARE = 0.6;
 
@@ -44,10 +47,11 @@ public record BudgetPlan(
         meshes = List.copyOf(meshes);
         sheetVertices = List.copyOf(sheetVertices);
         settings = List.copyOf(settings);
+        variants = List.copyOf(variants);
     }
 
     /** The defaults at all resolutions, quiet and deep. */
-    public static BudgetPlan full(List<Body> bodies, List<Resolution> resolutions) {
+    public static BudgetPlan full(List<Body> bodies, List<Resolution> resolutions, List<Scenario> variants) {
         return new BudgetPlan(
                 bodies,
                 List.of("quiet", "deep"),
@@ -57,7 +61,8 @@ public record BudgetPlan(
                         .toList(),
                 SHEET_VERTICES,
                 INSPIRATION_SHARE,
-                List.of("threads=1"));
+                List.of("threads=1"),
+                variants);
     }
 
     /** The sheet alone on coarse meshes and the start of a quiet breath: seconds. */
@@ -68,7 +73,8 @@ public record BudgetPlan(
                 List.of(mesh(840)),
                 List.of(560, 840, 1260),
                 0.025,
-                List.of("threads=1", "lungs=embedded", "sternum=kinematic", "liver=false"));
+                List.of("threads=1", "lungs=embedded", "sternum=kinematic", "liver=false"),
+                List.of());
     }
 
     private static Mesh mesh(int sheetVertices) {
@@ -79,8 +85,12 @@ public record BudgetPlan(
 
     /** Scene of a body and a breath with default settings on a mesh. */
     Scenario scenario(Body body, String breath, Mesh mesh) {
-        return Scenario.defaults()
-                .with("anatomy=" + body.anatomy(), "preset=" + breath)
+        return scenario(Scenario.defaults(), body, breath, mesh);
+    }
+
+    /** The same scene with the settings of another scenario than the default. */
+    Scenario scenario(Scenario base, Body body, String breath, Mesh mesh) {
+        return base.with("anatomy=" + body.anatomy(), "preset=" + breath)
                 .with(settings.toArray(String[]::new))
                 .with(mesh.settings().toArray(String[]::new));
     }

@@ -8,6 +8,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
@@ -173,13 +174,38 @@ public final class BudgetReport {
     }
 
     private void addEquilibrium(ReportDocument page) {
-        addDistances(
-                page,
-                BudgetPart.EQUILIBRIUM,
-                "Distance from equilibrium",
-                "Ribs, muscle and pressure are stopped at a phase of the breath; rms and greatest distance of the"
-                        + " diaphragm's nodes from the equilibrium there.",
-                "stopped at");
+        Map<List<String>, List<BudgetRow>> scenes = table.rows().stream()
+                .filter(r -> r.part() == BudgetPart.EQUILIBRIUM)
+                .collect(Collectors.groupingBy(
+                        r -> List.of(r.body(), r.breath(), r.mesh()), LinkedHashMap::new, Collectors.toList()));
+        if (scenes.isEmpty()) {
+            return;
+        }
+        List<Column> columns = new ArrayList<>(List.of(
+                Column.text("body"),
+                Column.text("breath"),
+                Column.text("mesh"),
+                Column.number("excursion, mm"),
+                Column.number("x real time")));
+        EquilibriumLag.phases().forEach(phase -> columns.add(Column.number("rms at " + phase + ", %")));
+        columns.add(Column.number("max, mm"));
+        List<List<String>> rows = new ArrayList<>();
+        scenes.forEach((scene, phases) -> {
+            BudgetRow first = phases.get(0);
+            List<String> cells = new ArrayList<>(scene);
+            cells.add(format("%.2f", first.excursionMm()));
+            cells.add(Double.isNaN(first.realTime()) ? "" : format("%.2f", first.realTime()));
+            phases.forEach(row -> cells.add(format("%.2f", row.percent())));
+            cells.add(format(
+                    "%.2g", phases.stream().mapToDouble(BudgetRow::maxMm).max().orElseThrow()));
+            rows.add(cells);
+        });
+        page.section("Distance from equilibrium");
+        page.paragraph("Ribs, muscle and pressure are stopped at a phase of the breath, in parts of its period; rms"
+                + " distance of the diaphragm's nodes from the equilibrium there, in per cent of the excursion, and the"
+                + " greatest distance of a node at any of the phases. A mesh with the name of a scenario is of its"
+                + " settings, the others are of the defaults.");
+        page.table("", columns, rows);
     }
 
     private void addOrder(ReportDocument page) {

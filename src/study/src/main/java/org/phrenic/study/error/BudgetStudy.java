@@ -84,7 +84,9 @@ public final class BudgetStudy {
             Work work =
                     switch (part) {
                         case TIME -> () -> time(body, breath, mesh, first);
-                        case EQUILIBRIUM -> () -> equilibrium(body, breath, mesh);
+                        case EQUILIBRIUM ->
+                            () -> equilibrium(
+                                    plan.scenario(body, breath, mesh), List.of(body.name(), breath, mesh.name()));
                         case ORDER -> () -> order(body, breath, mesh);
                         default -> () -> implicit(body, breath, mesh);
                     };
@@ -92,7 +94,17 @@ public final class BudgetStudy {
             if (everywhere || (first && mesh.equals(plan.meshes().get(0)))) {
                 jobs.add(new Job(part, body, breath, mesh.name(), work));
             }
+            if (part == BudgetPart.EQUILIBRIUM) {
+                plan.variants().forEach(variant -> jobs.add(variant(variant, body, breath, mesh)));
+            }
         }
+    }
+
+    private Job variant(Scenario variant, BudgetPlan.Body body, String breath, BudgetPlan.Mesh mesh) {
+        String name = mesh.name() + ", " + variant.name();
+        Scenario scenario = plan.scenario(variant, body, breath, mesh);
+        List<String> names = List.of(body.name(), breath, name);
+        return new Job(BudgetPart.EQUILIBRIUM, body, breath, name, () -> equilibrium(scenario, names));
     }
 
     private List<BudgetRow> time(BudgetPlan.Body body, String breath, BudgetPlan.Mesh mesh, boolean all) {
@@ -159,19 +171,27 @@ public final class BudgetStudy {
         }
     }
 
-    private List<BudgetRow> equilibrium(BudgetPlan.Body body, String breath, BudgetPlan.Mesh mesh) {
-        Scenario scenario = plan.scenario(body, breath, mesh);
+    private static List<BudgetRow> equilibrium(Scenario scenario, List<String> names) {
         try (BreathRunner runs =
                 new BreathRunner(scenario, SimulationRun.loadThorax(scenario), ErrorStudy.breathS(scenario))) {
             SolverSettings settings = SolverSettings.of(scenario);
             Trajectory run = runs.run(settings);
             double excursionMm = runs.excursionMm(run);
             return EquilibriumLag.of(runs, run, settings).stream()
-                    .map(lag -> row(
+                    .map(lag -> new BudgetRow(
                             BudgetPart.EQUILIBRIUM,
-                            List.of(body.name(), breath, mesh.name(), SolverSettings.number(lag.timeS()) + " s"),
+                            names.get(0),
+                            names.get(1),
+                            names.get(2),
+                            SolverSettings.number(lag.timeS()) + " s",
+                            true,
+                            Double.NaN,
                             excursionMm,
-                            new double[] {lag.rmsMm(), lag.maxMm(), Double.NaN}))
+                            lag.rmsMm(),
+                            lag.maxMm(),
+                            Double.NaN,
+                            run.cpuS(),
+                            runs.durationS() / run.cpuS()))
                     .toList();
         }
     }

@@ -40,6 +40,11 @@ public record EquilibriumLag(
 
     private static final int MAX_ROUNDS = 30;
 
+    /** The phases, as shares of a breath. */
+    static List<Double> phases() {
+        return Arrays.stream(PHASES).boxed().toList();
+    }
+
     /** Computes the lag at several phases of a trajectory. */
     static List<EquilibriumLag> of(BreathRunner runs, Trajectory run, SolverSettings settings) {
         List<EquilibriumLag> list = new ArrayList<>();

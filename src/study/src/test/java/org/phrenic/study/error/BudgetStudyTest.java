@@ -34,7 +34,13 @@ class BudgetStudyTest {
         settings.addAll(List.of("area_density_kg_per_m2=60", "tendon_lightness=1", "mass_scaling_s=0.00125"));
         settings.addAll(List.of("damping_rate_per_s=10", "damping_time_s=0"));
         return new BudgetPlan(
-                plan.bodies(), plan.breaths(), plan.meshes(), plan.sheetVertices(), plan.windowShare(), settings);
+                plan.bodies(),
+                plan.breaths(),
+                plan.meshes(),
+                plan.sheetVertices(),
+                plan.windowShare(),
+                settings,
+                List.of());
     }
 
     @BeforeAll
@@ -106,6 +112,37 @@ class BudgetStudyTest {
                 .contains("- Commit abc", "## The defaults", "## Every integrator", "## Error in space")
                 .contains("## Order of convergence in time", "error.png", "extrapolated")
                 .doesNotContain("NaN", "Infinity");
+    }
+
+    private static BudgetRow lag(String mesh, String phase, double rmsMm, double maxMm) {
+        return new BudgetRow(
+                BudgetPart.EQUILIBRIUM,
+                "virtual man",
+                "deep",
+                mesh,
+                phase,
+                true,
+                Double.NaN,
+                50,
+                rmsMm,
+                maxMm,
+                Double.NaN,
+                4,
+                2);
+    }
+
+    @Test
+    void distancesFromEquilibriumAreARowAScene() {
+        BudgetTable lags = new BudgetTable(null);
+        double[] rms = {0.25, 0.5, 0.75, 0.1};
+        for (int i = 0; i < rms.length; i++) {
+            String phase = i + " s";
+            lags.add(List.of(lag("low", phase, rms[i], i), lag("low, heavy-tissue", phase, 10 * rms[i], 2 * i)));
+        }
+        assertThat(MarkdownPage.format(new BudgetReport(lags).document(List.of(), "")))
+                .contains("| virtual man | deep | low | 50.00 | 2.00 | 0.50 | 1.00 | 1.50 | 0.20 | 3.0 |")
+                .contains("| virtual man | deep | low, heavy-tissue | 50.00 | 2.00 | 5.00 | 10.00 | 15.00 | 2.00 | 6.0"
+                        + " |");
     }
 
     @Test
