@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Side;
+import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.mesh.query.SegmentProbe;
 import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.simulation.observe.Frame;
@@ -11,7 +12,8 @@ import org.phrenic.simulation.observe.Surface;
 
 /**
  * A moving surface that supports distance and intersection queries. For a deforming surface, the bounding volume tree
- * is refitted to each frame. For a rigid surface, the query is transformed into the rest axes of the surface instead.
+ * is refitted in a frame when it is first asked for: most structures are far from the needle. For a rigid surface, the
+ * query is transformed into the rest axes of the surface instead.
  */
 public final class MovingStructure {
     /** Tolerance for rounding errors when a box is transformed by a single precision pose, mm. */
@@ -25,6 +27,8 @@ public final class MovingStructure {
     private final double[] restBox;
     private final double[] box;
     private float[] pose = new float[0];
+    /** Whether the surface has moved since the tree was refitted. */
+    private volatile boolean moved;
 
     MovingStructure(Surface surface, int index) {
         this.surface = surface;
@@ -42,11 +46,18 @@ public final class MovingStructure {
     public void update(Frame frame) {
         if (surface.motion() == Surface.Motion.DEFORMING) {
             frame.writePositions(surface, index, positions);
-            tree.refit(positions);
-            System.arraycopy(surface.rest().withPositions(positions).bounds(), 0, box, 0, box.length);
+            updateBox();
+            moved = true;
         } else if (surface.motion() == Surface.Motion.RIGID) {
             pose = frame.pose(index).clone();
             updateRigidBox();
+        }
+    }
+
+    private void updateBox() {
+        BoundingBoxes.setEmpty(box, 0);
+        for (int i = 0; i < positions.length; i += 3) {
+            BoundingBoxes.include(box, 0, positions, i);
         }
     }
 
@@ -107,8 +118,19 @@ public final class MovingStructure {
         return box.clone();
     }
 
+    /** The surface in local axes. The first call after an update refits the tree, and other threads wait for it. */
     public TriangleTree tree() {
+        if (moved) {
+            refit();
+        }
         return tree;
+    }
+
+    private synchronized void refit() {
+        if (moved) {
+            tree.refit(positions);
+            moved = false;
+        }
     }
 
     /** Vertex positions in local axes: current positions of a deforming surface, rest positions of a rigid one. */

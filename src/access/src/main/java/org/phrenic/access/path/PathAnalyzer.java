@@ -120,6 +120,9 @@ public final class PathAnalyzer {
     }
 
     private int intersect(MovingStructure s, double[] entry, double[] end) {
+        if (s.boxDistance(entry, end) > 0) {
+            return 0;
+        }
         s.setProbe(entry, end, probe);
         return probe.intersect(s.tree());
     }
