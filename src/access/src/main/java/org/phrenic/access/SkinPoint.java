@@ -47,6 +47,13 @@ public final class SkinPoint {
         weights = new double[] {hit.weightA, hit.weightB, hit.weightC};
     }
 
+    /** The corner of its triangle that it is nearest to, in weights: a vertex of the skin. */
+    public int nearestVertex() {
+        int most = weights[1] > weights[0] ? 1 : 0;
+        most = weights[2] > weights[most] ? 2 : most;
+        return skin.surface().rest().triangles()[3 * triangle + most];
+    }
+
     /** Position in the current frame, LPS, mm. */
     public double[] current() {
         int[] t = skin.surface().rest().triangles();

@@ -6,15 +6,19 @@ import java.util.List;
 import java.util.Locale;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RobotOperator;
+import org.phrenic.cli.option.ProvenanceOption;
+import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
-import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.file.BadInputException;
+import org.phrenic.study.ExerciseReport;
 import org.phrenic.study.ExerciseStudy;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -26,12 +30,14 @@ import picocli.CommandLine.Parameters;
         footer = {
             "",
             "Examples:",
-            "  phrenic bench exercises",
+            "  phrenic bench exercises --set resolution=low --out result        about ten minutes",
             "  phrenic bench exercises data/exercises/2-dome-target.yaml --attempts 20 --set resolution=low",
             "",
+            "DIR gets exercises.md and exercises.json.",
             Disclaimer.TEXT
         })
 final class BenchExercisesCommand extends ReportingCommand {
+    private static final int ATTEMPTS = 50;
     private static final int MOST_ATTEMPTS = 10_000;
 
     @Parameters(arity = "0..*", paramLabel = "PLAN", description = "Plans of rehearsals; the exercises without any.")
@@ -40,15 +46,22 @@ final class BenchExercisesCommand extends ReportingCommand {
     @Option(
             names = "--attempts",
             paramLabel = "N",
-            defaultValue = "50",
+            defaultValue = "" + ATTEMPTS,
             description = "Attempts in either way of breathing (${DEFAULT-VALUE}).")
     private int attempts;
 
     @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Sets a value of the scenarios; may be repeated.")
     private List<String> set = new ArrayList<>();
 
+    @Mixin
+    private ProvenanceOption provenance;
+
+    @Mixin
+    private ReportFolder out;
+
     @Override
     public Integer call() {
+        out.check();
         if (attempts < 1 || attempts > MOST_ATTEMPTS) {
             throw new BadInputException("--attempts: found " + attempts + ", expected 1 to " + MOST_ATTEMPTS);
         }
@@ -64,18 +77,21 @@ final class BenchExercisesCommand extends ReportingCommand {
         } finally {
             progress.end();
         }
-        RobotOperator.Hand hand = RobotOperator.Hand.STANDARD;
-        OrderedValues report = new OrderedValues()
-                .with("reaction_s", hand.reactionS())
-                .with("latency_s", hand.latencyS())
-                .with("hand_deg", hand.angleDeg())
-                .with("hand_depth_mm", hand.depthMm())
-                .with(
-                        "results",
-                        results.stream().map(ExerciseStudy.Result::toMap).toList())
-                .with("notice", Disclaimer.TEXT);
-        print(report, () -> table(results));
+        ExerciseReport report = new ExerciseReport(RobotOperator.Hand.STANDARD, results);
+        out.write("exercises.md", MarkdownPage.format(report.document(provenance.lines(arguments()))));
+        out.write("exercises.json", report.values());
+        print(report.values(), () -> table(results));
         return ExitCode.SUCCESS;
+    }
+
+    private String arguments() {
+        StringBuilder text = new StringBuilder("bench exercises");
+        plans.forEach(plan -> text.append(' ').append(plan));
+        if (attempts != ATTEMPTS) {
+            text.append(" --attempts ").append(attempts);
+        }
+        set.forEach(value -> text.append(" --set ").append(value));
+        return text.toString();
     }
 
     private String table(List<ExerciseStudy.Result> results) {

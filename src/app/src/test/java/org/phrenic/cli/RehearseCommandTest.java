@@ -67,6 +67,15 @@ class RehearseCommandTest {
                 .contains("Not for clinical use", "not validated", "The path over a breath");
     }
 
+    @Test
+    void anEntryOnTheCutEndOfTheBodyIsRefusedWithOneSentence() throws IOException {
+        String steps = STEPS.replace("entry: best-at-end-expiration", "entry: [-60, 0, -135]");
+        CommandLineRun run = rehearse("cut", BODY + TARGET + steps);
+        assertThat(run.exitCode()).as(run.err()).isEqualTo(2);
+        assertThat(run.err()).contains("found (-60.0, 0.0, -135.0), the cut end of the body, expected skin");
+        assertThat(folder.resolve("cut")).doesNotExist();
+    }
+
     private static String onThreads(int count) {
         return BODY.replace("resolution: low", "resolution: low, threads: " + count);
     }

@@ -27,13 +27,24 @@ public final class ExerciseStudy {
     /**
      * What came of the attempts on one exercise.
      *
+     * @param body the body of its scenario
+     * @param targetMm diameter of the target, mm
      * @param hitShare share of attempts with a hit, 0 to 1
      * @param medianMm median distance of the sample from the middle of the target, mm
      */
-    public record Result(String exercise, boolean held, int attempts, double hitShare, double medianMm) {
+    public record Result(
+            String exercise,
+            String body,
+            double targetMm,
+            boolean held,
+            int attempts,
+            double hitShare,
+            double medianMm) {
         public OrderedValues toMap() {
             return new OrderedValues()
                     .with("exercise", exercise)
+                    .with("body", body)
+                    .with("target_mm", targetMm)
                     .with("breath", held ? "held" : "free")
                     .with("attempts", attempts)
                     .with("hit_share", hitShare)
@@ -65,12 +76,13 @@ public final class ExerciseStudy {
                             plan.file() + ": found no path to the target free at end-expiration, expected one"));
             progress.note(plan.title() + ": breath and access map are there.");
             return List.of(
-                    run(new RobotOperator(plan, anatomy, access, entry, hand, false), plan, false, attempts),
-                    run(new RobotOperator(plan, anatomy, access, entry, hand, true), plan, true, attempts));
+                    run(new RobotOperator(plan, anatomy, access, entry, hand, false), plan, access, false, attempts),
+                    run(new RobotOperator(plan, anatomy, access, entry, hand, true), plan, access, true, attempts));
         }
     }
 
-    private static Result run(RobotOperator robot, RehearsalPlan plan, boolean held, int attempts) {
+    private static Result run(
+            RobotOperator robot, RehearsalPlan plan, TargetAccess access, boolean held, int attempts) {
         double[] mm = new double[attempts];
         int hits = 0;
         for (int i = 0; i < attempts; i++) {
@@ -80,6 +92,13 @@ public final class ExerciseStudy {
         }
         Arrays.sort(mm);
         double median = 0.5 * (mm[(attempts - 1) / 2] + mm[attempts / 2]);
-        return new Result(plan.title(), held, attempts, (double) hits / attempts, median);
+        return new Result(
+                plan.title(),
+                plan.scenario().anatomy(),
+                access.target().diameterMm(),
+                held,
+                attempts,
+                (double) hits / attempts,
+                median);
     }
 }

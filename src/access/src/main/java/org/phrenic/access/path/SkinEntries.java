@@ -1,9 +1,12 @@
 package org.phrenic.access.path;
 
 import java.util.List;
+import java.util.Locale;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.MovingStructure;
+import org.phrenic.access.SkinPoint;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
@@ -83,5 +86,26 @@ public final class SkinEntries {
     /** What a vertex of the skin is. */
     public Place place(int vertex) {
         return places[vertex];
+    }
+
+    /**
+     * A point of the skin where a needle may enter.
+     *
+     * @param atRest position at end-expiration, LPS, mm
+     * @throws BadInputException if the position is off the skin, or at a place that is no entry
+     */
+    public static SkinPoint pointAtRest(MovingAnatomy anatomy, double[] atRest) {
+        SkinPoint point = SkinPoint.atRest(anatomy.skin(), atRest);
+        Place place = new SkinEntries(anatomy).place(point.nearestVertex());
+        if (place != Place.ENTRY) {
+            throw new BadInputException(String.format(
+                    Locale.ROOT,
+                    "entry: found (%.1f, %.1f, %.1f), %s, expected skin that a needle may enter",
+                    atRest[0],
+                    atRest[1],
+                    atRest[2],
+                    place.label()));
+        }
+        return point;
     }
 }

@@ -12,6 +12,7 @@ import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.attempt.NeedleInsertion;
 import org.phrenic.access.attempt.NeedleSnapshots;
 import org.phrenic.access.path.AccessMap;
+import org.phrenic.access.path.SkinEntries;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.Vectors;
@@ -250,7 +251,7 @@ public final class LiveRehearsal implements StepListener {
             if (needle.shaft().isPlaced() && needle.shaft().depth() > 0) {
                 throw new BadInputException("entry: found the needle in the body, expected it withdrawn first");
             }
-            SkinPoint point = SkinPoint.atRest(anatomy.skin(), onSkinAtRest);
+            SkinPoint point = SkinEntries.pointAtRest(anatomy, onSkinAtRest);
             entryRest = Optional.of(onSkinAtRest.clone());
             entry = Optional.of(point);
             angles = Optional.of(initialAngles);

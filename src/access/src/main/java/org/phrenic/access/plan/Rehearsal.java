@@ -6,7 +6,6 @@ import java.util.Optional;
 import org.phrenic.access.BreathCycle;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.MovingAnatomy;
-import org.phrenic.access.SkinPoint;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.attempt.AttemptRecord;
 import org.phrenic.access.attempt.NeedleInsertion;
@@ -15,6 +14,7 @@ import org.phrenic.access.attempt.NeedleSnapshots;
 import org.phrenic.access.attempt.ProbeUse;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.PathOverBreath;
+import org.phrenic.access.path.SkinEntries;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.breathing.RespiratoryPhase;
@@ -144,7 +144,7 @@ public record Rehearsal(
             if (step instanceof PlanStep.Place place && place.entryRest().isPresent()) {
                 double[] entry = place.entryRest().get();
                 try {
-                    SkinPoint.atRest(anatomy.skin(), entry);
+                    SkinEntries.pointAtRest(anatomy, entry);
                     plan.needle().requireReach(entry, place.aim().point().orElse(target.restMm()));
                 } catch (BadInputException bad) {
                     throw new BadInputException(step.place() + ": " + bad.getMessage(), bad);
