@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import org.phrenic.cli.option.OptionValues;
+import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.ReportingCommand;
@@ -16,6 +17,7 @@ import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.sweep.SweepPlan;
 import org.phrenic.study.sweep.SweepResults;
 import org.phrenic.study.sweep.SweepStudy;
+import org.phrenic.study.sweep.report.SummaryPage;
 import org.phrenic.study.sweep.report.SweepReport;
 import org.phrenic.study.sweep.run.ClusterService;
 import org.phrenic.study.sweep.run.Shard;
@@ -24,6 +26,7 @@ import org.phrenic.study.sweep.run.SweepFolder;
 import org.phrenic.study.sweep.run.SweepRunner;
 import org.phrenic.study.sweep.run.ThreadExecutor;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
@@ -68,8 +71,17 @@ final class SweepCommand extends ReportingCommand {
     @Option(names = "--master", paramLabel = "URL", description = "Master of an Apache Spark cluster.")
     private String master;
 
+    @Option(names = "--page", paramLabel = "FILE", description = "Also a Markdown page of the results, with pictures.")
+    private Path page;
+
+    @Mixin
+    private ProvenanceOption provenance;
+
     @Override
     public Integer call() {
+        if (page != null && shard != null) {
+            throw new ParameterException(commandLine(), "found --page with --shard, expected --page with --merge");
+        }
         if (merge != null) {
             if (file != null || out != null || shard != null || master != null || threads != null) {
                 throw new ParameterException(commandLine(), "found --merge with other options, expected it alone");
@@ -114,6 +126,10 @@ final class SweepCommand extends ReportingCommand {
 
     private int report(SweepResults results, Shard part) {
         SweepReport report = new SweepReport(results, 0, 1);
+        if (page != null) {
+            String study = file == null ? "--merge " + merge : file + " --out " + out;
+            new SummaryPage(page, report.summary(provenance.lines("sweep " + study))).write();
+        }
         print(report.values(), () -> {
             String state = results.done() + " of " + results.plan().size() + " runs are done, " + results.failed()
                     + " failed; " + ReportNumbers.number(results.wallS()) + " s of computing time\n";

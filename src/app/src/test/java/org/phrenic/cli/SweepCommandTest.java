@@ -40,6 +40,21 @@ class SweepCommandTest {
     }
 
     @Test
+    void aPageHasIndicesProvenanceAndPicturesBesideIt() throws IOException {
+        Path page = folder.resolve("found.md");
+        String out = folder.resolve("out").toString();
+        CommandLineRun run = CommandLineRun.of(
+                "sweep", study().toString(), "--out", out, "--page", page.toString(), "--made-by", "Commit 1234567");
+        assertThat(run.exitCode()).as(run.err()).isZero();
+        assertThat(Files.readString(page))
+                .contains("- Commit 1234567\n- With: phrenic sweep ", "total \\[95 %\\]", "(found-1.svg)", "| x1 |");
+        assertThat(Files.readString(folder.resolve("found-1.svg")))
+                .startsWith("<svg ")
+                .contains(">x1</text>")
+                .endsWith("</svg>\n");
+    }
+
+    @Test
     void aMergeOfAnUnfinishedStudySaysHowManyRunsAreMissing() throws IOException {
         Path out = folder.resolve("out");
         String file = study().toString();
@@ -62,6 +77,7 @@ class SweepCommandTest {
                 List.of("sweep", "--merge", out),
                 List.of("sweep", file, "--merge", out),
                 List.of("sweep", file, "--out", out, "--shard", "4/4"),
+                List.of("sweep", file, "--out", out, "--shard", "0/4", "--page", out + ".md"),
                 List.of("sweep", file, "--out", out, "--shard", "1/2", "--master", "local[1]"),
                 List.of("sweep", folder.resolve("none.yaml").toString(), "--out", out))) {
             CommandLineRun run = CommandLineRun.of(args.toArray(String[]::new));
@@ -75,9 +91,9 @@ class SweepCommandTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"ishigami", "small", "liver-motion", "cohort", "access"})
+    @ValueSource(strings = {"ishigami", "small", "liver-motion", "liver-shares", "cohort", "access"})
     void theStudiesThatComeWithTheProgramHavePlans(String name) {
         SweepPlan plan = SweepPlan.of(SweepStudy.read(STUDIES.resolve(name + ".yaml")));
-        assertThat(plan.size()).isIn(5120, 16, 512, 1000, 200);
+        assertThat(plan.size()).isIn(5120, 16, 128, 512, 1000, 200);
     }
 }

@@ -141,6 +141,33 @@ public final class SweepReport {
     public String html() {
         ReportDocument page = new ReportDocument(results.plan().study().title(), state());
         failures(page);
+        factorsAndResponses(page);
+        analyses.forEach(a -> response(page, a));
+        new WayMap(results).addTo(page);
+        new SeriesBands(results).addTo(page);
+        page.section("Machines");
+        results.machines().forEach((machine, count) -> page.paragraph(machine + ": " + count + " runs."));
+        return HtmlPage.format(page);
+    }
+
+    /**
+     * What the study found, without curves: factors, responses, measures of sensitivity.
+     *
+     * @param provenance lines on how it was made
+     */
+    public ReportDocument summary(List<String> provenance) {
+        ReportDocument page = new ReportDocument(results.plan().study().title(), state());
+        page.points(provenance.toArray(String[]::new));
+        failures(page);
+        factorsAndResponses(page);
+        for (ResponseAnalysis a : analyses) {
+            page.section(a.name());
+            measures(page, a);
+        }
+        return page;
+    }
+
+    private void factorsAndResponses(ReportDocument page) {
         page.section("Factors");
         page.table(
                 "",
@@ -159,24 +186,18 @@ public final class SweepReport {
                         Column.number("97.5 %"),
                         Column.number("greatest")),
                 analyses.stream().map(SweepReport::summary).toList());
-        analyses.forEach(a -> response(page, a));
-        new WayMap(results).addTo(page);
-        new SeriesBands(results).addTo(page);
-        page.section("Machines");
-        results.machines().forEach((machine, count) -> page.paragraph(machine + ": " + count + " runs."));
-        return HtmlPage.format(page);
     }
 
     private String state() {
         int size = results.plan().size();
         String state = format(
-                "%d of %d runs of the design '%s' are done, %d failed; %.0f s of computing time, %d at a time.",
+                "%d of %d runs of the design '%s' are done, %d failed; %.0f s of computing time%s.",
                 results.done(),
                 size,
                 results.plan().study().design().kind().label(),
                 results.failed(),
                 results.wallS(),
-                width);
+                width > 1 ? ", " + width + " at a time" : "");
         return results.isComplete() || leftS <= 0
                 ? state
                 : state + format(" About %.0f min are left.", Math.ceil(leftS / MINUTE_S));
@@ -230,6 +251,13 @@ public final class SweepReport {
 
     private void response(ReportDocument page, ResponseAnalysis a) {
         page.section(a.name());
+        measures(page, a);
+        page.figure("Tornado: least and greatest mean of the response over the bins of each factor.", tornado(a));
+        List<Picture> curves = order(a).stream().map(f -> curve(a, f)).toList();
+        page.add(new Figure("Mean response over each factor, with one standard deviation.", curves));
+    }
+
+    private void measures(ReportDocument page, ResponseAnalysis a) {
         if (!measureNames().isEmpty()) {
             List<Column> columns = new ArrayList<>(List.of(Column.text("factor")));
             measureNames().forEach(name -> columns.add(Column.number(name + " [95 %]")));
@@ -245,9 +273,6 @@ public final class SweepReport {
                         "Mean absolute elementary effect mu* (blue) and standard deviation sigma (orange), in units of"
                                 + " the response per range of the factor.",
                         effects(a, m)));
-        page.figure("Tornado: least and greatest mean of the response over the bins of each factor.", tornado(a));
-        List<Picture> curves = order(a).stream().map(f -> curve(a, f)).toList();
-        page.add(new Figure("Mean response over each factor, with one standard deviation.", curves));
     }
 
     private List<String> measured(ResponseAnalysis a, int f) {

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Each design has the property for which it is used. */
 class SweepDesignTest {
@@ -58,6 +60,20 @@ class SweepDesignTest {
                 sum += points[s * 5][f];
             }
             assertThat(sum / 64).isBetween(0.48, 0.52);
+        }
+    }
+
+    /** The index of a factor is right only if its columns in A and B have nothing in common. */
+    @ParameterizedTest
+    @ValueSource(ints = {3, 6, 15})
+    void theColumnsOfAFactorAreNotCorrelated(int k) {
+        double[][] points = new SaltelliDesign(k, 64, 1).points();
+        for (int f = 0; f < k; f++) {
+            double sum = 0;
+            for (int s = 0; s < 64; s++) {
+                sum += (points[s * (k + 2)][f] - 0.5) * (points[s * (k + 2) + 1][f] - 0.5);
+            }
+            assertThat(12 * sum / 64).isBetween(-0.2, 0.2);
         }
     }
 
