@@ -21,6 +21,9 @@ import org.phrenic.mesh.TriangleMesh;
  * one is thoracic, whatever its shape. If the votes contradict the patches at more than {@value #MISREAD_SHARE} of all
  * vertices, not counting those within {@value #BORDER_EDGES} edges of a patch's border, the patches decide, and
  * vertices between them take the face of the neighbour with the most similar normal.
+ *
+ * <p>A face is connected. A connected component of one face of fewer than {@value #ISLAND_SHARE} of all vertices, such
+ * as a dimple that votes and patches misread, takes the other face.
  */
 public final class DiaphragmFaces {
     /**
@@ -37,6 +40,8 @@ public final class DiaphragmFaces {
     private static final double MISREAD_SHARE = 0.002;
     /** Least share of the vertices in the smaller of the two largest patches, if these are the two faces. */
     private static final double FACE_SHARE = 0.4;
+    /** Least share of the vertices in a connected component of a face. */
+    private static final double ISLAND_SHARE = 0.01;
     /** Cosines of the angle between neighbouring normals within a patch, tried in this order. */
     private static final double[] PATCH_COSINES = {0.5, 0.6, 0.7, 0.8, 0.9, 0.95};
 
@@ -67,9 +72,10 @@ public final class DiaphragmFaces {
         for (int i = 0; i < n; i++) {
             thoracic[i] = score[i] > 0;
         }
-        correct(sheet, topology.edges(), normals);
-        onBorder = new boolean[n];
         int[] edges = topology.edges();
+        correct(sheet, edges, normals);
+        joinIslands(thoracic, edges);
+        onBorder = new boolean[n];
         for (int e = 0; e < edges.length; e += 2) {
             if (thoracic[edges[e]] != thoracic[edges[e + 1]]) {
                 onBorder[edges[e]] = true;
@@ -198,6 +204,24 @@ public final class DiaphragmFaces {
         }
         for (int i = 0; i < face.length; i++) {
             thoracic[i] = face[i] < 0 ? thoracic[i] : face[i] == 1;
+        }
+    }
+
+    /** Gives small connected components of one face to the other, given the two ends of each edge. */
+    static void joinIslands(boolean[] thoracic, int[] edges) {
+        int n = thoracic.length;
+        int[] sets = DisjointSets.singletons(n);
+        for (int e = 0; e < edges.length; e += 2) {
+            if (thoracic[edges[e]] == thoracic[edges[e + 1]]) {
+                DisjointSets.unionToLower(sets, edges[e], edges[e + 1]);
+            }
+        }
+        int[] size = new int[n];
+        for (int i = 0; i < n; i++) {
+            size[DisjointSets.find(sets, i)]++;
+        }
+        for (int i = 0; i < n; i++) {
+            thoracic[i] ^= size[DisjointSets.find(sets, i)] < ISLAND_SHARE * n;
         }
     }
 

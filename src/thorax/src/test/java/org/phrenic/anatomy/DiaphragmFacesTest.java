@@ -86,6 +86,28 @@ class DiaphragmFacesTest {
         assertThat(border).isEqualTo(2 * 6 * rings);
     }
 
+    /** A strip of 600 vertices, the first half thoracic, with an island of three in it and one of seven in the rest. */
+    @Test
+    void anIslandOfFewVerticesTakesTheFaceAroundIt() {
+        int n = 600;
+        boolean[] thoracic = new boolean[n];
+        int[] edges = new int[2 * (n - 1)];
+        for (int i = 0; i < n; i++) {
+            boolean three = i >= 100 && i < 103;
+            boolean seven = i >= 400 && i < 407;
+            thoracic[i] = i < n / 2 ? !three : seven;
+            if (i > 0) {
+                edges[2 * i - 2] = i - 1;
+                edges[2 * i - 1] = i;
+            }
+        }
+        DiaphragmFaces.joinIslands(thoracic, edges);
+        for (int i = 0; i < n; i++) {
+            // Seven of 600 are more than a hundredth, so they are taken for a part of a face.
+            assertThat(thoracic[i]).as("vertex %s", i).isEqualTo(i < n / 2 || i >= 400 && i < 407);
+        }
+    }
+
     @Test
     void bothFacesOfTheVirtualSheetsHaveAboutEqualArea() {
         for (String body : new String[] {"adult-male", "adult-female"}) {
