@@ -29,6 +29,7 @@ import picocli.CommandLine.ParameterException;
             BenchErrorCommand.class,
             BenchStabilityCommand.class,
             BenchBodiesCommand.class,
+            BenchOrgansCommand.class,
             BenchFitsCommand.class,
             BenchWindowCommand.class,
             BenchExercisesCommand.class

@@ -69,7 +69,7 @@ final class BreathCheck {
         Frame now = surfaces.newFrame();
         Frame lowest = surfaces.newFrame();
         double[] rest = now.values().clone();
-        List<TriangleMesh> atRest = meshes(now);
+        List<TriangleMesh> atRest = meshes(surfaces.surfaces(), now);
         OrganCrossing restCrossing = crossing.measure(surfaces.surfaces(), atRest);
         if (depth == BreathDepth.QUIET) {
             witness.seen(body, "rest", surfaces.surfaces(), atRest);
@@ -89,7 +89,7 @@ final class BreathCheck {
         } catch (DivergenceException e) {
             return BreathResult.failed(depth, e.getMessage(), restCrossing);
         }
-        List<TriangleMesh> inspired = meshes(lowest);
+        List<TriangleMesh> inspired = meshes(surfaces.surfaces(), lowest);
         witness.seen(body, depth.preset(), surfaces.surfaces(), inspired);
         return new BreathResult(
                 depth,
@@ -103,10 +103,11 @@ final class BreathCheck {
                 crossing.measure(surfaces.surfaces(), inspired));
     }
 
-    private List<TriangleMesh> meshes(Frame frame) {
+    /** The surfaces of a scene in a frame of it. */
+    static List<TriangleMesh> meshes(List<Surface> surfaces, Frame frame) {
         List<TriangleMesh> meshes = new ArrayList<>();
-        for (int i = 0; i < surfaces.surfaces().size(); i++) {
-            Surface surface = surfaces.surfaces().get(i);
+        for (int i = 0; i < surfaces.size(); i++) {
+            Surface surface = surfaces.get(i);
             double[] p = new double[surface.rest().positions().length];
             frame.writePositions(surface, i, p);
             meshes.add(surface.rest().withPositions(p));
@@ -114,7 +115,8 @@ final class BreathCheck {
         return meshes;
     }
 
-    private static double domes(double[] values) {
+    /** Sum of the heights of the domes, mm. */
+    static double domes(double[] values) {
         return value("dome_right_mm", values) + value("dome_left_mm", values);
     }
 
