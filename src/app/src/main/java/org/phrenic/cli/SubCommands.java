@@ -5,6 +5,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import org.phrenic.cli.bench.BenchCommand;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.FailureHandler;
 import picocli.CommandLine;

@@ -1,4 +1,4 @@
-package org.phrenic.cli;
+package org.phrenic.cli.bench;
 
 import java.nio.file.Path;
 import org.phrenic.cli.report.ExitCode;
@@ -42,7 +42,7 @@ import picocli.CommandLine.ParameterException;
             "",
             "Index files hold vertex numbers from 0, one a line; --links two a line."
         })
-final class BenchCommand extends ReportingCommand {
+public final class BenchCommand extends ReportingCommand {
 
     /** A group, so that its files are required together, and not if a subcommand is given. */
     @ArgGroup(exclusive = false)

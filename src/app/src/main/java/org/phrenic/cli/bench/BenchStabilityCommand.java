@@ -1,4 +1,4 @@
-package org.phrenic.cli;
+package org.phrenic.cli.bench;
 
 import java.util.List;
 import org.phrenic.cli.option.OptionValues;

@@ -1,4 +1,4 @@
-package org.phrenic.cli;
+package org.phrenic.cli.bench;
 
 import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;

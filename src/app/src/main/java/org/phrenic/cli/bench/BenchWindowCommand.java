@@ -1,4 +1,4 @@
-package org.phrenic.cli;
+package org.phrenic.cli.bench;
 
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;

@@ -1,4 +1,4 @@
-package org.phrenic.cli;
+package org.phrenic.cli.bench;
 
 import java.nio.file.Files;
 import java.nio.file.Path;

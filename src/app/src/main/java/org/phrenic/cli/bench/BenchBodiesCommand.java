@@ -1,4 +1,4 @@
-package org.phrenic.cli;
+package org.phrenic.cli.bench;
 
 import java.io.IOException;
 import java.nio.file.Files;
