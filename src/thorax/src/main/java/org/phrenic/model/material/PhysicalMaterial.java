@@ -22,6 +22,12 @@ import org.phrenic.parameter.SettingValues;
  * chest wall on which diaphragm and lungs slide.
  */
 final class PhysicalMaterial extends TissueMaterial {
+    /**
+     * Mass of a lung's node over the least for its springs in any shape. A spring that is pressed to nothing in a fold
+     * turns at every step; its force then kicks the node by an impulse that only mass opposes.
+     */
+    private static final double LUNG_MARGIN = 2;
+
     private static final double TIME_STEP_S = 0.00125;
     /**
      * Contact and non-inversion constraints share nodes. After three Gauss-Seidel sweeps the residual is below a
@@ -128,7 +134,8 @@ final class PhysicalMaterial extends TissueMaterial {
         double step = scene.settings().get(Numerics.MASS_SCALING) / Stepper.SAFETY;
         double[] least = scaling.leastMasses(step);
         // In a deep breath lungs fold at their edges; nothing that is observed of the diaphragm depends on their mass.
-        scene.lungs().ifPresent(lungs -> lungs.nodes().forEach(n -> least[n] = scaling.leastMassForAnyShape(n, step)));
+        scene.lungs().ifPresent(lungs -> lungs.nodes()
+                .forEach(n -> least[n] = LUNG_MARGIN * scaling.leastMassForAnyShape(n, step)));
         return least;
     }
 }
