@@ -85,8 +85,9 @@ public record ExerciseReport(RobotOperator.Hand hand, List<ExerciseStudy.Result>
         report.points(provenance.toArray(String[]::new));
         report.paragraph(
                 "Wanted: hit rates of 30 to 95 %, median distances of the sample from the middle of the target of 2 to"
-                    + " 10 mm, fewer hits and greater distances in free than in held breath. The numbers of attempts"
-                    + " are those in either way of breathing; of 50, a rate of 70 % has a standard error of 6.5 %.");
+                        + " 10 mm, fewer hits and greater distances in free than in held breath. The numbers of"
+                        + " attempts are those in either way of breathing; of 50, a rate of 70 % has a standard error"
+                        + " of 6.5 %.");
         List<Column> columns = List.of(
                 Column.text("exercise"),
                 Column.text("body"),
