@@ -160,15 +160,25 @@ public final class DiaphragmFaces {
 
     /** For each vertex the lowest vertex of its patch. */
     private static int[] patches(int[] edges, double[] normals, double least) {
-        int[] sets = DisjointSets.singletons(normals.length / 3);
+        return components(normals.length / 3, edges, (a, b) -> cosine(normals, a, b) > least);
+    }
+
+    /** Whether an edge joins its two vertices. */
+    private interface Join {
+        boolean joins(int a, int b);
+    }
+
+    /** For each of n vertices the lowest vertex that edges of a kind connect it with. */
+    private static int[] components(int n, int[] edges, Join join) {
+        int[] sets = DisjointSets.singletons(n);
         for (int e = 0; e < edges.length; e += 2) {
-            if (cosine(normals, edges[e], edges[e + 1]) > least) {
+            if (join.joins(edges[e], edges[e + 1])) {
                 DisjointSets.unionToLower(sets, edges[e], edges[e + 1]);
             }
         }
-        int[] patch = new int[sets.length];
-        Arrays.setAll(patch, i -> DisjointSets.find(sets, i));
-        return patch;
+        int[] lowest = new int[n];
+        Arrays.setAll(lowest, i -> DisjointSets.find(sets, i));
+        return lowest;
     }
 
     private static int largest(int[] size, int except) {
@@ -210,18 +220,11 @@ public final class DiaphragmFaces {
     /** Gives small connected components of one face to the other, given the two ends of each edge. */
     static void joinIslands(boolean[] thoracic, int[] edges) {
         int n = thoracic.length;
-        int[] sets = DisjointSets.singletons(n);
-        for (int e = 0; e < edges.length; e += 2) {
-            if (thoracic[edges[e]] == thoracic[edges[e + 1]]) {
-                DisjointSets.unionToLower(sets, edges[e], edges[e + 1]);
-            }
-        }
+        int[] face = components(n, edges, (a, b) -> thoracic[a] == thoracic[b]);
         int[] size = new int[n];
+        IntStream.of(face).forEach(lowest -> size[lowest]++);
         for (int i = 0; i < n; i++) {
-            size[DisjointSets.find(sets, i)]++;
-        }
-        for (int i = 0; i < n; i++) {
-            thoracic[i] ^= size[DisjointSets.find(sets, i)] < ISLAND_SHARE * n;
+            thoracic[i] ^= size[face[i]] < ISLAND_SHARE * n;
         }
     }
 

@@ -3,8 +3,6 @@ package org.phrenic.simulation;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.phrenic.anatomy.Resolution;
-import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 
@@ -19,9 +17,8 @@ class HeldDeepBreathTest {
 
     @Test
     void theSheetComesToRest() {
-        Scenario scenario = Scenario.defaults()
-                .with("preset=deep", "resolution=low", "lungs=off", "sternum=kinematic", "liver=false", "threads=1");
-        try (Simulation simulation = Simulation.of(scenario, VirtualThorax.ofPreset("adult-male", Resolution.LOW))) {
+        Scenario scenario = Runs.scenario("preset=deep", "lungs=off", "sternum=kinematic", "liver=false");
+        try (Simulation simulation = Simulation.of(scenario, Runs.male())) {
             advance(simulation, INSPIRED_S);
             simulation.change(Assignment.parse("hold=true"));
             advance(simulation, INSPIRED_S + HELD_S);

@@ -11,9 +11,8 @@ import java.util.List;
  * @param womanG mass of the woman's, g
  * @param density g/ml
  * @param share share of the mass that the virtual bodies have
- * @param note what the share is; empty if it is 1
  */
-record OrganVolume(String name, double manG, double womanG, double density, double share, String note) {
+record OrganVolume(String name, double manG, double womanG, double density, double share) {
     /** Organs whose volume has a reference. */
     static final List<OrganVolume> ALL = List.of(
             whole("liver", 1800, 1400, 1.06),
@@ -24,11 +23,11 @@ record OrganVolume(String name, double manG, double womanG, double density, doub
             whole("pancreas", 140, 120, 1.05),
             whole("gallbladder", 68, 56, 1.03),
             whole("stomach", 400, 370, 1.04),
-            new OrganVolume("duodenum", 1000, 880, 1.04, 25.0 / 280, "25 of 280 cm of the small intestine"),
-            new OrganVolume("colon", 525, 530, 1.04, 66.0 / 96, "66 of 96 cm of the large intestine"));
+            new OrganVolume("duodenum", 1000, 880, 1.04, 25.0 / 280),
+            new OrganVolume("colon", 525, 530, 1.04, 66.0 / 96));
 
     private static OrganVolume whole(String name, double manG, double womanG, double density) {
-        return new OrganVolume(name, manG, womanG, density, 1, "");
+        return new OrganVolume(name, manG, womanG, density, 1);
     }
 
     /** The reference volume, ml. */
