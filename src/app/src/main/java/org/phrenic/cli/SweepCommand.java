@@ -96,6 +96,9 @@ final class SweepCommand extends ReportingCommand {
         if (shard != null && master != null) {
             throw new ParameterException(commandLine(), "found --shard with --master, expected one of them");
         }
+        if (threads != null && master != null) {
+            throw new ParameterException(commandLine(), "found --threads with --master, expected one of them");
+        }
         ReportFolder.requireWritable(out);
         Shard part = shard == null ? Shard.WHOLE : Shard.parse(shard);
         SweepPlan plan = SweepPlan.of(SweepStudy.read(file));
@@ -104,11 +107,24 @@ final class SweepCommand extends ReportingCommand {
             Optional<ClusterService> cluster =
                     ServiceLoader.load(ClusterService.class).findFirst();
             if (cluster.isEmpty()) {
-                return SparkSubmit.run(master, List.of("sweep", file.toString(), "--out", out.toString()));
+                return SparkSubmit.run(master, argumentsWithoutMaster());
             }
             return run(plan, part, cluster.get().connect(master));
         }
         return run(plan, part, new ThreadExecutor(width));
+    }
+
+    /** What {@code spark-submit} hands on to the driver. */
+    List<String> argumentsWithoutMaster() {
+        List<String> arguments = new ArrayList<>(List.of("sweep", file.toString(), "--out", out.toString()));
+        if (page != null) {
+            arguments.addAll(List.of("--page", page.toString()));
+        }
+        arguments.addAll(provenance.arguments());
+        if (isJson()) {
+            arguments.add("--json");
+        }
+        return arguments;
     }
 
     private int run(SweepPlan plan, Shard part, SweepExecutor executor) {

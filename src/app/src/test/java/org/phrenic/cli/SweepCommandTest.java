@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.study.sweep.SweepPlan;
 import org.phrenic.study.sweep.SweepStudy;
+import picocli.CommandLine;
 
 /** The command line of studies. */
 class SweepCommandTest {
@@ -95,5 +96,39 @@ class SweepCommandTest {
     void theStudiesThatComeWithTheProgramHavePlans(String name) {
         SweepPlan plan = SweepPlan.of(SweepStudy.read(STUDIES.resolve(name + ".yaml")));
         assertThat(plan.size()).isIn(5120, 16, 128, 512, 1000, 200);
+    }
+
+    @Test
+    void theDriverOfAClusterReceivesAllOptionsButTheMaster() {
+        SweepCommand command = new SweepCommand();
+        new CommandLine(command)
+                .parseArgs(
+                        "study.yaml",
+                        "--out",
+                        "x",
+                        "--master",
+                        "local[2]",
+                        "--page",
+                        "p.md",
+                        "--made-by",
+                        "Commit 1",
+                        "--json");
+        assertThat(command.argumentsWithoutMaster())
+                .containsExactly(
+                        "sweep", "study.yaml", "--out", "x", "--page", "p.md", "--made-by", "Commit 1", "--json");
+    }
+
+    @Test
+    void aStudyCostsItsWaysTheSameRows() throws IOException {
+        Path out = folder.resolve("ways");
+        String[] ways = {
+            "bench", "studies", study().toString(), "--threads", "1,2", "--shards", "3", "--out", out.toString()
+        };
+        CommandLineRun run = CommandLineRun.of(ways);
+        assertThat(run.exitCode()).as(run.err()).isZero();
+        assertThat(Files.readString(out.resolve("studies.md")))
+                .contains("| 1 thread |", "| 2 threads |", "| 3 shards, merged |", "all give the same rows")
+                .doesNotContain("| no |");
+        assertThat(CommandLineRun.of(ways).err()).contains("of an earlier run").hasLineCount(1);
     }
 }

@@ -32,7 +32,8 @@ import picocli.CommandLine.ParameterException;
             BenchOrgansCommand.class,
             BenchFitsCommand.class,
             BenchWindowCommand.class,
-            BenchExercisesCommand.class
+            BenchExercisesCommand.class,
+            BenchStudiesCommand.class
         },
         synopsisSubcommandLabel = "[COMMAND]",
         footer = {

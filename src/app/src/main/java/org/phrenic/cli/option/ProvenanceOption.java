@@ -15,6 +15,11 @@ public final class ProvenanceOption {
             description = "What made the report, such as a commit; its first line.")
     private String madeBy = "";
 
+    /** The option as it was given; empty without it. */
+    public List<String> arguments() {
+        return madeBy.isEmpty() ? List.of() : List.of("--made-by", madeBy);
+    }
+
     /** @param command the command and its arguments, without the name of the program */
     public List<String> lines(String command) {
         String machine = MachineLine.text() + " Date: " + LocalDate.now(ZoneOffset.UTC) + ".";

@@ -47,4 +47,13 @@ public record RunRow(int index, SweepOutcome outcome, String failure, double wal
     public boolean isFailed() {
         return !failure.isEmpty();
     }
+
+    /** Whether another run of the same point gave the same bits; times and machines may differ. */
+    public boolean hasResultOf(RunRow other) {
+        return index == other.index
+                && failure.equals(other.failure)
+                && outcome.stateSha256().equals(other.outcome.stateSha256())
+                && Arrays.equals(outcome.responses(), other.outcome.responses())
+                && Arrays.deepEquals(outcome.series(), other.outcome.series());
+    }
 }

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
 import org.phrenic.study.sweep.RunRow;
+import org.phrenic.study.sweep.SweepOutcome;
 import org.phrenic.study.sweep.SweepPlan;
 import org.phrenic.study.sweep.SweepResults;
 import org.phrenic.study.sweep.SweepStudy;
@@ -151,5 +152,21 @@ class SweepRunnerTest {
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("expected the folder of a study");
         assertThatThrownBy(() -> Shard.parse("3/3")).hasMessageContaining("found '3/3', expected k/n");
+    }
+
+    @Test
+    void aRunWithAnotherHashResponseOrSeriesIsNotTheSame() {
+        SweepOutcome outcome = new SweepOutcome(new double[] {1}, "aa", new double[][] {{1, 2}});
+        RunRow row = new RunRow(0, outcome, "", 1, "here");
+        assertThat(row.hasResultOf(new RunRow(0, outcome, "", 2, "there"))).isTrue();
+        for (SweepOutcome other : List.of(
+                new SweepOutcome(new double[] {Math.nextUp(1.0)}, "aa", new double[][] {{1, 2}}),
+                new SweepOutcome(new double[] {1}, "ab", new double[][] {{1, 2}}),
+                new SweepOutcome(new double[] {1}, "aa", new double[][] {{1, 3}}))) {
+            assertThat(row.hasResultOf(new RunRow(0, other, "", 1, "here"))).isFalse();
+        }
+        assertThat(row.hasResultOf(new RunRow(1, outcome, "", 1, "here"))).isFalse();
+        assertThat(row.hasResultOf(new RunRow(0, outcome, "diverged", 1, "here")))
+                .isFalse();
     }
 }

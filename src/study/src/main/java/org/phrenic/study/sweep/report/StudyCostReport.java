@@ -1,0 +1,101 @@
+package org.phrenic.study.sweep.report;
+
+import static org.phrenic.study.ReportNumbers.format;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.document.OrderedValues;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.ReportDocument;
+import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.study.sweep.run.StudyCost;
+
+/**
+ * What the ways of running one study cost, as values for JSON and as a page.
+ *
+ * @param costs of each way; the first is the one that the others are compared with
+ */
+public record StudyCostReport(List<StudyCost> costs) {
+    private static final int PERCENT = 100;
+
+    public StudyCostReport {
+        costs = List.copyOf(costs);
+    }
+
+    /** Whether every way gave the rows of the first. */
+    public boolean isEqual() {
+        return costs.stream().allMatch(cost -> cost.hasRowsOf(costs.get(0)));
+    }
+
+    private double speedUp(StudyCost cost) {
+        return costs.get(0).elapsedS() / cost.elapsedS();
+    }
+
+    /** The values for JSON. */
+    public OrderedValues values() {
+        List<OrderedValues> ways = costs.stream()
+                .map(cost -> new OrderedValues()
+                        .with("way", cost.way())
+                        .with("runs_at_a_time", cost.width())
+                        .with("runs", cost.results().done())
+                        .with("failed", cost.results().failed())
+                        .with("elapsed_s", cost.elapsedS())
+                        .with("processor_s", cost.processorS())
+                        .with("busy_percent", PERCENT * cost.busyShare())
+                        .with("elapsed_over_runs", cost.overhead())
+                        .with("speed_up", speedUp(cost))
+                        .with("rows_equal", cost.hasRowsOf(costs.get(0))))
+                .toList();
+        return new OrderedValues().with("ways", ways).with("notice", Disclaimer.TEXT);
+    }
+
+    /** Columns of the table. */
+    public static List<Column> columns() {
+        return List.of(
+                Column.text("way"),
+                Column.number("runs"),
+                Column.number("elapsed s"),
+                Column.number("processor s"),
+                Column.number("processor s a run"),
+                Column.number("busy %"),
+                Column.number("elapsed / runs"),
+                Column.number("speed-up"),
+                Column.text("rows equal"));
+    }
+
+    /** Rows of the table. Processor times of other processes are not known. */
+    public List<List<String>> rows() {
+        List<List<String>> rows = new ArrayList<>();
+        for (StudyCost cost : costs) {
+            boolean known = Double.isFinite(cost.processorS());
+            rows.add(List.of(
+                    cost.way(),
+                    String.valueOf(cost.results().done()),
+                    format("%.1f", cost.elapsedS()),
+                    known ? format("%.1f", cost.processorS()) : "",
+                    known ? format("%.2f", cost.processorS() / cost.results().done()) : "",
+                    known ? format("%.0f", PERCENT * cost.busyShare()) : "",
+                    format("%.3f", cost.overhead()),
+                    format("%.2f", speedUp(cost)),
+                    cost.hasRowsOf(costs.get(0)) ? "yes" : "no"));
+        }
+        return rows;
+    }
+
+    /** @param provenance how it was made: commit, command, machine, date */
+    public ReportDocument document(List<String> provenance) {
+        ReportDocument report = new ReportDocument(
+                "What a study costs",
+                "One study, \"" + costs.get(0).results().plan().study().title() + "\", in several ways: "
+                        + (isEqual() ? "all give the same rows, hashes and series." : "NOT all give the same rows."));
+        report.points(provenance.toArray(String[]::new));
+        report.paragraph(
+                """
+                Elapsed time is from the plan to the written results, without the start of Java and Spark; processor \
+                time is that of this process. Busy: processor time / (elapsed time x runs at a time). Elapsed / runs: \
+                elapsed time x runs at a time over the sum of the runs' own times, 1 if the study itself costs \
+                nothing. Speed-up: against the first row. Each way generates its bodies itself.""");
+        report.table("", columns(), rows());
+        return report;
+    }
+}
