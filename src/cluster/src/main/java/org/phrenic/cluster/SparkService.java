@@ -36,7 +36,8 @@ public final class SparkService implements ClusterService {
         }
     }
 
-    private static String sentence(Exception failure) {
+    /** The first line of what went wrong. */
+    static String sentence(Exception failure) {
         return String.valueOf(failure.getMessage()).lines().findFirst().orElse("no reason");
     }
 }

@@ -2,7 +2,9 @@ package org.phrenic.cluster;
 
 import java.util.List;
 import java.util.function.Consumer;
+import org.apache.spark.SparkException;
 import org.apache.spark.api.java.JavaSparkContext;
+import org.phrenic.file.BadInputException;
 import org.phrenic.study.sweep.RunRow;
 import org.phrenic.study.sweep.SweepPlan;
 import org.phrenic.study.sweep.run.SweepExecutor;
@@ -27,12 +29,22 @@ final class SparkSweep implements SweepExecutor {
     @Override
     public void run(SweepPlan plan, List<Integer> pending, Consumer<RunRow> done) {
         int tasks = Math.min(pending.size(), Math.max(EASY_TASKS, TASKS_PER_CORE * width()));
-        context.sc()
-                .runJob(
-                        context.parallelize(pending, tasks).rdd(),
-                        new RunTask(plan.study().resolved()),
-                        new RowsHandler(done),
-                        ClassTag$.MODULE$.apply(RunRow[].class));
+        try {
+            context.sc()
+                    .runJob(
+                            context.parallelize(pending, tasks).rdd(),
+                            new RunTask(plan.study().resolved()),
+                            new RowsHandler(done),
+                            ClassTag$.MODULE$.apply(RunRow[].class));
+        } catch (Exception failure) { // runJob throws SparkException without declaring it
+            if (failure instanceof SparkException) {
+                throw new BadInputException(
+                        "--master " + context.master() + ": Spark ended the study (" + SparkService.sentence(failure)
+                                + "); the runs that are done are kept, and the same command resumes it",
+                        failure);
+            }
+            throw failure;
+        }
     }
 
     @Override

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.ServiceLoader;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ProvenanceOption;
@@ -21,9 +22,11 @@ import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
 import org.phrenic.study.sweep.SweepPlan;
 import org.phrenic.study.sweep.SweepStudy;
+import org.phrenic.study.sweep.report.FailedWay;
+import org.phrenic.study.sweep.report.StudyCost;
 import org.phrenic.study.sweep.report.StudyCostReport;
 import org.phrenic.study.sweep.run.ClusterService;
-import org.phrenic.study.sweep.run.StudyCost;
+import org.phrenic.study.sweep.run.StudyMeasurement;
 import org.phrenic.study.sweep.run.SweepExecutor;
 import org.phrenic.study.sweep.run.ThreadExecutor;
 import picocli.CommandLine.Command;
@@ -43,7 +46,7 @@ import picocli.CommandLine.Parameters;
             "  spark-submit phrenic-cluster.jar bench studies study.yaml --master 'local[2]' --out result",
             "",
             "DIR gets studies.md, studies.json and a folder for each way, which must not be there yet.",
-            "Exit code 3 if rows differ.",
+            "Exit code 3 if rows differ or a way did not complete the study.",
             Disclaimer.TEXT
         })
 final class BenchStudiesCommand extends ReportingCommand {
@@ -91,48 +94,74 @@ final class BenchStudiesCommand extends ReportingCommand {
                     + " (docs/cluster.md)");
         }
         requireNew(widths, parts);
-        StudyCostReport report = new StudyCostReport(measure(SweepStudy.read(file), widths, parts));
+        SweepStudy study = SweepStudy.read(file);
+        StudyCostReport report = measure(study, widths, parts);
         String command = "bench studies " + file + " --threads " + String.join(",", threads)
                 + (parts == 0 ? "" : " --shards " + parts)
                 + String.join(
                         "", masters.stream().map(url -> " --master " + url).toList());
-        AtomicFile.write(out.resolve("studies.md"), MarkdownPage.format(report.document(provenance.lines(command))));
+        AtomicFile.write(
+                out.resolve("studies.md"),
+                MarkdownPage.format(report.document(study.title(), provenance.lines(command))));
         JsonWriter.write(out.resolve("studies.json"), report.values());
         print(report.values(), () -> withDisclaimer(table(report)));
-        return report.isEqual() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
+        return report.isEqual() && report.isComplete() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
-    private List<StudyCost> measure(SweepStudy study, List<Integer> widths, int parts) {
+    private StudyCostReport measure(SweepStudy study, List<Integer> widths, int parts) {
         List<StudyCost> costs = new ArrayList<>();
+        List<FailedWay> failures = new ArrayList<>();
         ConsoleProgress progress = progress();
         try {
             for (int width : widths) {
-                costs.add(StudyCost.measure(
+                attempt(
+                        costs,
+                        failures,
                         threads(width),
-                        folder(threads(width)),
-                        SweepPlan.of(study),
-                        new ThreadExecutor(width),
-                        true,
-                        progress));
+                        () -> StudyMeasurement.measure(
+                                threads(width),
+                                folder(threads(width)),
+                                SweepPlan.of(study),
+                                new ThreadExecutor(width),
+                                true,
+                                progress));
             }
             if (parts > 0) {
                 int width = widths.get(widths.size() - 1);
-                costs.add(StudyCost.ofShards(
-                        shards(parts), folder(shards(parts)), SweepPlan.of(study), parts, width, progress));
+                attempt(
+                        costs,
+                        failures,
+                        shards(parts),
+                        () -> StudyMeasurement.ofShards(
+                                shards(parts), folder(shards(parts)), SweepPlan.of(study), parts, width, progress));
             }
             for (String master : masters) {
-                ClusterService cluster =
-                        ServiceLoader.load(ClusterService.class).iterator().next();
-                try (SweepExecutor executor = cluster.connect(master)) {
-                    boolean inProcess = master.startsWith("local[");
-                    costs.add(StudyCost.measure(
-                            spark(master), folder(spark(master)), SweepPlan.of(study), executor, inProcess, progress));
-                }
+                attempt(costs, failures, spark(master), () -> onSpark(master, study, progress));
             }
         } finally {
             progress.end();
         }
-        return costs;
+        return new StudyCostReport(costs, failures);
+    }
+
+    private StudyCost onSpark(String master, SweepStudy study, ConsoleProgress progress) {
+        ClusterService cluster =
+                ServiceLoader.load(ClusterService.class).iterator().next();
+        try (SweepExecutor executor = cluster.connect(master)) {
+            boolean inProcess = master.startsWith("local[");
+            return StudyMeasurement.measure(
+                    spark(master), folder(spark(master)), SweepPlan.of(study), executor, inProcess, progress);
+        }
+    }
+
+    /** A way that fails is reported; the ways after it are measured. */
+    private static void attempt(
+            List<StudyCost> costs, List<FailedWay> failures, String way, Supplier<StudyCost> measurement) {
+        try {
+            costs.add(measurement.get());
+        } catch (BadInputException failure) {
+            failures.add(new FailedWay(way, failure.getMessage()));
+        }
     }
 
     private static String threads(int width) {
@@ -169,6 +198,12 @@ final class BenchStudiesCommand extends ReportingCommand {
         List<List<String>> rows = new ArrayList<>();
         rows.add(columns.stream().map(Column::heading).toList());
         rows.addAll(report.rows());
-        return TextTable.ofNumbers(rows);
+        StringBuilder text = new StringBuilder(TextTable.ofNumbers(rows));
+        report.failures().forEach(failure -> text.append("not completed: ")
+                .append(failure.way())
+                .append(". ")
+                .append(failure.reason())
+                .append(System.lineSeparator()));
+        return text.toString();
     }
 }

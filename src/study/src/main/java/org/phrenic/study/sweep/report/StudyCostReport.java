@@ -8,21 +8,27 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
-import org.phrenic.study.sweep.run.StudyCost;
 
 /**
  * What the ways of running one study cost, as values for JSON and as a page.
  *
- * @param costs of each way; the first is the one that the others are compared with
+ * @param costs of each way that completed the study; the first is the one that the others are compared with
+ * @param failures ways that did not complete it
  */
-public record StudyCostReport(List<StudyCost> costs) {
+public record StudyCostReport(List<StudyCost> costs, List<FailedWay> failures) {
     private static final int PERCENT = 100;
 
     public StudyCostReport {
         costs = List.copyOf(costs);
+        failures = List.copyOf(failures);
     }
 
-    /** Whether every way gave the rows of the first. */
+    /** Whether every way completed the study. */
+    public boolean isComplete() {
+        return failures.isEmpty();
+    }
+
+    /** Whether every completed way gave the rows of the first. */
     public boolean isEqual() {
         return costs.stream().allMatch(cost -> cost.hasRowsOf(costs.get(0)));
     }
@@ -46,7 +52,13 @@ public record StudyCostReport(List<StudyCost> costs) {
                         .with("speed_up", speedUp(cost))
                         .with("rows_equal", cost.hasRowsOf(costs.get(0))))
                 .toList();
-        return new OrderedValues().with("ways", ways).with("notice", Disclaimer.TEXT);
+        List<OrderedValues> failed = failures.stream()
+                .map(failure -> new OrderedValues().with("way", failure.way()).with("reason", failure.reason()))
+                .toList();
+        return new OrderedValues()
+                .with("ways", ways)
+                .with("failed_ways", failed)
+                .with("notice", Disclaimer.TEXT);
     }
 
     /** Columns of the table. */
@@ -82,12 +94,22 @@ public record StudyCostReport(List<StudyCost> costs) {
         return rows;
     }
 
-    /** @param provenance how it was made: commit, command, machine, date */
-    public ReportDocument document(List<String> provenance) {
-        ReportDocument report = new ReportDocument(
-                "What a study costs",
-                "One study, \"" + costs.get(0).results().plan().study().title() + "\", in several ways: "
-                        + (isEqual() ? "all give the same rows, hashes and series." : "NOT all give the same rows."));
+    private String verdict() {
+        if (costs.isEmpty()) {
+            return "no way completed it.";
+        }
+        return isEqual() ? "all rows, hashes and series are equal." : "rows, hashes or series are NOT equal.";
+    }
+
+    /**
+     * The page.
+     *
+     * @param title of the study
+     * @param provenance how it was made: commit, command, machine, date
+     */
+    public ReportDocument document(String title, List<String> provenance) {
+        ReportDocument report =
+                new ReportDocument("What a study costs", "\"" + title + "\" in several ways: " + verdict());
         report.points(provenance.toArray(String[]::new));
         report.paragraph(
                 """
@@ -95,7 +117,10 @@ public record StudyCostReport(List<StudyCost> costs) {
                 time is that of this process. Busy: processor time / (elapsed time x runs at a time). Elapsed / runs: \
                 elapsed time x runs at a time over the sum of the runs' own times, 1 if the study itself costs \
                 nothing. Speed-up: against the first row. Each way generates its bodies itself.""");
-        report.table("", columns(), rows());
+        if (!costs.isEmpty()) {
+            report.table("", columns(), rows());
+        }
+        failures.forEach(failure -> report.paragraph("Not completed: " + failure.way() + ". " + failure.reason()));
         return report;
     }
 }

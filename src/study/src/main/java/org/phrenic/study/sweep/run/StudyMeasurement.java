@@ -3,25 +3,18 @@ package org.phrenic.study.sweep.run;
 import com.sun.management.OperatingSystemMXBean;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.stream.IntStream;
+import java.util.function.Supplier;
 import org.phrenic.engine.parallel.ProgressListener;
-import org.phrenic.study.sweep.RunRow;
 import org.phrenic.study.sweep.SweepPlan;
 import org.phrenic.study.sweep.SweepResults;
+import org.phrenic.study.sweep.report.StudyCost;
 
-/**
- * What one way of running a study costs.
- *
- * @param way such as "2 threads"
- * @param width runs at a time
- * @param elapsedS from the plan to the written results, s
- * @param processorS processor time of this process meanwhile, s; NaN if other processes compute
- * @param results of the study
- */
-public record StudyCost(String way, int width, double elapsedS, double processorS, SweepResults results) {
+/** Measures what a way of running a study costs: elapsed time and processor time of this process. */
+public final class StudyMeasurement {
     private static final OperatingSystemMXBean PROCESS =
             ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
+
+    private StudyMeasurement() {}
 
     /**
      * Runs a study from its first to its last run.
@@ -58,33 +51,11 @@ public record StudyCost(String way, int width, double elapsedS, double processor
         });
     }
 
-    private interface Study {
-        SweepResults run();
-    }
-
-    private static StudyCost measure(String way, int width, boolean inProcess, Study study) {
+    private static StudyCost measure(String way, int width, boolean inProcess, Supplier<SweepResults> study) {
         long begun = System.nanoTime();
         long processor = PROCESS.getProcessCpuTime();
-        SweepResults results = study.run();
+        SweepResults results = study.get();
         double processorS = inProcess ? (PROCESS.getProcessCpuTime() - processor) * 1e-9 : Double.NaN;
         return new StudyCost(way, width, (System.nanoTime() - begun) * 1e-9, processorS, results);
-    }
-
-    /** Share of the threads' time in which they computed: processor time / (elapsed time x threads). */
-    public double busyShare() {
-        return processorS / (elapsedS * width);
-    }
-
-    /** Elapsed time over the runs' own time / threads; 1 without any cost of the study itself. */
-    public double overhead() {
-        return elapsedS * width / results.wallS();
-    }
-
-    /** Whether a study has the same rows but for wall times and machines: responses, series, hashes, failures. */
-    public boolean hasRowsOf(StudyCost other) {
-        List<RunRow> mine = results.rows();
-        List<RunRow> others = other.results.rows();
-        return mine.size() == others.size()
-                && IntStream.range(0, mine.size()).allMatch(i -> mine.get(i).hasResultOf(others.get(i)));
     }
 }
