@@ -127,7 +127,11 @@ class SweepCommandTest {
         CommandLineRun run = CommandLineRun.of(ways);
         assertThat(run.exitCode()).as(run.err()).isZero();
         assertThat(Files.readString(out.resolve("studies.md")))
-                .contains("| 1 thread |", "| 2 threads |", "| 3 shards, merged |", "all give the same rows")
+                .contains(
+                        "| 1 thread |",
+                        "| 2 threads |",
+                        "| 3 shards, merged |",
+                        "all rows, hashes and series are equal")
                 .doesNotContain("| no |");
         assertThat(CommandLineRun.of(ways).err()).contains("of an earlier run").hasLineCount(1);
     }

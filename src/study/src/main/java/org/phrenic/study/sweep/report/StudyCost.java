@@ -15,6 +15,11 @@ import org.phrenic.study.sweep.SweepResults;
  * @param results of the study
  */
 public record StudyCost(String way, int width, double elapsedS, double processorS, SweepResults results) {
+    /** Whether the study was computed in this process, so that its processor time is known. */
+    public boolean hasProcessorTime() {
+        return Double.isFinite(processorS);
+    }
+
     /** Share of the threads' time in which they computed: processor time / (elapsed time x threads). */
     public double busyShare() {
         return processorS / (elapsedS * width);

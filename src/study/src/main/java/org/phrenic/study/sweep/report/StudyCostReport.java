@@ -37,21 +37,9 @@ public record StudyCostReport(List<StudyCost> costs, List<FailedWay> failures) {
         return costs.get(0).elapsedS() / cost.elapsedS();
     }
 
-    /** The values for JSON. */
+    /** The values for JSON; processor times of other processes are absent. */
     public OrderedValues values() {
-        List<OrderedValues> ways = costs.stream()
-                .map(cost -> new OrderedValues()
-                        .with("way", cost.way())
-                        .with("runs_at_a_time", cost.width())
-                        .with("runs", cost.results().done())
-                        .with("failed", cost.results().failed())
-                        .with("elapsed_s", cost.elapsedS())
-                        .with("processor_s", cost.processorS())
-                        .with("busy_percent", PERCENT * cost.busyShare())
-                        .with("elapsed_over_runs", cost.overhead())
-                        .with("speed_up", speedUp(cost))
-                        .with("rows_equal", cost.hasRowsOf(costs.get(0))))
-                .toList();
+        List<OrderedValues> ways = costs.stream().map(this::values).toList();
         List<OrderedValues> failed = failures.stream()
                 .map(failure -> new OrderedValues().with("way", failure.way()).with("reason", failure.reason()))
                 .toList();
@@ -59,6 +47,21 @@ public record StudyCostReport(List<StudyCost> costs, List<FailedWay> failures) {
                 .with("ways", ways)
                 .with("failed_ways", failed)
                 .with("notice", Disclaimer.TEXT);
+    }
+
+    private OrderedValues values(StudyCost cost) {
+        OrderedValues values = new OrderedValues()
+                .with("way", cost.way())
+                .with("runs_at_a_time", cost.width())
+                .with("runs", cost.results().done())
+                .with("failed", cost.results().failed())
+                .with("elapsed_s", cost.elapsedS());
+        if (cost.hasProcessorTime()) {
+            values.with("processor_s", cost.processorS()).with("busy_percent", PERCENT * cost.busyShare());
+        }
+        return values.with("elapsed_over_runs", cost.overhead())
+                .with("speed_up", speedUp(cost))
+                .with("rows_equal", cost.hasRowsOf(costs.get(0)));
     }
 
     /** Columns of the table. */
@@ -79,7 +82,7 @@ public record StudyCostReport(List<StudyCost> costs, List<FailedWay> failures) {
     public List<List<String>> rows() {
         List<List<String>> rows = new ArrayList<>();
         for (StudyCost cost : costs) {
-            boolean known = Double.isFinite(cost.processorS());
+            boolean known = cost.hasProcessorTime();
             rows.add(List.of(
                     cost.way(),
                     String.valueOf(cost.results().done()),
