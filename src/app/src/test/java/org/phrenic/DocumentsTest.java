@@ -38,10 +38,14 @@ class DocumentsTest {
     private static final Path MAP = Path.of("docs/README.md");
 
     private static final Path RESULTS = Path.of("docs/results");
-    /** Kept by the project as a list that grows. */
-    private static final Path CHANGELOG = Path.of("docs/CHANGELOG.md");
+    /** Its text is that of the declarations, a paragraph a line. */
+    private static final Path PARAMETERS = Path.of("docs/parameters.md");
     /** A page that is longer than this is two. */
     private static final int MOST_LINES = 200;
+    /** Where prose is broken, columns. */
+    private static final int MARGIN = 120;
+    /** A link or a command alone on its line cannot be broken. */
+    private static final Pattern UNBREAKABLE = Pattern.compile("\\s*(?:!?\\[[^\\]]*]\\([^)]*\\)|`[^`]*`)\\p{Punct}?");
 
     static Stream<Path> documents() throws IOException {
         try (Stream<Path> docs = Files.walk(Path.of("docs"))) {
@@ -82,12 +86,25 @@ class DocumentsTest {
     @Test
     void noWrittenPageIsLong() throws IOException {
         for (Path document : documents().toList()) {
-            if (!document.startsWith(RESULTS) && !document.equals(CHANGELOG)) {
+            if (!document.startsWith(RESULTS)) {
                 assertThat(Files.readAllLines(document))
                         .as("%s, lines", document)
                         .hasSizeLessThanOrEqualTo(MOST_LINES);
             }
         }
+    }
+
+    @ParameterizedTest
+    @MethodSource("documents")
+    void proseEndsAtTheMargin(Path document) throws IOException {
+        if (document.startsWith(RESULTS) || document.equals(PARAMETERS)) {
+            return;
+        }
+        assertThat(prose(document).lines())
+                .as("%s, prose in columns", document)
+                .filteredOn(line -> !line.startsWith("|") && !line.startsWith("#"))
+                .allMatch(line ->
+                        line.length() <= MARGIN || UNBREAKABLE.matcher(line).matches());
     }
 
     @Test

@@ -25,7 +25,9 @@ final class WindowCommand implements Callable<Integer> {
     @Parameters(
             arity = "0..1",
             paramLabel = "FILE",
-            description = "Scenario (.yaml), thorax folder or recorded breath (.csv); without it, a quiet breath.")
+            description =
+                    "Scenario (.yaml), thorax folder, recorded breath (.csv) or label volume to import; without it, a"
+                            + " quiet breath.")
     private Path file;
 
     @Override

@@ -9,16 +9,13 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.FailureHandler;
@@ -184,38 +181,5 @@ class CommandsTest {
         String index = Files.readString(Path.of("docs/usage.md"));
         assertThat(SubCommands.commandLine(new Phrenic()).getSubcommands().keySet())
                 .allMatch(command -> index.contains("`phrenic " + command));
-    }
-
-    static Stream<String> documentedLines() throws IOException {
-        List<String> lines = new ArrayList<>();
-        try (Stream<Path> docs = Files.walk(Path.of("docs"))) {
-            for (Path document : docs.filter(p -> p.toString().endsWith(".md")).toList()) {
-                lines.addAll(commandsOf(document));
-            }
-        }
-        lines.addAll(commandsOf(Path.of("README.md")));
-        return lines.stream().distinct();
-    }
-
-    /** Lines of code blocks that start the program, without what the shell adds. */
-    private static List<String> commandsOf(Path document) throws IOException {
-        return Files.readAllLines(document).stream()
-                .map(line -> line.replace("java -jar target/phrenic.jar ", "phrenic "))
-                .filter(line -> line.startsWith("phrenic "))
-                .map(line -> line.replaceAll(" +[#|>].*", "").strip())
-                .toList();
-    }
-
-    @ParameterizedTest
-    @MethodSource("documentedLines")
-    void everyDocumentedLineIsUnderstood(String line) {
-        String[] args = line.substring("phrenic ".length()).split(" +");
-        assertThat(SubCommands.commandLine(new Phrenic(), args).parseArgs(args).errors())
-                .isEmpty();
-        for (String arg : args) {
-            if (arg.startsWith("data/")) {
-                assertThat(Path.of(arg)).exists();
-            }
-        }
     }
 }
