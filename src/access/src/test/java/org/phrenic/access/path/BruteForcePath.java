@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import java.util.TreeSet;
 import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.anatomy.StructureKind;
@@ -22,7 +23,7 @@ final class BruteForcePath {
     private static final double GOLDEN = 0.5 * (Math.sqrt(5) - 1);
     private static final int SECTIONS = 60;
 
-    private record Part(NoGoZone what, double limit, double[] corners) {}
+    private record Part(NoGoZone what, String name, double limit, double[] corners) {}
 
     private final List<Part> parts = new ArrayList<>();
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
@@ -38,9 +39,9 @@ final class BruteForcePath {
             }
             double[] p = new double[s.rest().positions().length];
             frame.writePositions(s, i, p);
-            parts.add(new Part(what, needle.radiusMm(), corners(s.rest(), p, false)));
+            parts.add(new Part(what, s.name(), needle.radiusMm(), corners(s.rest(), p, false)));
             if (s.kind() == StructureKind.RIB) {
-                parts.add(new Part(NoGoZone.VESSELS, 5, corners(s.rest(), p, true)));
+                parts.add(new Part(NoGoZone.VESSELS, s.name(), 5, corners(s.rest(), p, true)));
             }
         }
     }
@@ -77,6 +78,20 @@ final class BruteForcePath {
             slack = Math.min(slack, Math.abs(least - part.limit));
             if (least < part.limit) {
                 out.add(part.what);
+            }
+        }
+        return out;
+    }
+
+    /** Names of the structures of some zones whose triangles a path passes through. */
+    Set<String> pierced(double[] from, double[] to, Set<NoGoZone> zones) {
+        Set<String> out = new TreeSet<>();
+        double[] d = Vectors.subtract(to, from);
+        for (Part part : parts) {
+            for (int o = 0; o < part.corners.length && zones.contains(part.what); o += 9) {
+                if (pierces(part.corners, o, from, d)) {
+                    out.add(part.name);
+                }
             }
         }
         return out;

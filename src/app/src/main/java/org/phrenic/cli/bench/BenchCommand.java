@@ -33,6 +33,8 @@ import picocli.CommandLine.ParameterException;
             BenchFitsCommand.class,
             BenchWindowCommand.class,
             BenchExercisesCommand.class,
+            BenchAccessCommand.class,
+            BenchImagingCommand.class,
             BenchStudiesCommand.class
         },
         synopsisSubcommandLabel = "[COMMAND]",

@@ -1,0 +1,115 @@
+package org.phrenic.access.path;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.phrenic.access.BreathCycle;
+import org.phrenic.access.BreathMoment;
+import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.NoGoZone;
+import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.engine.parallel.Workers;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.simulation.SceneSurfaces;
+import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.SimulationRun;
+
+/** The free ways of the left lobe's exercise at low resolution, against every triangle of every surface. */
+class FreeWaysTest {
+    private static final int MOMENTS = 5;
+    private static final Set<NoGoZone> SURFACES = EnumSet.of(NoGoZone.LUNG, NoGoZone.BONE, NoGoZone.ORGAN);
+
+    private static MovingAnatomy anatomy;
+    private static SceneSurfaces surfaces;
+    private static AccessMap map;
+
+    @BeforeAll
+    static void breathe() {
+        RehearsalPlan plan =
+                RehearsalPlan.exercises().get(3).with(List.of("resolution=low", "preset=deep", "rate_per_min=20"));
+        try (Simulation simulation = Simulation.of(plan.scenario(), SimulationRun.loadThorax(plan.scenario()));
+                Workers workers = Workers.of(2)) {
+            surfaces = SceneSurfaces.withOrgans(simulation);
+            anatomy = new MovingAnatomy(surfaces.surfaces());
+            List<BreathMoment> cycle = BreathCycle.record(simulation, surfaces, MOMENTS);
+            anatomy.update(cycle.get(0).frame());
+            map = AccessMap.of(anatomy, cycle, plan.target(anatomy), plan.needle(), plan.avoided(), workers);
+        }
+    }
+
+    private static int[] points(AccessMap.Access access) {
+        return IntStream.range(0, map.size())
+                .filter(v -> map.access(v) == access && map.isInReach(0, v))
+                .toArray();
+    }
+
+    /** Structures that the ways from points of the skin pass through, over all moments, and how many ways do. */
+    private static int crossing(int[] points, Set<String> names) {
+        int ways = 0;
+        for (int m = 0; m < MOMENTS; m++) {
+            BruteForcePath brute = new BruteForcePath(
+                    surfaces.surfaces(),
+                    map.cycle().get(m).frame(),
+                    RehearsalPlan.exercises().get(3).needle());
+            anatomy.update(map.cycle().get(m).frame());
+            double[] skin = anatomy.skin().positions();
+            for (int v : points) {
+                double[] from = {skin[3 * v], skin[3 * v + 1], skin[3 * v + 2]};
+                Set<String> pierced = brute.pierced(from, map.target(m), SURFACES);
+                ways += pierced.isEmpty() ? 0 : 1;
+                names.addAll(pierced);
+            }
+        }
+        return ways;
+    }
+
+    @Test
+    void noWayThatIsFreeOverTheBreathPassesThroughAnyTriangleAtAnyMoment() {
+        int[] free = points(AccessMap.Access.FREE);
+        Set<String> names = new TreeSet<>();
+        assertThat(free).hasSizeGreaterThan(50);
+        assertThat(crossing(free, names)).as("ways that cross " + names).isZero();
+    }
+
+    /** The check sees what bars the others: nearly all that is never free passes through something. */
+    @Test
+    void waysThatAreNeverFreePassThroughWhatBarsThem() {
+        int[] never = IntStream.of(points(AccessMap.Access.NEVER))
+                .filter(v -> v % 16 == 0)
+                .toArray();
+        Set<String> names = new TreeSet<>();
+        assertThat(crossing(never, names)).isGreaterThan(never.length * MOMENTS / 2);
+        assertThat(names).contains("lung_L", "heart").anyMatch(name -> name.startsWith("rib_"));
+    }
+
+    /** Flat ends: triangles of the skin of which all corners lie at its upper or lower end. */
+    @Test
+    void noFreeEntryIsACornerOfAFlatEndOfTheSkinNorAtItsBackNorBesideTheShoulders() {
+        TriangleMesh skin = anatomy.skin().surface().rest();
+        double[] box = skin.bounds();
+        Set<Integer> ends = new TreeSet<>();
+        int[] t = skin.triangles();
+        for (int i = 0; i < t.length; i += 3) {
+            int k = i;
+            if (IntStream.range(0, 3).allMatch(c -> skin.z(t[k + c]) < box[2] + 1)
+                    || IntStream.range(0, 3).allMatch(c -> skin.z(t[k + c]) > box[5] - 1)) {
+                ends.addAll(List.of(t[i], t[i + 1], t[i + 2]));
+            }
+        }
+        assertThat(ends).hasSizeGreaterThan(50);
+        for (int v = 0; v < map.size(); v++) {
+            if (map.access(v) != AccessMap.Access.NEVER) {
+                assertThat(ends).doesNotContain(v);
+                assertThat(skin.y(v)).as("not on the table, mm").isLessThan(box[4] - 10);
+                boolean beside = Math.abs(skin.x(v)) > 150;
+                assertThat(beside && skin.z(v) > 180).as("beside a shoulder").isFalse();
+            }
+        }
+    }
+}

@@ -1,0 +1,98 @@
+package org.phrenic.cli.bench;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.phrenic.cli.option.ProvenanceOption;
+import org.phrenic.cli.option.ReportFolder;
+import org.phrenic.cli.report.ExitCode;
+import org.phrenic.cli.report.ReportingCommand;
+import org.phrenic.cli.report.TextTable;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.file.BadInputException;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.study.access.ImagingReport;
+import org.phrenic.study.access.ImagingStudy;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code phrenic bench imaging}: time of ultrasound images and radiographs. */
+@Command(
+        name = "imaging",
+        description = "Measure how long radiographs and ultrasound images of 512 x 512 pixels take, ultrasound also"
+                + " beside the scene that runs at the pace of the clock.",
+        footer = {
+            "",
+            "Example:",
+            "  phrenic bench imaging --out result        about a minute",
+            "",
+            "DIR gets imaging.md and imaging.json. Other programs at work make every figure worse.",
+            Disclaimer.TEXT
+        })
+final class BenchImagingCommand extends ReportingCommand {
+    private static final double MOST_SECONDS = 600;
+
+    @Parameters(
+            arity = "0..*",
+            paramLabel = "BODY",
+            description = "Bodies, such as virtual/adult-female or a folder; the virtual man and woman without any.")
+    private List<String> bodies = new ArrayList<>();
+
+    @Option(
+            names = "--seconds",
+            paramLabel = "S",
+            defaultValue = "10",
+            description = "Wall time beside the running scene of each body (${DEFAULT-VALUE}).")
+    private double seconds;
+
+    @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Sets a value of the scenario; may be repeated.")
+    private List<String> set = new ArrayList<>();
+
+    @Mixin
+    private ProvenanceOption provenance;
+
+    @Mixin
+    private ReportFolder out;
+
+    @Override
+    public Integer call() {
+        out.check();
+        if (!(seconds > 0 && seconds <= MOST_SECONDS)) {
+            throw new BadInputException(
+                    "--seconds: found " + seconds + ", expected more than 0, at most " + MOST_SECONDS);
+        }
+        Scenario scenario = Scenario.defaults().with(set.toArray(String[]::new));
+        List<String> measured = bodies.isEmpty() ? List.of("virtual/adult-male", "virtual/adult-female") : bodies;
+        List<ImagingStudy.Result> results = measured.stream()
+                .map(body -> ImagingStudy.of(scenario.with(List.of(Assignment.read(body, "anatomy", body))), seconds))
+                .toList();
+        ImagingReport report = new ImagingReport(scenario, results);
+        StringBuilder command = new StringBuilder("bench imaging");
+        bodies.forEach(body -> command.append(' ').append(body));
+        set.forEach(value -> command.append(" --set ").append(value));
+        out.write("imaging.md", MarkdownPage.format(report.document(provenance.lines(command.toString()))));
+        out.write("imaging.json", report.values());
+        print(report.values(), () -> table(report));
+        return ExitCode.SUCCESS;
+    }
+
+    private String table(ImagingReport report) {
+        TextTable table = new TextTable(false, true, true, true, true, true, true, true, true, false)
+                .row(
+                        "body",
+                        "triangles",
+                        "xray_ms",
+                        "xray_p95",
+                        "alone_ms",
+                        "beside_ms",
+                        "beside_p95",
+                        "images_per_s",
+                        "realtime",
+                        "within");
+        report.table().forEach(row -> table.row(row.toArray(String[]::new)));
+        return table.text() + "\n" + withDisclaimer(report.summary() + ".\n");
+    }
+}

@@ -1,0 +1,55 @@
+package org.phrenic.study.access;
+
+import java.util.Arrays;
+import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.path.AccessMap;
+import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.engine.parallel.Workers;
+import org.phrenic.simulation.SimulationRun;
+
+/** Plays exercises as shipped, tries the free ways of their access maps by brute force, and times the maps. */
+public final class AccessStudy {
+    private static final int MAPS = 3;
+    private static final int POINTS = 2000;
+    private static final double NANO = 1e-9;
+
+    private AccessStudy() {}
+
+    /**
+     * What came of one exercise.
+     *
+     * @param check free ways against every triangle
+     * @param mapS time of the access map, for {@value AccessStudy#POINTS} points in reach, s: median of
+     *     {@value AccessStudy#MAPS} maps
+     */
+    public record Result(Rehearsal rehearsal, WayCheck check, double mapS) {}
+
+    /** @throws org.phrenic.file.BadInputException if the plan cannot be played */
+    public static Result of(RehearsalPlan plan, SimulationRun.Progress progress) {
+        Rehearsal rehearsal = Rehearsal.play(plan, progress);
+        WayCheck check = WayCheck.of(rehearsal.surfaces(), rehearsal.map());
+        progress.note(plan.title() + ": played, and its free ways are tried.");
+        return new Result(rehearsal, check, mapS(rehearsal));
+    }
+
+    private static double mapS(Rehearsal rehearsal) {
+        RehearsalPlan plan = rehearsal.plan();
+        MovingAnatomy anatomy = new MovingAnatomy(rehearsal.surfaces());
+        double[] seconds = new double[MAPS];
+        try (Workers workers = Workers.of(plan.scenario().threads())) {
+            for (int i = 0; i < MAPS; i++) {
+                anatomy.update(rehearsal.map().cycle().get(0).frame());
+                long begun = System.nanoTime();
+                AccessMap map = AccessMap.of(
+                        anatomy, rehearsal.map().cycle(), rehearsal.target(), plan.needle(), plan.avoided(), workers);
+                seconds[i] = NANO
+                        * (System.nanoTime() - begun)
+                        * POINTS
+                        / map.counts().inReach();
+            }
+        }
+        Arrays.sort(seconds);
+        return seconds[MAPS / 2];
+    }
+}

@@ -1,0 +1,179 @@
+package org.phrenic.study.access;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Supplier;
+import org.phrenic.access.imaging.CArm;
+import org.phrenic.access.imaging.Fluoroscope;
+import org.phrenic.access.ultrasound.BModeImage;
+import org.phrenic.access.ultrasound.CurvilinearProbe;
+import org.phrenic.access.ultrasound.LiverWindow;
+import org.phrenic.access.ultrasound.ProbeOnSkin;
+import org.phrenic.access.ultrasound.ProbePose;
+import org.phrenic.access.ultrasound.Ultrasound;
+import org.phrenic.access.ultrasound.UltrasoundSettings;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.SceneSurfaces;
+import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.SimulationRun;
+import org.phrenic.simulation.observe.Frame;
+
+/**
+ * Time of ultrasound images and radiographs of a body with its organs: alone on two threads, and ultrasound on one
+ * thread beside the scene that breathes on another, at the pace of the clock, as the window runs it.
+ */
+public final class ImagingStudy {
+    private static final int THREADS = 2;
+    private static final int WARM_UP = 20;
+    private static final int PICTURES = 40;
+    private static final double FRAME_S = 0.02;
+    private static final double NANO = 1e-9;
+    private static final int PIXELS = 512;
+    private static final double FIELD_MM = 400;
+
+    private ImagingStudy() {}
+
+    /** Times of pictures of one kind, s, in the order in which they were taken. */
+    public record Times(List<Double> seconds) {
+        public Times {
+            seconds = List.copyOf(seconds);
+        }
+
+        /** Time that a share of the pictures needs at most, s. */
+        public double quantile(double share) {
+            List<Double> sorted = seconds.stream().sorted().toList();
+            return sorted.get((int) Math.round(share * (sorted.size() - 1)));
+        }
+
+        /** Pictures per second, one after the other. */
+        public double perS() {
+            return seconds.size()
+                    / seconds.stream().mapToDouble(Double::doubleValue).sum();
+        }
+    }
+
+    /**
+     * What was measured on one body.
+     *
+     * @param triangles triangles of all surfaces
+     * @param radiographs frontal radiographs on two threads, alone
+     * @param images ultrasound images on two threads, alone
+     * @param besideScene ultrasound images on one thread while the scene runs on another
+     * @param realtimeFactor simulated over wall time of that scene
+     */
+    public record Result(
+            String body, int triangles, Times radiographs, Times images, Times besideScene, double realtimeFactor) {}
+
+    /** @param seconds wall time beside the running scene, s */
+    public static Result of(Scenario scenario, double seconds) {
+        try (Simulation simulation = Simulation.of(scenario, SimulationRun.loadThorax(scenario))) {
+            SceneSurfaces scene = SceneSurfaces.withOrgans(simulation);
+            Frame frame = scene.newFrame();
+            CArm arm = new CArm(
+                    LiverWindow.RIGHT_INTERCOSTAL.placeOn(scene.surfaces()),
+                    0,
+                    0,
+                    CArm.SOURCE_DETECTOR_MM,
+                    CArm.SOURCE_ISOCENTRE_MM,
+                    new CArm.Detector(FIELD_MM, PIXELS, PIXELS));
+            Fluoroscope fluoroscope = new Fluoroscope(scene.surfaces(), THREADS);
+            Times radiographs = time(() -> fluoroscope.take(frame, arm, Fluoroscope.ENERGY_KEV));
+            Times images = time(images(scene, frame, THREADS));
+            Running running = new Running(simulation, scene, frame);
+            Times beside = running.take(seconds);
+            int triangles = scene.surfaces().stream()
+                    .mapToInt(s -> s.rest().triangles().length / 3)
+                    .sum();
+            return new Result(scenario.anatomy(), triangles, radiographs, images, beside, running.factor);
+        }
+    }
+
+    private static Times time(Supplier<?> picture) {
+        List<Double> seconds = new ArrayList<>();
+        for (int i = -WARM_UP; i < PICTURES; i++) {
+            long begun = System.nanoTime();
+            picture.get();
+            if (i >= 0) {
+                seconds.add(NANO * (System.nanoTime() - begun));
+            }
+        }
+        return new Times(seconds);
+    }
+
+    /** Images of a probe that is turned by a degree from one to the next. */
+    private static Supplier<BModeImage> images(SceneSurfaces scene, Frame frame, int threads) {
+        Ultrasound ultrasound = new Ultrasound(scene.surfaces(), CurvilinearProbe.abdominal(), threads);
+        ProbeOnSkin place = new ProbeOnSkin(scene.surfaces(), LiverWindow.RIGHT_INTERCOSTAL.placeOn(scene.surfaces()));
+        int[] turned = {0};
+        return () -> ultrasound.take(
+                frame,
+                place.pose(frame, new ProbePose.Angles(turned[0]++, 0, 0)),
+                UltrasoundSettings.DEFAULT,
+                Optional.empty());
+    }
+
+    /** A scene that runs on a thread of its own, no faster than the clock. */
+    private static final class Running implements Runnable {
+        private final Simulation simulation;
+        private final SceneSurfaces scene;
+        private final Frame latest;
+        private final AtomicBoolean ended = new AtomicBoolean();
+        private double factor;
+
+        Running(Simulation simulation, SceneSurfaces scene, Frame latest) {
+            this.simulation = simulation;
+            this.scene = scene;
+            this.latest = latest;
+        }
+
+        Times take(double seconds) {
+            Frame own = latest.copy();
+            Supplier<BModeImage> image = images(scene, own, 1);
+            Thread thread = new Thread(this, "scene");
+            thread.start();
+            List<Double> times = new ArrayList<>();
+            long begun = System.nanoTime();
+            while (NANO * (System.nanoTime() - begun) < seconds) {
+                long from = System.nanoTime();
+                synchronized (latest) {
+                    own.copyFrom(latest);
+                }
+                image.get();
+                times.add(NANO * (System.nanoTime() - from));
+            }
+            ended.set(true);
+            try {
+                thread.join();
+            } catch (InterruptedException stop) {
+                Thread.currentThread().interrupt();
+            }
+            return new Times(times);
+        }
+
+        @Override
+        public void run() {
+            Frame frame = scene.newFrame();
+            double startS = simulation.time();
+            long begun = System.nanoTime();
+            double due = startS;
+            while (!ended.get()) {
+                double aheadS = simulation.time() - startS - NANO * (System.nanoTime() - begun);
+                if (aheadS > 0) {
+                    LockSupport.parkNanos((long) (aheadS / NANO));
+                }
+                simulation.step();
+                if (simulation.time() >= due) {
+                    due += FRAME_S;
+                    scene.capture(frame);
+                    synchronized (latest) {
+                        latest.copyFrom(frame);
+                    }
+                }
+            }
+            factor = (simulation.time() - startS) / (NANO * (System.nanoTime() - begun));
+        }
+    }
+}
