@@ -151,6 +151,15 @@ public final class TriangleTree extends TriangleBoxes {
         return search(nodes > 0 && boxDistance(0, out) <= best ? 0 : NONE, best, BOX_ROUNDING, among, out);
     }
 
+    /**
+     * Squared distance from (x, y, z) to one triangle, mm^2.
+     *
+     * @param working working memory; its result fields are not set
+     */
+    public double squaredDistance(int triangle, double x, double y, double z, Hit working) {
+        return squaredDistance(placeOf(triangle), x, y, z, working.weights);
+    }
+
     private int placeOf(int triangle) {
         if (places == null) {
             int[] inverse = new int[order.length];

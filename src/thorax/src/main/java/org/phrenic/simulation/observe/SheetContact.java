@@ -166,7 +166,7 @@ public final class SheetContact {
                     double dy = points[m + 1] - y;
                     double dz = points[m + 2] - z;
                     double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
-                    if (distance + FOLD_REACH_MM > free) {
+                    if (distance + FOLD_REACH_MM > free && !isAtFace(points, m)) {
                         pushBack(points, m, distance < free ? FOLD_REACH_MM : REACH_MM);
                     }
                 }
@@ -190,6 +190,18 @@ public final class SheetContact {
         private boolean isBeyondReach(double[] points, int k, double mm) {
             double free = leastMm[k / 3] - travelMm - mm - ROUNDING_MM;
             return free > 0 && squaredDistance(points, k, searchedAt, k) < free * free;
+        }
+
+        /**
+         * Whether a point lies so near to a triangle of its own face that it is not moved even if it is beyond; tells
+         * of no point that it is farther.
+         */
+        private boolean isAtFace(double[] points, int k) {
+            int triangle = nearest[k / 3];
+            return triangle >= 0
+                    && (above ? thoracicFace : abdominalFace)[triangle]
+                    && sheet.squaredDistance(triangle, points[k], points[k + 1], points[k + 2], hit)
+                            <= ALLOWED_MM * ALLOWED_MM;
         }
 
         /** Moves a point if it lies beyond; returns up to which distance all points lie on the organ's side, mm. */

@@ -160,7 +160,11 @@ class SheetContactTest {
 
     private static void assertYieldsAsAlone(SheetContact contact, double[] points, boolean above) {
         double[] together = points.clone();
-        contact.organ(points, above).pushBack(together);
+        SheetContact.Organ organ = contact.organ(points, above);
+        organ.pushBack(together);
+        double[] again = points.clone();
+        organ.pushBack(again);
+        assertThat(again).as("from the triangles of the last search").containsExactly(together);
         int moved = 0;
         for (int k = 0; k < points.length; k += 3) {
             double[] alone = Arrays.copyOfRange(points, k, k + 3);
