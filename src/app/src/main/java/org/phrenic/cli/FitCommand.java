@@ -9,6 +9,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.cli.option.FitSearchOptions;
 import org.phrenic.cli.option.OptionValues;
+import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.ExitCode;
@@ -122,6 +123,9 @@ final class FitCommand extends ReportingCommand {
     @Mixin
     private final FitSearchOptions length = new FitSearchOptions(400);
 
+    @Mixin
+    private ProvenanceOption made;
+
     @Option(names = "--minutes", paramLabel = "M", description = "Begin no generation after so many minutes.")
     private String minutes;
 
@@ -199,7 +203,9 @@ final class FitCommand extends ReportingCommand {
         SyntheticStudy study = SyntheticStudy.run(count, meshes, length.threads(), search, out, printer);
         printer.end();
         JsonWriter.write(out.resolve("synthetic.json"), study.values());
-        writePages(out, "synthetic", study.document());
+        String command = "fit --synthetic " + count + " --resolution " + resolution + " --evaluations "
+                + length.evaluations() + " --seed " + seed;
+        writePages(out, "synthetic", study.document(made.lines(command)));
         print(study.values(), () -> withDisclaimer(TextTable.of(SyntheticStudy.COLUMNS, study.cells())));
         return ExitCode.SUCCESS;
     }

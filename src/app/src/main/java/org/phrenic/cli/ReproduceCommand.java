@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
-import org.phrenic.cli.option.VersionProvider;
 import org.phrenic.cli.report.ConsoleProgress;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.PatientPictures;
@@ -36,6 +36,7 @@ import org.phrenic.study.paper.Reproduction;
 import org.phrenic.study.paper.ReproductionReport;
 import org.phrenic.ui.window.WindowSnapshot;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -85,6 +86,9 @@ final class ReproduceCommand implements Callable<Integer> {
             description = "Axes of the patients' volumes, such as LPS, where the files state them wrongly.")
     private String axes;
 
+    @Mixin
+    private ProvenanceOption made;
+
     private String noPictures = "";
 
     @Override
@@ -102,8 +106,8 @@ final class ReproduceCommand implements Callable<Integer> {
         Map<String, List<Picture>> distances = new TreeMap<>();
         draw(people, segmented, distances);
         ReportPictures drawn = new ReportPictures(pictures, segmented, distances, noPictures);
-        String version = new VersionProvider().getVersion()[0];
-        ReportDocument report = new ReproductionReport(found, people, drawn, version).document();
+        List<String> provenance = made.lines("reproduce" + (quick ? " --quick" : ""));
+        ReportDocument report = new ReproductionReport(found, people, drawn, provenance).document();
         AtomicFile.write(out.resolve("report.md"), MarkdownPage.format(report));
         AtomicFile.write(out.resolve("report.html"), HtmlPage.format(report));
         PrintWriter stdout = spec.commandLine().getOut();

@@ -44,7 +44,7 @@ import picocli.CommandLine.Option;
             "  phrenic validate --liver --anatomy my-thorax",
             "",
             "DIR gets validation.md and validation.json, with --sensitivity also sensitivity.md and "
-                    + "sensitivity.json; with --liver liver.json.",
+                    + "sensitivity.json; with --liver liver.md and liver.json.",
             "Exit code 3 if a range of confidence S or R+ is missed. How each row is measured: docs/validation.md.",
             "",
             Disclaimer.TEXT
@@ -100,7 +100,7 @@ final class ValidateCommand extends ReportingCommand {
         int atATime = OptionValues.threads(threads, scenario.threads());
         ProgressListener progress = progress();
         if (liver) {
-            return liver(LiverMotion.of(table, scenario, bodies(), atATime, progress));
+            return liver(LiverMotion.of(table, scenario, bodies(), atATime, progress), scenario);
         }
         List<String> only = OptionValues.names("--preset", presets, BreathingPreset.names());
         Validation validation = Validation.of(table, scenario, bodies(), only, atATime, progress);
@@ -129,10 +129,13 @@ final class ValidateCommand extends ReportingCommand {
         if (presets != null) {
             text.append(" --preset ").append(presets);
         }
-        return text.append(sensitivity ? " --sensitivity" : "").toString();
+        return text.append(sensitivity ? " --sensitivity" : "")
+                .append(liver ? " --liver" : "")
+                .toString();
     }
 
-    private int liver(LiverMotion motion) {
+    private int liver(LiverMotion motion, Scenario scenario) {
+        out.write("liver.md", MarkdownPage.format(motion.document(scenario, made.lines("validate" + arguments()))));
         out.write("liver.json", motion.values());
         print(motion.values(), () -> withDisclaimer(TextTable.ofNumbers(motion.table())));
         return exitCode(motion);

@@ -131,12 +131,13 @@ public record SyntheticStudy(List<Case> cases) {
                 Integer.toString(c.result.search().trials().length));
     }
 
-    /** The study as a document. */
-    public ReportDocument document() {
+    /** @param provenance how it was made, one point a line */
+    public ReportDocument document(List<String> provenance) {
         ReportDocument page = new ReportDocument(
                 "Fits to known breaths",
                 "Virtual patients breathe in with hidden settings; what a scan would show of their lungs, with noise of"
                         + " 1 mm, is fitted by another mesh with another tendon and sternum.");
+        page.points(provenance.toArray(String[]::new));
         page.table("Mean distance of both lungs, both ways by area, and height of the domes, mm.", COLUMNS, cells());
         for (Case c : cases) {
             page.section(c.patient.name());

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.phrenic.breathing.pattern.BreathingPreset;
-import org.phrenic.document.report.MachineLine;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.model.material.Materials;
@@ -18,11 +17,15 @@ import org.phrenic.study.paper.Reproduction.Run;
 /**
  * Report with every table, figure and claim of the paper in its order, as printed and as reproduced.
  *
- * @param madeBy program and version
+ * @param provenance how it was made: commit, command, machine, date
  */
 public record ReproductionReport(
-        Reproduction reproduction, PatientResults patients, ReportPictures pictures, String madeBy) {
+        Reproduction reproduction, PatientResults patients, ReportPictures pictures, List<String> provenance) {
     private static final List<Column> PAPER_AND_HERE = PaperTexts.columns(2, "the paper", "here");
+
+    public ReproductionReport {
+        provenance = List.copyOf(provenance);
+    }
 
     /** The complete report. */
     public ReportDocument document() {
@@ -124,9 +127,8 @@ public record ReproductionReport(
         String resolution = ReportNumbers.label(reproduction.breathResolution());
         String vertices = ReportNumbers.grouped(reproduction.breathResolution().vertices());
         report.section("How this was made");
-        report.points(
-                "By " + madeBy + ", with: phrenic reproduce --out DIR" + (reproduction.quick() ? " --quick" : ""),
-                PaperTexts.text("breaths", resolution, vertices),
-                MachineLine.text() + " Speeds are of this machine at this moment.");
+        report.points(provenance.toArray(String[]::new));
+        report.paragraph(
+                PaperTexts.text("breaths", resolution, vertices) + " Speeds are of this machine at this moment.");
     }
 }

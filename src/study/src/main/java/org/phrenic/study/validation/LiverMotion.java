@@ -10,6 +10,8 @@ import java.util.stream.IntStream;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.document.Key;
 import org.phrenic.document.OrderedValues;
+import org.phrenic.document.report.ReportDocument;
+import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.scenario.Assignment;
@@ -176,6 +178,53 @@ public record LiverMotion(List<Row> rows) {
             lines.add(line);
         }
         return lines;
+    }
+
+    /**
+     * The study as a page.
+     *
+     * @param settings of all runs
+     * @param provenance how it was made: commit, command, machine, date
+     */
+    public ReportDocument document(Scenario settings, List<String> provenance) {
+        ReportDocument page = new ReportDocument(
+                "Motion of the liver",
+                "At " + ReportNumbers.label(settings.resolution()) + " resolution; values out of their range: "
+                        + outOfRangeCount() + ".");
+        page.points(provenance.toArray(String[]::new));
+        page.section("Excursions");
+        page.paragraph("From end-expiration to end-inspiration, of a hold at expiration in the breath before it, mm:"
+                + " SI down, AP forward, LR to the side, of all vertices; top and edge: descent of the highest and"
+                + " the lowest fifth; dome: descent of the right dome; creep: rise of the liver, and of the right"
+                + " dome, during a hold after its first second. In brackets: the range of people, where one is known.");
+        page.table("", columns(table().get(0)), table().subList(1, rows.size() + 1));
+        page.section("Shares");
+        page.paragraph("Forward: AP over SI. Top: descent of the top over that of the right dome.");
+        page.table("", columns(List.of("body", "preset", "forward", "top")), shares());
+        page.section("Ranges");
+        page.points(rows.stream()
+                .flatMap(r -> r.referenceRanges().stream().flatMap(Optional::stream))
+                .distinct()
+                .map(r -> r.key() + ": " + ValidationReport.range(r) + " " + r.unit() + ", " + r.source())
+                .toArray(String[]::new));
+        return page;
+    }
+
+    private List<List<String>> shares() {
+        return rows.stream()
+                .map(r -> List.of(r.body(), r.preset(), share(r.apMm(), r.siMm()), share(r.topMm(), r.domeMm())))
+                .toList();
+    }
+
+    private static String share(double part, double whole) {
+        return ReportNumbers.format("%.2f", part / whole);
+    }
+
+    /** A body and a preset, then numbers. */
+    private static List<Column> columns(List<String> headings) {
+        return IntStream.range(0, headings.size())
+                .mapToObj(i -> new Column(headings.get(i), i > 1))
+                .toList();
     }
 
     private static String cell(Row row, int which) {

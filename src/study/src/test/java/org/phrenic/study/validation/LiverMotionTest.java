@@ -6,6 +6,9 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.scenario.Scenario;
 import org.phrenic.study.BreathSeries;
 import org.phrenic.study.PresetRun;
 
@@ -68,5 +71,16 @@ class LiverMotionTest {
         assertThat(row.referenceRanges().get(3)).isEmpty();
         assertThat(motion.table().get(2)).contains("9.00 (0 - 5.6) OUT");
         assertThat(motion.values()).containsEntry("outside", motion.outOfRangeCount());
+    }
+
+    /** The liver goes forward by 0.3 of its descent, and its top as far down as the dome. */
+    @Test
+    void thePageStatesExcursionsSharesAndTheSourcesOfTheRanges() {
+        LiverMotion.Row row = LiverMotion.row("a body", "quiet", breath(0, 0), PhysiologyTable.shipped());
+        String page =
+                MarkdownPage.format(new LiverMotion(List.of(row)).document(Scenario.defaults(), List.of("Commit 1")));
+        assertThat(page)
+                .contains("At medium resolution; values out of their range: 0.", "- Commit 1", Disclaimer.TEXT)
+                .contains("| a body | quiet | 0.30 | 1.00 |", "liver\\_si\\_quiet: 5.1 - 17.3 mm", "PMC5978939");
     }
 }
