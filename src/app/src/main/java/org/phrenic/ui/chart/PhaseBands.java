@@ -11,7 +11,8 @@ import org.phrenic.simulation.observe.Observation;
 /**
  * Respiratory phases of recorded samples, from the drives of diaphragm and ribs: rising in inspiration, falling in
  * expiration, constant in a pause (at rest) and a hold. A turn counts once the drives have gone back by
- * {@value #MIN_TURN_SHARE} of their range between the two times, so that noise in a recorded breath is no phase.
+ * {@value #MIN_TURN_SHARE} of their range between the two times, so that noise in a recorded breath is no phase. For
+ * the same reason a pause in an expiration, or an expiration in a pause, lasts {@value #MIN_INTERRUPTION_S} s or more.
  */
 final class PhaseBands {
     /** An interval of one phase, s; {@code breath} counts the breaths before it. */
@@ -34,6 +35,8 @@ final class PhaseBands {
 
     private static final double MIN_TURN_SHARE = 0.08;
 
+    private static final double MIN_INTERRUPTION_S = 0.4;
+
     private PhaseBands() {}
 
     /** Bands between two times, in order and without gaps; none where nothing is recorded. */
@@ -50,7 +53,27 @@ final class PhaseBands {
         for (Band band : bands) {
             append(merged, band, band.label == RespiratoryPhase.HOLD && band.to - band.from < MIN_HOLD_S);
         }
-        return merged;
+        return withoutInterruptions(merged);
+    }
+
+    /** Joins bands of one phase and breath that a short pause, or a short movement in a pause, separates. */
+    private static List<Band> withoutInterruptions(List<Band> bands) {
+        List<Band> joined = new ArrayList<>();
+        for (int i = 0; i < bands.size(); i++) {
+            Band last = joined.isEmpty() ? null : joined.get(joined.size() - 1);
+            Band band = bands.get(i);
+            boolean within = last != null
+                    && i + 1 < bands.size()
+                    && bands.get(i + 1).label == last.label
+                    && bands.get(i + 1).breath == last.breath;
+            boolean still = within && (isStill(last.label) || isStill(band.label));
+            append(joined, band, still && band.to - band.from < MIN_INTERRUPTION_S);
+        }
+        return joined;
+    }
+
+    private static boolean isStill(RespiratoryPhase phase) {
+        return phase == RespiratoryPhase.PAUSE || phase == RespiratoryPhase.HOLD;
     }
 
     /**

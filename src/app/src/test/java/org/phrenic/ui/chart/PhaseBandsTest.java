@@ -18,6 +18,16 @@ class PhaseBandsTest {
         return recorded(preset, seconds, 0);
     }
 
+    private static SampleRingBuffer recorded(double... sums) {
+        SampleRingBuffer ring = new SampleRingBuffer(Observation.COLUMNS.size(), 5000);
+        for (int i = 0; i < sums.length; i++) {
+            double[] values = new double[Observation.COLUMNS.size()];
+            values[Observation.COLUMNS.indexOf("activation")] = sums[i];
+            ring.add(i * STEP_S, values);
+        }
+        return ring;
+    }
+
     /** @param ripple amplitude of a vibration of 6 Hz on the drive of the muscle, as noise of a camera has it */
     private static SampleRingBuffer recorded(String preset, double seconds, double ripple) throws Exception {
         BreathingPattern pattern = BreathingPreset.named(preset).pattern();
@@ -65,6 +75,23 @@ class PhaseBandsTest {
         }
         // Up and down twice; the ripple hides the pauses, and the first samples before the first rise may be falling.
         assertThat(turns).isBetween(3, 5);
+    }
+
+    /** A recorded breath rises for 1 s, falls for 1 s and rests for 2 s, in which it trembles twice for 0.2 s. */
+    @Test
+    void aTremorInAPauseIsNoPhase() {
+        double[] sums = new double[200];
+        for (int i = 0; i < 100; i++) {
+            sums[i] = 0.5 * (1 - Math.cos(2 * Math.PI * i / 100.0));
+        }
+        for (int i = 0; i < 10; i++) {
+            double tremor = 0.004 * Math.sin(Math.PI * i / 10);
+            sums[120 + i] = tremor;
+            sums[150 + i] = tremor;
+        }
+        assertThat(PhaseBands.of(recorded(sums), 0, 4))
+                .extracting(PhaseBands.Band::label)
+                .containsExactly(RespiratoryPhase.INSPIRATION, RespiratoryPhase.EXPIRATION, RespiratoryPhase.PAUSE);
     }
 
     @Test
