@@ -5,14 +5,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
+import org.phrenic.cli.option.ProvenanceOption;
+import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.option.ScenarioOptions;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.OrderedValues;
+import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.document.report.ReportDocument;
+import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.bare.BareScene;
 import org.phrenic.study.bare.BareSettings;
 import org.phrenic.study.bare.BareWorkload;
@@ -34,6 +40,7 @@ import picocli.CommandLine.Option;
             "  phrenic bench window --seconds 60 --door researcher     about 80 s",
             "  phrenic bench window --seconds 60 --door rehearsal",
             "",
+            "With --out, DIR gets window.md and window.json.",
             "A display is needed; without one: exit code 4 and one sentence. Other programs at work lower every figure."
         })
 final class BenchWindowCommand extends ReportingCommand {
@@ -61,8 +68,15 @@ final class BenchWindowCommand extends ReportingCommand {
     @Option(names = "--height", paramLabel = "PIXELS", description = "Window height (default ${DEFAULT-VALUE}).")
     private int height = 800;
 
+    @Mixin
+    private ProvenanceOption made;
+
+    @Mixin
+    private ReportFolder out;
+
     @Override
     public Integer call() {
+        out.check();
         Workspace workspace = workspace();
         if (!(seconds >= WindowBenchmark.INTERVAL_S && seconds <= MAX_SECONDS)) {
             throw new BadInputException(
@@ -79,6 +93,8 @@ final class BenchWindowCommand extends ReportingCommand {
         OrderedValues values = values(result);
         TextTable table = new TextTable(false, false);
         values.forEach((key, value) -> table.row(key, String.valueOf(value)));
+        out.write("window.md", MarkdownPage.format(page(values)));
+        out.write("window.json", values);
         print(values, table::text);
         return ExitCode.SUCCESS;
     }
@@ -89,6 +105,24 @@ final class BenchWindowCommand extends ReportingCommand {
             case "rehearsal" -> Workspace.CLINICIAN;
             default -> throw new BadInputException("--door: found '" + door + "', expected researcher or rehearsal");
         };
+    }
+
+    private ReportDocument page(OrderedValues values) {
+        ReportDocument page = new ReportDocument(
+                "Pace of the window, " + door,
+                "A window of " + width + " x " + height + " pixels on "
+                        + scenario.resolved().anatomy() + ", "
+                        + ReportNumbers.label(scenario.resolved().resolution()) + " resolution, measured for " + seconds
+                        + " s after a warm-up.");
+        page.points(made.lines("bench window --seconds " + seconds + " --door " + door + (turn ? " --turn" : ""))
+                .toArray(String[]::new));
+        page.paragraph("Real time: simulated over wall time; least over any " + WindowBenchmark.INTERVAL_S
+                + " s, and mean. Processors: processor time over wall time, of the process and of its threads. Bare"
+                + " steps: the bare workload on the sheet of this scene, on one thread and on two.");
+        List<List<String>> rows = new ArrayList<>();
+        values.forEach((key, value) -> rows.add(List.of(key.replace('_', ' '), String.valueOf(value))));
+        page.table("", List.of(Column.text("quantity"), Column.text("value")), rows);
+        return page;
     }
 
     private static String text(WindowBenchmark.Interval interval) {
