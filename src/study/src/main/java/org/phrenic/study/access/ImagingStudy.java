@@ -5,10 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
-import java.util.function.Supplier;
 import org.phrenic.access.imaging.CArm;
 import org.phrenic.access.imaging.Fluoroscope;
-import org.phrenic.access.ultrasound.BModeImage;
 import org.phrenic.access.ultrasound.CurvilinearProbe;
 import org.phrenic.access.ultrasound.LiverWindow;
 import org.phrenic.access.ultrasound.ProbeOnSkin;
@@ -91,11 +89,11 @@ public final class ImagingStudy {
         }
     }
 
-    private static Times time(Supplier<?> picture) {
+    private static Times time(Runnable picture) {
         List<Double> seconds = new ArrayList<>();
         for (int i = -WARM_UP; i < PICTURES; i++) {
             long begun = System.nanoTime();
-            picture.get();
+            picture.run();
             if (i >= 0) {
                 seconds.add(NANO * (System.nanoTime() - begun));
             }
@@ -104,7 +102,7 @@ public final class ImagingStudy {
     }
 
     /** Images of a probe that is turned by a degree from one to the next. */
-    private static Supplier<BModeImage> images(SceneSurfaces scene, Frame frame, int threads) {
+    private static Runnable images(SceneSurfaces scene, Frame frame, int threads) {
         Ultrasound ultrasound = new Ultrasound(scene.surfaces(), CurvilinearProbe.abdominal(), threads);
         ProbeOnSkin place = new ProbeOnSkin(scene.surfaces(), LiverWindow.RIGHT_INTERCOSTAL.placeOn(scene.surfaces()));
         int[] turned = {0};
@@ -131,7 +129,7 @@ public final class ImagingStudy {
 
         Times take(double seconds) {
             Frame own = latest.copy();
-            Supplier<BModeImage> image = images(scene, own, 1);
+            Runnable image = images(scene, own, 1);
             Thread thread = new Thread(this, "scene");
             thread.start();
             List<Double> times = new ArrayList<>();
@@ -141,7 +139,7 @@ public final class ImagingStudy {
                 synchronized (latest) {
                     own.copyFrom(latest);
                 }
-                image.get();
+                image.run();
                 times.add(NANO * (System.nanoTime() - from));
             }
             ended.set(true);
