@@ -41,6 +41,13 @@ public final class BodyReport {
             Column.number("necks: mean deg"),
             Column.number("greatest deg"));
 
+    private static final List<Column> SURFACE_COLUMNS = List.of(
+            Column.text("body"),
+            Column.text("kind"),
+            Column.number("structures"),
+            Column.number("mean mm"),
+            Column.number("95 % mm"));
+
     private final BodyStudy study;
 
     public BodyReport(BodyStudy study) {
@@ -135,6 +142,7 @@ public final class BodyReport {
                 columns,
                 study.bodies().stream().map(b -> origin(b, imported)).toList());
         compareRibs(report);
+        compareSurfaces(report);
         return report;
     }
 
@@ -157,6 +165,23 @@ public final class BodyReport {
                 + ReportNumbers.trimmed(RibComparison.NECK_MM, 2)
                 + " mm away.");
         report.table("", RIB_COLUMNS, rows);
+    }
+
+    private void compareSurfaces(ReportDocument report) {
+        List<List<String>> rows = new ArrayList<>();
+        for (BodyResult body : study.bodies()) {
+            for (SurfaceMiss miss : body.surfaces()) {
+                List<String> row = new ArrayList<>(List.of(body.name()));
+                row.addAll(miss.cells());
+                rows.add(row);
+            }
+        }
+        if (!rows.isEmpty()) {
+            report.section("Surfaces against the body that was scanned");
+            report.paragraph("Structures with the same name in both; distances both ways, by area: mean over the"
+                    + " structures, and the greatest 95 % of one.");
+            report.table("", SURFACE_COLUMNS, rows);
+        }
     }
 
     private static List<String> origin(BodyResult body, boolean imported) {
@@ -225,6 +250,11 @@ public final class BodyReport {
             body.sheet()
                     .ifPresent(sheet -> sheet.measures().forEach(measure -> one.put(measure.key(), measure.value())));
             body.ribs().ifPresent(ribs -> one.put("ribs", ReportValues.of(ribs)));
+            if (!body.surfaces().isEmpty()) {
+                one.put(
+                        "surfaces",
+                        body.surfaces().stream().map(ReportValues::of).toList());
+            }
             for (BreathResult breath : body.breaths()) {
                 Map<String, Object> figures = figures(breath);
                 figures.values().removeIf(v -> v instanceof Double d && !Double.isFinite(d));

@@ -14,6 +14,7 @@ import org.phrenic.patient.diaphragm.SheetQuality;
  * @param refusal why the body cannot be simulated, one sentence; empty if it can
  * @param sheet quality of the diaphragm at rest; empty after a refusal or if the body lacks what it is measured on
  * @param ribs comparison with the ribs of the body of which the scan was simulated; empty if there is none
+ * @param surfaces comparison with the surfaces of that body; empty if there is none
  * @param breaths results in the order of {@link BreathDepth}; empty after a refusal
  */
 public record BodyResult(
@@ -22,8 +23,10 @@ public record BodyResult(
         String refusal,
         Optional<SheetQuality> sheet,
         Optional<RibComparison> ribs,
+        List<SurfaceMiss> surfaces,
         List<BreathResult> breaths) {
     public BodyResult {
+        surfaces = List.copyOf(surfaces);
         breaths = List.copyOf(breaths);
     }
 

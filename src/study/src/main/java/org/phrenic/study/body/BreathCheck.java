@@ -39,12 +39,16 @@ final class BreathCheck {
         List<BreathResult> breaths = new ArrayList<>();
         Optional<SheetQuality> sheet = Optional.empty();
         Optional<RibComparison> ribs = Optional.empty();
+        List<SurfaceMiss> misses = List.of();
         String notInScan = "";
         try {
             Thorax thorax = body.thorax().get();
             notInScan = thorax.notInScanSummary();
             sheet = SheetQuality.of(thorax);
             ribs = body.original().flatMap(original -> RibComparison.of(original.get(), thorax));
+            misses = body.original()
+                    .map(original -> SurfaceMiss.of(original.get(), thorax))
+                    .orElse(misses);
             Scenario quiet = scenario.with("preset=" + BreathDepth.QUIET.preset());
             try (Simulation simulation = Simulation.of(quiet, thorax)) {
                 BreathCheck check = new BreathCheck(body.name(), simulation, witness);
@@ -56,11 +60,11 @@ final class BreathCheck {
                     breaths.add(check.breathe(depth));
                 }
             }
-            return new BodyResult(body, notInScan, "", sheet, ribs, breaths);
+            return new BodyResult(body, notInScan, "", sheet, ribs, misses, breaths);
         } catch (RuntimeException e) {
             // Whatever a body brings about is a result of the check, and the other bodies are checked all the same.
             String why = e.getMessage() == null ? e.toString() : e.getMessage();
-            return new BodyResult(body, notInScan, why, sheet, ribs, breaths);
+            return new BodyResult(body, notInScan, why, sheet, ribs, misses, breaths);
         }
     }
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.scenario.Scenario;
 
@@ -26,6 +27,7 @@ class BodyReportTest {
             "",
             Optional.empty(),
             Optional.empty(),
+            List.of(new SurfaceMiss(StructureKind.RIB, 24, 1.5, 4)),
             List.of(
                     breath(BreathDepth.QUIET, 15, 0.2, OrganCrossing.NONE),
                     breath(BreathDepth.DEEP, 55, 0.3, OrganCrossing.NONE)));
@@ -39,6 +41,7 @@ class BodyReportTest {
                 "",
                 Optional.empty(),
                 Optional.empty(),
+                List.of(),
                 List.of(
                         breath(BreathDepth.QUIET, 7.9, 0.51, OrganCrossing.NONE),
                         breath(BreathDepth.DEEP, 55, Double.NaN, new OrganCrossing(0, 2, 1, 4.5, "spleen"))));
@@ -53,20 +56,30 @@ class BodyReportTest {
     @Test
     void refusalsAndDivergencesAreToldInTheTableAndTheSummary() {
         BodyResult refused = new BodyResult(
-                body("refused"), "", "no ribs, expected some", Optional.empty(), Optional.empty(), List.of());
+                body("refused"),
+                "",
+                "no ribs, expected some",
+                Optional.empty(),
+                Optional.empty(),
+                List.of(),
+                List.of());
         BodyResult diverged = new BodyResult(
                 body("diverged"),
                 "",
                 "",
                 Optional.empty(),
                 Optional.empty(),
+                List.of(),
                 List.of(BreathResult.failed(BreathDepth.QUIET, "it diverged at 0.8 s", OrganCrossing.NONE)));
         BodyReport report = new BodyReport(new BodyStudy(Scenario.defaults(), List.of(GOOD, refused, diverged)));
         assertThat(report.summary())
                 .isEqualTo("3 bodies: 1 breathe quietly and deeply to the end, 1 within all limits");
         assertThat(MarkdownPage.format(report.document(List.of("By a test"))))
                 .contains(
-                        "- By a test", "refused: no ribs, expected some |", "diverges: quiet: it diverged at 0.8 s |");
+                        "- By a test",
+                        "| good | rib | 24 | 1.50 | 4.00 |",
+                        "refused: no ribs, expected some |",
+                        "diverges: quiet: it diverged at 0.8 s |");
         assertThat(report.csv().lines()).hasSize(4);
         assertThat(report.values()).containsEntry("passes", false);
     }
