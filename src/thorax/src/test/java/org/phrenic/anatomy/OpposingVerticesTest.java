@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.mesh.TriangleMesh;
 
@@ -100,6 +102,32 @@ class OpposingVerticesTest {
         List<OpposingVertices.Pair> pairs = OpposingVertices.of(box, 10).nearestPairs(2);
         assertThat(pairs).isNotEmpty().allSatisfy(p -> assertThat(distance(box, p))
                 .isLessThanOrEqualTo(10));
+    }
+
+    /**
+     * A strut resists a change of thickness. It joins the two sides of a wedge; it joins no sides that meet nearly at a
+     * right angle or at more.
+     */
+    @ParameterizedTest
+    @CsvSource({"10, true", "45, true", "70, true", "80, false", "90, false", "120, false"})
+    void theSidesOfAWedgeOpposeAndThoseOfACornerDoNot(double degrees, boolean opposing) {
+        assertThat(!OpposingVertices.of(wedge(degrees), REACH_MM)
+                        .nearestPairs(1)
+                        .isEmpty())
+                .isEqualTo(opposing);
+    }
+
+    /** Two flat sides that would meet at the y axis at an angle, each 5 to 7 mm from it; they face outward. */
+    private static TriangleMesh wedge(double degrees) {
+        double[] p = new double[24];
+        for (int v = 0; v < 8; v++) {
+            double angle = v < 4 ? 0 : Math.toRadians(degrees);
+            double along = v % 2 == 0 ? 5 : 7;
+            p[3 * v] = along * Math.cos(angle);
+            p[3 * v + 1] = v % 4 < 2 ? 0 : 2;
+            p[3 * v + 2] = along * Math.sin(angle);
+        }
+        return new TriangleMesh(p, new int[] {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6});
     }
 
     /** Share of vertices that have an opposing one in reach. */
