@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 /** Every part of the model can be taken out, and then it is gone. */
 class SwitchesTest {
     private static final double QUARTER_BREATH_S = 1;
+    private static final String[] THREE_LINKS = Runs.sheetAlone("links_per_node=3", "tendon=plane");
 
     @Test
     void everyPartThatIsSwitchedOffIsGone() {
@@ -55,10 +56,18 @@ class SwitchesTest {
         assertThat(Math.abs(passive.last().get("dome_right_mm"))).isLessThan(4);
     }
 
+    /** Links that share nodes disturb each other; every sweep over them reduces what is left of their error. */
+    @Test
+    void moreSweepsLeaveLessErrorInLinksThatShareNodes() {
+        String[] once = Runs.sheetAlone("links_per_node=3", "tendon=plane", "projection_sweeps=1");
+        assertThat(Runs.of(0.3, once).most("rigid_link_error"))
+                .isGreaterThan(1.5 * Runs.of(0.3, THREE_LINKS).most("rigid_link_error"));
+    }
+
     @Test
     void anyTendonRuleAndUpToThreeLinksANodeKeepTheLinksLengths() {
         Runs.Run one = Runs.of(0, Runs.sheetAlone());
-        Runs.Run three = Runs.of(0.3, Runs.sheetAlone("links_per_node=3", "tendon=plane"));
+        Runs.Run three = Runs.of(0.3, THREE_LINKS);
         assertThat(three.links()).isGreaterThan(one.links());
         assertThat(three.most("rigid_link_error")).isLessThanOrEqualTo(1e-4);
         assertThat(three.last().get("dome_right_mm")).isCloseTo(0, within(10.0));
