@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.anatomy.Side;
 import org.phrenic.engine.kinematics.HelicalAxis;
 import org.phrenic.file.BadInputException;
@@ -54,6 +56,38 @@ class RibAxisTableTest {
         double[] left =
                 table.axis(7, Side.LEFT, new double[] {18, 60, 0}).motion().apply(110, -80, -130);
         assertThat(left).containsExactly(new double[] {-right[0], right[1], right[2]}, within(1e-9));
+    }
+
+    /**
+     * Motion of a bucket handle: inspiration raises a point lateral to the head of a rib, on both sides, at all levels.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {RibAxisTable.WILSON_CT, RibAxisTable.NECK})
+    void everyRibRaisesItsLateralArc(String name) {
+        RibAxisTable table = RibAxisTable.preset(name);
+        for (int level = 1; level <= 12; level++) {
+            for (int outward : new int[] {-1, 1}) {
+                Side side = outward < 0 ? Side.RIGHT : Side.LEFT;
+                double[] beside = {outward * 118, 54, 0};
+                double[] head = {outward * 18, 54, 0};
+                assertThat(table.axis(level, side, head).motion().apply(beside[0], beside[1], beside[2])[2])
+                        .as("rise of the arc of rib %d, %s, mm", level, side)
+                        .isGreaterThan(3);
+            }
+        }
+    }
+
+    /** Upper ribs swing forward, lower ones open outward like calipers; from rib 3 to 10 the swing falls with level. */
+    @Test
+    void measuredRibsSwingOutwardTheMoreTheLowerTheyLie() {
+        RibAxisTable table = RibAxisTable.preset(RibAxisTable.WILSON_CT);
+        for (int level = 3; level < 10; level++) {
+            assertThat(table.row(level + 1).swingDeg())
+                    .as("rib " + (level + 1))
+                    .isLessThan(table.row(level).swingDeg());
+        }
+        assertThat(table.row(3).swingDeg()).isPositive();
+        assertThat(table.row(12).swingDeg()).isNegative();
     }
 
     @Test
