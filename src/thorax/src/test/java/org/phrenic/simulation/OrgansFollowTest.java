@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -12,6 +13,9 @@ import org.phrenic.engine.force.Attachments;
 import org.phrenic.engine.kinematics.HelicalAxis;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.model.organ.LiverPart;
+import org.phrenic.simulation.observe.Observation;
+import org.phrenic.simulation.observe.SceneObserver;
 
 /** How liver and base of the lungs go with a diaphragm that is moved by hand. */
 class OrgansFollowTest {
@@ -61,6 +65,54 @@ class OrgansFollowTest {
         assertThat(moved[edge + 1] - rest[edge + 1]).isCloseTo(3, within(ROUNDING));
         assertThat(moved[top + 2] - rest[top + 2]).isCloseTo(-14, within(ROUNDING));
         assertThat(moved[edge + 2] - rest[edge + 2]).isBetween(-0.9 * 14, -0.6 * 14);
+    }
+
+    /** The lower right lobe goes 0.6 to 0.7 times as far as the dome (doi 10.1002/jmri.22418, 10 people). */
+    @Test
+    void inAQuietBreathTheLowerEdgeOfTheLiverGoesTwoThirdsAsFarAsTheDome() {
+        try (Simulation breath = Simulation.of(Runs.scenario(Runs.sheetAlone()), Runs.male())) {
+            while (breath.time() < QuietBreathTest.INSPIRATION_S) {
+                breath.step();
+            }
+            Scene breathing = breath.scene();
+            LiverPart part = breathing.liver().orElseThrow();
+            double[] rest = part.positions(breathing.restPositions(), breathing.restPositions())
+                    .clone();
+            double[] now = new double[breathing.restPositions().length];
+            breathing.layout().toCaller(breathing.system().positions(), now);
+            double[] moved = part.positions(breathing.restPositions(), now);
+            double dome = new SceneObserver(breathing).observe(breath.time()).get("dome_right_mm");
+            assertThat(lowestFifth(rest, moved) / dome).isBetween(0.6, 0.7);
+        }
+    }
+
+    /** Mean vertical displacement of the lowest fifth of the vertices, mm. */
+    private static double lowestFifth(double[] rest, double[] moved) {
+        int[] order = IntStream.range(0, rest.length / 3)
+                .boxed()
+                .sorted(Comparator.comparingDouble(i -> rest[3 * i + 2]))
+                .limit(rest.length / 15)
+                .mapToInt(i -> 3 * i + 2)
+                .toArray();
+        return IntStream.of(order)
+                .mapToDouble(i -> moved[i] - rest[i])
+                .average()
+                .orElseThrow();
+    }
+
+    /** Axes of LPS: to the left, to the back, up. */
+    @Test
+    void theObservablesOfTheLiverGoWithTheBodysAxes() {
+        double[] x = scene.system().positions();
+        double[] before = x.clone();
+        for (int i = 0; i < x.length; i++) {
+            x[i] += new double[] {1, 3, -14}[i % 3];
+        }
+        Observation seen = new SceneObserver(scene).observe(0);
+        System.arraycopy(before, 0, x, 0, x.length);
+        assertThat(seen.get("liver_lr_mm")).as("to the left").isCloseTo(1, within(ROUNDING));
+        assertThat(seen.get("liver_ap_mm")).as("to the back").isCloseTo(3, within(ROUNDING));
+        assertThat(seen.get("liver_si_mm")).as("up").isBetween(-14.0, -0.82 * 14);
     }
 
     @Test

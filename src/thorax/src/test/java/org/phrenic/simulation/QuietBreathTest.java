@@ -13,7 +13,7 @@ import org.phrenic.scenario.Scenario;
 class QuietBreathTest {
     static final double BREATH_S = 4;
     /** The domes stand lowest within this time. */
-    private static final double INSPIRATION_S = 1.9;
+    static final double INSPIRATION_S = 1.9;
 
     private static Runs.Run breath;
 
