@@ -53,6 +53,18 @@ class SummaryFilesTest {
                         """);
     }
 
+    /**
+     * The file is replaced, not written over: a second name of the old file, as an open reader has, keeps its content.
+     */
+    @Test
+    void jsonReplacesAFileAtOnce() throws IOException {
+        Path file = Files.writeString(folder.resolve("summary.json"), "old");
+        Path old = Files.createLink(folder.resolve("old.json"), file);
+        JsonWriter.write(file, Map.of("steps", 1));
+        assertThat(file).hasContent("{\n  \"steps\": 1\n}");
+        assertThat(old).hasContent("old");
+    }
+
     @Test
     void jsonRefusesWhatItCannotSay() {
         assertThatIllegalArgumentException()

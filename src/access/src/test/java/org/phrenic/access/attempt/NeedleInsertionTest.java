@@ -130,6 +130,9 @@ class NeedleInsertionTest {
         assertThat(session.record().headlines())
                 .containsEntry("axial_error_mm", miss.axialMm())
                 .containsEntry("lateral_error_mm", miss.lateralMm());
+        assertThat(miss.toMap())
+                .containsEntry("axial_mm", miss.axialMm())
+                .containsEntry("lateral_mm", miss.lateralMm());
     }
 
     @Test
