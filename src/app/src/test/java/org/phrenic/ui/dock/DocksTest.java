@@ -225,6 +225,24 @@ class DocksTest {
         EventThread.until("the row shows it", () -> row.field().getText().equals("1"));
     }
 
+    /** Villard, Bourne and Bello 2009 step by 10 ms. */
+    @Test
+    void theTimeStepIsResetToThatOfTheMaterial() {
+        Scenario published = FIRST.withMaterial(Materials.PUBLISHED);
+        Session own = on(() -> new Session(published));
+        try {
+            ParameterDock dock = on(() -> new ParameterDock(own));
+            EventThread.run(() -> own.change("A shorter step", Assignment.read("test", "time_step_s", "0.002")));
+            EventThread.run(dock::onChange);
+            assertThat(on(() -> row(dock, "time_step_s").field().getToolTipText()))
+                    .contains("default 0.01 s;");
+            EventThread.run(dock::resetAll);
+            assertThat(on(() -> own.scenario()).timeStepS()).isEqualTo(0.01);
+        } finally {
+            EventThread.run(own::close);
+        }
+    }
+
     @Test
     void resetAllIsOneChange() {
         ParameterDock dock = on(() -> new ParameterDock(session));
