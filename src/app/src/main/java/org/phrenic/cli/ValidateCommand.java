@@ -134,14 +134,11 @@ final class ValidateCommand extends ReportingCommand {
                 .toString();
     }
 
-    private int liver(LiverMotion motion, Scenario scenario) {
+    /** Reports the motion of the liver and returns the exit code. */
+    int liver(LiverMotion motion, Scenario scenario) {
         out.write("liver.md", MarkdownPage.format(motion.document(scenario, made.lines("validate" + arguments()))));
         out.write("liver.json", motion.values());
         print(motion.values(), () -> withDisclaimer(TextTable.ofNumbers(motion.table())));
-        return exitCode(motion);
-    }
-
-    static int exitCode(LiverMotion motion) {
         return motion.outOfRangeCount() == 0 ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 

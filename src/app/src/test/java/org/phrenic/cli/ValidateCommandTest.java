@@ -3,6 +3,8 @@ package org.phrenic.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -11,9 +13,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.scenario.Scenario;
 import org.phrenic.study.validation.LiverMotion;
 import org.phrenic.study.validation.PhysiologyTable;
 import org.phrenic.study.validation.ReferenceRange;
+import picocli.CommandLine;
 
 /** {@code phrenic validate}: exit codes and files. */
 class ValidateCommandTest {
@@ -132,9 +136,15 @@ class ValidateCommandTest {
                 .filter(r -> r.key().equals("liver_si_quiet"))
                 .findFirst();
         assertThat(quiet).isPresent();
-        assertThat(ValidateCommand.exitCode(liver(10, quiet))).isZero();
-        assertThat(ValidateCommand.exitCode(liver(4, quiet))).isEqualTo(ExitCode.CHECK_FAILED);
-        assertThat(ValidateCommand.exitCode(liver(4, Optional.empty()))).isZero();
+        assertThat(exitCode(liver(10, quiet))).isZero();
+        assertThat(exitCode(liver(4, quiet))).isEqualTo(ExitCode.CHECK_FAILED);
+        assertThat(exitCode(liver(4, Optional.empty()))).isZero();
+    }
+
+    private static int exitCode(LiverMotion motion) {
+        ValidateCommand command = new ValidateCommand();
+        new CommandLine(command).setOut(new PrintWriter(new StringWriter()));
+        return command.liver(motion, Scenario.defaults());
     }
 
     private static LiverMotion liver(double siMm, Optional<ReferenceRange> range) {
