@@ -92,6 +92,9 @@ class RegressionTest {
         assertThat(comparison.passes()).isFalse();
         // Not by a hair: ten times the tolerance.
         assertThat(comparison.worstMm()).isGreaterThan(10 * scene.toleranceMm());
+        assertThat(comparison.worstRelativeError())
+                .as(comparison.worstObservable())
+                .isGreaterThan(2 * scene.observableTolerance());
         assertThat(comparison.sentence())
                 .contains("node " + comparison.worstNode())
                 .contains("the tolerance is " + scene.toleranceMm() + " mm");
