@@ -1,6 +1,7 @@
 package org.phrenic.anatomy;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.phrenic.engine.math.DisjointSets;
 import org.phrenic.mesh.MeshMeasure;
@@ -20,7 +21,9 @@ import org.phrenic.mesh.TriangleMesh;
  * The integral of the upward normal over a face is the area inside the projected border, so the patch with the larger
  * one is thoracic, whatever its shape. If the votes contradict the patches at more than {@value #MISREAD_SHARE} of all
  * vertices, not counting those within {@value #BORDER_EDGES} edges of a patch's border, the patches decide, and
- * vertices between them take the face of the neighbour with the most similar normal.
+ * vertices between them take the face of the neighbour with the most similar normal. If there are fewer, only the
+ * connected regions of them that reach beyond those edges with more than one vertex take the face of their patch, such
+ * as a steep step between the domes beside the xiphoid.
  *
  * <p>A face is connected. A connected component of one face of fewer than {@value #ISLAND_SHARE} of all vertices, such
  * as a dimple that votes and patches misread, takes the other face.
@@ -122,8 +125,29 @@ public final class DiaphragmFaces {
             if (misread > MISREAD_SHARE * patch.length) {
                 Arrays.setAll(patch, i -> patch[i] == top ? 1 : patch[i] == bottom ? 0 : -1);
                 fill(patch, edges, normals);
+            } else {
+                correctRegions(thoracic, edges, near, i -> patch[i] == (thoracic[i] ? bottom : top));
             }
             return;
+        }
+    }
+
+    /**
+     * Gives connected regions of misread vertices to the other face if two or more of a region are not near the border
+     * of the patches, given the two ends of each edge.
+     */
+    static void correctRegions(boolean[] thoracic, int[] edges, boolean[] near, IntPredicate misread) {
+        boolean[] wrong = new boolean[near.length];
+        for (int i = 0; i < near.length; i++) {
+            wrong[i] = misread.test(i);
+        }
+        int[] region = components(near.length, edges, (a, b) -> wrong[a] && wrong[b]);
+        int[] beyond = new int[near.length];
+        for (int i = 0; i < near.length; i++) {
+            beyond[region[i]] += wrong[i] && !near[i] ? 1 : 0;
+        }
+        for (int i = 0; i < near.length; i++) {
+            thoracic[i] ^= beyond[region[i]] > 1;
         }
     }
 

@@ -108,6 +108,36 @@ class DiaphragmFacesTest {
         }
     }
 
+    /**
+     * A strip whose first 100 vertices are thoracic, near the border from 90 to 110, with misread vertices from 85 to
+     * 99, from 89 to 90 and from 101 to 105: only the first region reaches beyond with more than one vertex.
+     */
+    @Test
+    void aMisreadRegionThatReachesBeyondTheBorderIsCorrected() {
+        assertThat(thoracicAfterCorrection(85, 100)).isEqualTo(100);
+        assertThat(thoracicAfterCorrection(89, 91)).isEqualTo(98);
+        assertThat(thoracicAfterCorrection(101, 106)).isEqualTo(105);
+    }
+
+    private static int thoracicAfterCorrection(int from, int to) {
+        int n = 200;
+        boolean[] thoracic = new boolean[n];
+        boolean[] near = new boolean[n];
+        int[] edges = new int[2 * (n - 1)];
+        for (int i = 0; i < n; i++) {
+            thoracic[i] = i < 100 != (i >= from && i < to);
+            near[i] = i >= 90 && i <= 110;
+            edges[Math.max(0, 2 * i - 2)] = Math.max(0, i - 1);
+            edges[Math.max(1, 2 * i - 1)] = Math.max(1, i);
+        }
+        DiaphragmFaces.correctRegions(thoracic, edges, near, i -> i >= from && i < to);
+        int sum = 0;
+        for (boolean t : thoracic) {
+            sum += t ? 1 : 0;
+        }
+        return sum;
+    }
+
     @Test
     void bothFacesOfTheVirtualSheetsHaveAboutEqualArea() {
         for (String body : new String[] {"adult-male", "adult-female"}) {
