@@ -7,6 +7,7 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.cage.RibCagePose;
 import org.phrenic.anatomy.cage.SkinningWeights;
+import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.LiverPart;
@@ -91,8 +92,9 @@ final class SceneCarriers {
     }
 
     /** Binds an organ, by its name in lower case, to what carries it. */
-    OrganMotion bind(String name, double[] rest, SkinningWeights bones) {
+    OrganMotion bind(String name, TriangleMesh mesh, SkinningWeights bones) {
         inUse = true;
+        double[] rest = mesh.positions();
         if (ofLiver >= 0 && IN_LIVER.matcher(name).matches()) {
             return new OrganMotion(rest, liver, OrganMotion.Hold.SLIDING);
         }
@@ -100,7 +102,7 @@ final class SceneCarriers {
             return new OrganMotion(rest, wall, OrganMotion.Hold.SLIDING);
         }
         if (DiaphragmSide.of(StructureKind.ORGAN, name) == DiaphragmSide.ABOVE) {
-            return new OrganMotion(rest, chest, OrganMotion.Hold.SLIDING);
+            return new OrganMotion(rest, chest, OrganMotion.Hold.SLIDING).keepingVolume(mesh);
         }
         boolean fixed = FIXED.matcher(name).matches();
         return new OrganMotion(rest, around, fixed ? OrganMotion.Hold.FIXED : OrganMotion.Hold.SLIDING);

@@ -203,7 +203,7 @@ public final class SceneSurfaces {
         } else if (name.startsWith("internal_mammary")) {
             addBlended(s);
         } else {
-            OrganMotion motion = carriers.bind(name, s.mesh().positions(), bones());
+            OrganMotion motion = carriers.bind(name, s.mesh(), bones());
             addOrgan(s, (time, at) -> motion.now());
         }
     }

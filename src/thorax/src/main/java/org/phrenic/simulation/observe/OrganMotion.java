@@ -2,8 +2,11 @@ package org.phrenic.simulation.observe;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.phrenic.engine.force.FallOff;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
 /**
@@ -46,6 +49,7 @@ public final class OrganMotion {
     private final double[] horizontal;
 
     private final double[] position;
+    private Optional<KeptVolume> kept = Optional.empty();
 
     /**
      * Binds an organ to its carriers.
@@ -63,6 +67,17 @@ public final class OrganMotion {
         position = rest.clone();
         PointClusters clusters = new PointClusters(rest);
         IntStream.range(0, clusters.count()).parallel().forEach(cluster -> bind(clusters, cluster));
+    }
+
+    /**
+     * Lets the organ keep its volume where its carriers move apart ({@link KeptVolume}); one without an inside does
+     * not.
+     *
+     * @param mesh the organ at end-expiration
+     */
+    public OrganMotion keepingVolume(TriangleMesh mesh) {
+        kept = MeshMeasure.hasInside(mesh) ? Optional.of(new KeptVolume(mesh)) : Optional.empty();
+        return this;
     }
 
     /** Binds the points of a cluster. Only carriers that can be among the nearest of one of them are looked at. */
@@ -150,6 +165,7 @@ public final class OrganMotion {
             position[3 * point + 1] = rest[3 * point + 1] + horizontal[point] * y;
             position[3 * point + 2] = rest[3 * point + 2] + z;
         }
+        kept.ifPresent(volume -> volume.apply(position));
         return position;
     }
 }

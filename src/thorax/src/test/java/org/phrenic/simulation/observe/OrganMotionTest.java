@@ -4,6 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.Shapes;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.TriangleTree;
 
 class OrganMotionTest {
     /** A plane sheet of 200 x 200 mm at z = 0, points 10 mm apart. */
@@ -73,5 +77,30 @@ class OrganMotionTest {
         for (int i = 1; i < 60; i++) {
             assertThat(held[3 * i + 2]).isLessThan(held[3 * i - 1]).isGreaterThan(-60);
         }
+    }
+
+    /** A ball between two sheets of which the lower one goes down: carried, it is half as large again. */
+    @Test
+    void anOrganThatKeepsItsVolumeStaysWithinWhereItIsCarriedAndOnItsLowerPart() {
+        TriangleMesh ball = Shapes.sphere(30, 3);
+        OrganCarriers carriers = new OrganCarriers(24);
+        int floor = carriers.addMoving(sheet(-35), v -> true);
+        carriers.addMoving(sheet(35), v -> true);
+        OrganMotion carried = new OrganMotion(ball.positions(), carriers, OrganMotion.Hold.SLIDING);
+        OrganMotion keeping = new OrganMotion(ball.positions(), carriers, OrganMotion.Hold.SLIDING).keepingVolume(ball);
+        carriers.update(floor, sheet(-75));
+        TriangleMesh large = ball.withPositions(carried.now().clone());
+        TriangleMesh kept = ball.withPositions(keeping.now().clone());
+        double volume = MeshMeasure.signedVolume(ball);
+        assertThat(MeshMeasure.signedVolume(large)).isGreaterThan(1.4 * volume);
+        assertThat(MeshMeasure.signedVolume(kept)).isCloseTo(volume, within(1e-6 * volume));
+        TriangleTree outside = new TriangleTree(large);
+        for (int v = 0; v < kept.vertexCount(); v++) {
+            assertThat(outside.isInside(kept.x(v), kept.y(v), kept.z(v))).isTrue();
+        }
+        assertThat(kept.bounds()[2] - large.bounds()[2]).as("it goes down").isBetween(0.0, 6.0);
+        assertThat(large.bounds()[5] - kept.bounds()[5]).isGreaterThan(8);
+        carriers.update(floor, sheet(-25));
+        assertThat(keeping.now()).as("not enlarged").isEqualTo(carried.now());
     }
 }
