@@ -108,6 +108,15 @@ class DocumentsTest {
     }
 
     @Test
+    void everyPageOfResultsStatesTheCommandAndTheCommitThatMadeIt() throws IOException {
+        assertThat(documents().filter(document -> document.startsWith(RESULTS)))
+                .isNotEmpty()
+                .allSatisfy(document -> assertThat(Files.readString(document))
+                        .contains("\n- With: phrenic ")
+                        .containsPattern("\n- Commit [0-9a-f]{8}"));
+    }
+
+    @Test
     void theListOfDependenciesIsThatOfTheBuild() throws Exception {
         Map<String, String> listed = new TreeMap<>();
         ARTIFACT_ROW
