@@ -51,7 +51,7 @@ public record BreathEvent(Kind kind, OptionalInt breath) {
     }
 
     /** Whether the event occurs between two frames, given the phase and breath number of both. */
-    boolean occurs(RespiratoryPhase before, int breathBefore, RespiratoryPhase now, int breathNow) {
+    public boolean occurs(RespiratoryPhase before, int breathBefore, RespiratoryPhase now, int breathNow) {
         boolean occurs =
                 switch (kind) {
                     case INSPIRATION ->

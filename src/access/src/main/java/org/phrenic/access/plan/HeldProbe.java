@@ -40,7 +40,7 @@ public final class HeldProbe {
     }
 
     /** Begins to measure anew; the probe stays where it is. */
-    void begin(double nowS) {
+    public void begin(double nowS) {
         timeS = nowS;
         sinceS = nowS;
         heldS = 0;
@@ -55,7 +55,7 @@ public final class HeldProbe {
      *
      * @throws BadInputException if the place is not on the skin; the probe then stays where it is
      */
-    void hold(Optional<ProbeHold> other) {
+    public void hold(Optional<ProbeHold> other) {
         Optional<ProbeOnSkin> at = other.isPresent() && isSamePlace(other.get()) ? site : other.map(this::place);
         if (hold.isPresent()) {
             heldS += timeS - sinceS;
@@ -83,7 +83,7 @@ public final class HeldProbe {
     }
 
     /** Moves the probe with the skin to a frame that the needle has been updated to. */
-    void update(Frame now, NeedleInsertion needle) {
+    public void update(Frame now, NeedleInsertion needle) {
         double elapsed = now.timeS() - timeS;
         timeS = now.timeS();
         frame = now;
@@ -99,12 +99,12 @@ public final class HeldProbe {
     }
 
     /** Whether the tip is in the beam. */
-    boolean isTipSeen(NeedleInsertion needle) {
+    public boolean isTipSeen(NeedleInsertion needle) {
         return pose.isPresent() && inBody(needle).isTipInBeam(probe, pose.get(), imageDepthMm());
     }
 
     /** Length of the needle below the skin that is in the beam, mm. */
-    double needleInBeamMm(NeedleInsertion needle) {
+    public double needleInBeamMm(NeedleInsertion needle) {
         return pose.isPresent() ? inBody(needle).lengthInBeamMm(probe, pose.get(), imageDepthMm()) : 0;
     }
 
@@ -117,7 +117,7 @@ public final class HeldProbe {
     }
 
     /** What an image at this moment is made of; empty while the probe is not on the skin. */
-    Optional<ImageMoment> moment(NeedleInsertion needle) {
+    public Optional<ImageMoment> moment(NeedleInsertion needle) {
         Needle tube = needle.needle();
         return pose.map(p -> new ImageMoment(
                 p,
@@ -130,17 +130,17 @@ public final class HeldProbe {
     }
 
     /** How it is held; empty while it is not on the skin. */
-    Optional<ProbeHold> hold() {
+    public Optional<ProbeHold> hold() {
         return hold;
     }
 
     /** Where it is; empty while it is not on the skin. */
-    Optional<ProbePose> pose() {
+    public Optional<ProbePose> pose() {
         return pose;
     }
 
     /** How it has been used up to the current frame. */
-    ProbeUse use() {
+    public ProbeUse use() {
         double total = heldS + (hold.isPresent() ? timeS - sinceS : 0);
         return total > 0
                 ? new ProbeUse(

@@ -58,16 +58,16 @@ public sealed interface PlanStep {
      */
     record Aim(Optional<double[]> point, boolean atRest, Optional<NeedleAngles> angles) {
         /** The current position of the target. */
-        static final Aim TARGET = new Aim(Optional.empty(), false, Optional.empty());
+        public static final Aim TARGET = new Aim(Optional.empty(), false, Optional.empty());
 
         /** The target at end-expiration. */
-        static final Aim TARGET_AT_REST = new Aim(Optional.empty(), true, Optional.empty());
+        public static final Aim TARGET_AT_REST = new Aim(Optional.empty(), true, Optional.empty());
 
         static Aim at(double[] point) {
             return new Aim(Optional.of(point), false, Optional.empty());
         }
 
-        static Aim at(NeedleAngles angles) {
+        public static Aim at(NeedleAngles angles) {
             return new Aim(Optional.empty(), false, Optional.of(angles));
         }
 

@@ -240,7 +240,7 @@ public record RehearsalPlan(
     }
 
     /** Returns a copy with a target at a fixed position and other steps, which last until {@code lastS}. */
-    RehearsalPlan withSteps(TargetLesion target, List<PlanStep> other, double lastS) {
+    public RehearsalPlan withSteps(TargetLesion target, List<PlanStep> other, double lastS) {
         return copy(
                 scenario, TargetSpec.of(target), Math.max(timeoutS, Math.ceil(lastS + 1)), aids, List.copyOf(other));
     }
@@ -288,7 +288,7 @@ public record RehearsalPlan(
     }
 
     /** Time from a breathing command by hand to the hold, s. */
-    double reactionS() {
+    public double reactionS() {
         return REACTION_S;
     }
 

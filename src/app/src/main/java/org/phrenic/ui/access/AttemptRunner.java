@@ -7,10 +7,10 @@ import java.util.concurrent.ExecutorService;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
+import org.phrenic.access.live.LiveAttempt;
+import org.phrenic.access.live.LiveRehearsal;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.TargetAccess;
-import org.phrenic.access.plan.LiveAttempt;
-import org.phrenic.access.plan.LiveRehearsal;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
@@ -148,6 +148,11 @@ final class AttemptRunner implements AutoCloseable {
         @Override
         public void onStepWithoutFrame(double timeS, RespiratoryPhase label, int breath) {
             needle.onStepWithoutFrame(timeS, label, breath);
+        }
+
+        @Override
+        public boolean passes(double timeS, RespiratoryPhase label, int breath) {
+            return needle.passes(timeS, label, breath);
         }
     }
 

@@ -98,11 +98,20 @@ final class RunningScene implements AutoCloseable {
     boolean notifyStepListener(StepListener watch, StepListener.Trigger when) {
         boolean due = when.isDue(
                 simulation.steps(), simulation.time(), simulation.stepper().dt());
-        if (due) {
+        if (due && (writer.isIdle() || !passes(watch))) {
             writer.finish();
             notify(watch);
         }
         return due;
+    }
+
+    /** Whether the listener lets this step pass while a frame is at work. */
+    private boolean passes(StepListener watch) {
+        return watch.passes(simulation.time(), simulation.breathLabel(), breath());
+    }
+
+    private int breath() {
+        return 1 + simulation.scene().drive().breathAt(simulation.time()).breath;
     }
 
     private void notify(StepListener watch) {
@@ -110,9 +119,7 @@ final class RunningScene implements AutoCloseable {
         boolean later = seen && watch.maySeeFrameLater();
         RespiratoryPhase label = simulation.breathLabel();
         if (!seen || later) {
-            double time = simulation.time();
-            int breath = 1 + simulation.scene().drive().breathAt(time).breath;
-            watch.onStepWithoutFrame(time, label, breath);
+            watch.onStepWithoutFrame(simulation.time(), label, breath());
         }
         if (!seen) {
             return;

@@ -5,8 +5,8 @@ import org.phrenic.simulation.observe.Frame;
 
 /**
  * Receives the state of a run at selected steps, one at a time, on the simulation's thread and between two steps. The
- * steps do not depend on the speed of the machine. The simulation waits for the call, so it should be short. Changes
- * that it makes ({@link LiveRun#change}) apply before the next step.
+ * steps do not depend on the speed of the machine. The simulation waits for the call, so it should be short, unless it
+ * may come later. Changes that it makes ({@link LiveRun#change}) apply before the next step.
  */
 @FunctionalInterface
 public interface StepListener {
@@ -45,9 +45,9 @@ public interface StepListener {
     }
 
     /**
-     * Whether {@link #onStep} may be called on another thread, while the run goes on to the next selected step at most.
-     * It then must not change the run, nor wait for it; {@link #onStepWithoutFrame} is called at the step itself,
-     * before it, and may change the run.
+     * Whether {@link #onStep} may be called on another thread, while the run goes on to the next selected step that
+     * does not {@linkplain #passes pass}. It then must not change the run, nor wait for it; {@link #onStepWithoutFrame}
+     * is called at the step itself, before it, and may change the run.
      */
     default boolean maySeeFrameLater() {
         return false;
@@ -62,4 +62,15 @@ public interface StepListener {
      * @param breath number of the breath, from 1
      */
     default void onStepWithoutFrame(double timeS, RespiratoryPhase label, int breath) {}
+
+    /**
+     * Called at a selected step, instead of the other methods, while {@link #onStep} of an earlier one may be at work
+     * on another thread. If it returns false it has done nothing; the run then waits for that call and makes the one of
+     * this step.
+     *
+     * @return whether the step needs no state of the body and has been taken note of
+     */
+    default boolean passes(double timeS, RespiratoryPhase label, int breath) {
+        return false;
+    }
 }

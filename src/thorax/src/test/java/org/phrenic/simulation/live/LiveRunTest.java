@@ -7,12 +7,14 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
+import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
 import org.phrenic.model.material.RigidTendon;
 import org.phrenic.scenario.Assignment;
@@ -204,6 +206,45 @@ class LiveRunTest {
         assertThat(run.copyNewestFrame(first.newFrame().get()))
                 .as("a frame of the old scene")
                 .isFalse();
+    }
+
+    /** A listener that waits, at its first frame, for three later steps, which pass. */
+    @Test
+    void stepsThatPassDoNotWaitForTheFrameOfAnEarlierOne() throws InterruptedException {
+        CountDownLatch passed = new CountDownLatch(3);
+        BlockingQueue<Boolean> wereWaitedFor = new LinkedBlockingQueue<>();
+        StepListener watch = new StepListener() {
+            @Override
+            public void onStep(Frame frame, RespiratoryPhase label) {
+                try {
+                    wereWaitedFor.add(passed.await(PATIENCE_S, TimeUnit.SECONDS));
+                } catch (InterruptedException stop) {
+                    wereWaitedFor.add(false);
+                }
+            }
+
+            @Override
+            public boolean needsFrame() {
+                return passed.getCount() == 3;
+            }
+
+            @Override
+            public boolean maySeeFrameLater() {
+                return true;
+            }
+
+            @Override
+            public boolean passes(double timeS, RespiratoryPhase label, int breath) {
+                passed.countDown();
+                return true;
+            }
+        };
+        start();
+        next(scenes);
+        run.play();
+        steps(1);
+        run.restart(StepListener.Trigger.every(0.02), watch);
+        assertThat(next(wereWaitedFor)).isTrue();
     }
 
     @Test

@@ -1,7 +1,8 @@
-package org.phrenic.access.plan;
+package org.phrenic.access.live;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.phrenic.access.plan.PlanStep;
 
 /** Records manual actions as steps of a plan that reproduces them frame by frame from the start of the run. */
 final class ManualStepRecorder {

@@ -1,4 +1,4 @@
-package org.phrenic.access.plan;
+package org.phrenic.access.live;
 
 import java.util.List;
 import java.util.Optional;
@@ -9,6 +9,9 @@ import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.attempt.ProbeUse;
 import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.access.path.TargetAccess;
+import org.phrenic.access.plan.PlanStep;
+import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.simulation.observe.Surface;
 
 /**

@@ -1,4 +1,4 @@
-package org.phrenic.access.plan;
+package org.phrenic.access.live;
 
 import java.util.List;
 import java.util.Optional;
@@ -9,6 +9,11 @@ import org.phrenic.access.attempt.NeedleInsertion;
 import org.phrenic.access.attempt.NeedleShaft;
 import org.phrenic.access.path.PathAnalysis;
 import org.phrenic.access.path.PathAnalyzer;
+import org.phrenic.access.plan.BreathEvent;
+import org.phrenic.access.plan.HeldProbe;
+import org.phrenic.access.plan.NeedleState;
+import org.phrenic.access.plan.ProbeState;
+import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.simulation.observe.Frame;

@@ -1,10 +1,12 @@
-package org.phrenic.access.plan;
+package org.phrenic.access.live;
 
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import org.phrenic.access.plan.BreathEvent;
+import org.phrenic.access.plan.PlanStep;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;

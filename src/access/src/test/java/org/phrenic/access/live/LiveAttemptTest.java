@@ -1,4 +1,4 @@
-package org.phrenic.access.plan;
+package org.phrenic.access.live;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -22,6 +22,15 @@ import org.phrenic.access.attempt.AttemptEvent;
 import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.path.TargetAccess;
+import org.phrenic.access.plan.BreathEvent;
+import org.phrenic.access.plan.ImageMoment;
+import org.phrenic.access.plan.NeedleState;
+import org.phrenic.access.plan.PlanStep;
+import org.phrenic.access.plan.ProbeHold;
+import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.access.plan.RehearsalImage;
+import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.access.plan.RehearsalReport;
 import org.phrenic.access.ultrasound.CurvilinearProbe;
 import org.phrenic.access.ultrasound.ProbePose;
 import org.phrenic.access.ultrasound.Ultrasound;
@@ -227,6 +236,11 @@ class LiveAttemptTest {
         @Override
         public void onStepWithoutFrame(double timeS, RespiratoryPhase label, int breath) {
             needle.onStepWithoutFrame(timeS, label, breath);
+        }
+
+        @Override
+        public boolean passes(double timeS, RespiratoryPhase label, int breath) {
+            return needle.passes(timeS, label, breath);
         }
     }
 

@@ -1,7 +1,10 @@
-package org.phrenic.access.plan;
+package org.phrenic.access.live;
 
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import org.phrenic.access.plan.HeldProbe;
+import org.phrenic.access.plan.PlanStep;
+import org.phrenic.access.plan.ProbeHold;
 import org.phrenic.file.BadInputException;
 
 /**

@@ -1,21 +1,26 @@
-package org.phrenic.access.plan;
+package org.phrenic.access.live;
 
 import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.atomic.AtomicReference;
 import org.phrenic.access.MovingAnatomy;
-import org.phrenic.access.SkinPoint;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.attempt.NeedleInsertion;
 import org.phrenic.access.attempt.NeedleSnapshots;
 import org.phrenic.access.path.AccessMap;
-import org.phrenic.access.path.SkinEntries;
+import org.phrenic.access.plan.BreathEvent;
+import org.phrenic.access.plan.HeldProbe;
+import org.phrenic.access.plan.ImageMoment;
+import org.phrenic.access.plan.NeedleState;
+import org.phrenic.access.plan.PlanPlayer;
+import org.phrenic.access.plan.PlanStep;
+import org.phrenic.access.plan.ProbeHold;
+import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
-import org.phrenic.mesh.Vectors;
 import org.phrenic.simulation.live.LiveRun;
 import org.phrenic.simulation.live.StepListener;
 import org.phrenic.simulation.observe.Frame;
@@ -56,27 +61,26 @@ public final class LiveRehearsal implements StepListener {
     private final NeedleObserver observer;
     private final HeldProbe probe;
     private final HandOnProbe hand;
-    private final AtomicReference<NeedleAngles> needleTurned = new AtomicReference<>();
+    private final AskedAngles turns = new AskedAngles();
     private final Queue<Runnable> requests = new ConcurrentLinkedQueue<>();
     private final ManualStepRecorder steps = new ManualStepRecorder();
+    private final HandOnNeedle grip;
     private final BreathCommands breathing;
     private NeedleInsertion needle;
     private NeedleSnapshots snapshots;
     private PlanPlayer player;
-    private Optional<double[]> entryRest = Optional.empty();
-    private Optional<SkinPoint> entry = Optional.empty();
-    /** Angles of a needle that is not placed; empty if it points at the target. */
-    private Optional<NeedleAngles> angles = Optional.empty();
-
-    private double aimedMm;
     private boolean fresh;
     private Frame frame;
     private RespiratoryPhase phase = RespiratoryPhase.PAUSE;
+    /** Time of the last frame, s. */
     private double timeS;
+    /** Held while a step is taken note of and while requests are executed, which two threads may do. */
+    private final Object stepLock = new Object();
+
+    private final StepOrder order = new StepOrder();
     private boolean over;
-    private long describedNs;
+    private volatile long describedNs;
     private volatile NeedleState state;
-    private volatile NeedleAngles anglesNow = new NeedleAngles(0, 0);
 
     /**
      * @param run the run that the rehearsal is added to as a listener, every {@link Rehearsal#FRAME_INTERVAL_S}
@@ -102,6 +106,7 @@ public final class LiveRehearsal implements StepListener {
         observer = new NeedleObserver(anatomy, plan);
         probe = new HeldProbe(anatomy);
         hand = new HandOnProbe(probe, steps);
+        grip = new HandOnNeedle(anatomy, steps);
         breathing = new BreathCommands(run, steps, plan.reactionS());
     }
 
@@ -113,7 +118,7 @@ public final class LiveRehearsal implements StepListener {
                 || needle.shaft().isPlaced()
                 || !requests.isEmpty()
                 || hand.isAsked()
-                || needleTurned.get() != null
+                || turns.asked().isPresent()
                 || System.nanoTime() - describedNs > IDLE_NS;
     }
 
@@ -127,11 +132,29 @@ public final class LiveRehearsal implements StepListener {
 
     @Override
     public void onStepWithoutFrame(double nowS, RespiratoryPhase doing, int breath) {
-        if (nowS < timeS) {
+        synchronized (stepLock) {
+            takeNote(nowS, doing, breath);
+            order.comesLater(nowS);
+        }
+    }
+
+    /** Requests that come after this are executed at a later step, whose frame is then needed. */
+    @Override
+    public boolean passes(double nowS, RespiratoryPhase doing, int breath) {
+        synchronized (stepLock) {
+            if (needsFrame() || !maySeeFrameLater()) {
+                return false;
+            }
+            takeNote(nowS, doing, breath);
+            return true;
+        }
+    }
+
+    private void takeNote(double nowS, RespiratoryPhase doing, int breath) {
+        if (order.step(nowS)) {
             begin();
         }
-        timeS = nowS;
-        breathing.update(doing, breath, timeS);
+        breathing.update(doing, breath, nowS);
     }
 
     @Override
@@ -141,34 +164,48 @@ public final class LiveRehearsal implements StepListener {
         }
         frame = shownFrame;
         phase = doing;
-        if (needle == null || frame.timeS() < timeS) {
-            begin();
-        }
         timeS = frame.timeS();
-        int breath = 1 + (int) frame.values()[BREATH];
+        synchronized (stepLock) {
+            if (order.frame(timeS) || needle == null) {
+                begin();
+            }
+        }
         needle.update(frame, phase);
         probe.update(frame, needle);
+        boolean done;
+        synchronized (stepLock) {
+            // After steps that have passed, requests wait for the frame of a step of their own.
+            done = order.isLast(timeS) && act(1 + (int) frame.values()[BREATH]);
+        }
+        snapshots.observe(needle, frame, phase, player == null ? 0 : player.images());
+        if (done) {
+            finish();
+        }
+        if (state == null || done || System.nanoTime() - describedNs > SHOW_NS) {
+            describedNs = System.nanoTime();
+            turns.are(observer.angles(needle, grip.planned()));
+            state = observer.describe(needle, probe, grip.planned(), grip.aimedMm(), breathing.pending(), frame, phase);
+        }
+    }
+
+    /** Executes what is asked for or planned at this step; returns whether the attempt has ended. */
+    private boolean act(int breath) {
         if (fresh) {
             fresh = false;
             hand.begin(timeS);
         }
-        boolean done = player == null ? runRequests(breath) : play(breath);
-        snapshots.observe(needle, frame, phase, player == null ? 0 : player.images());
-        if (done) {
-            List<PlanStep> taken = player == null ? steps.stepsUntil(timeS) : plan.steps();
-            listener.finished(new LiveAttempt(
-                    taken, target, needle.record(), probe.use(), snapshots.all(), timeS, run.commandHash()));
-            over = true;
-            if (player == null) {
-                // The next attempt in this run.
-                steps.keepBreathHolds();
-                hand.begin(timeS);
-            }
-        }
-        if (state == null || done || System.nanoTime() - describedNs > SHOW_NS) {
-            describedNs = System.nanoTime();
-            anglesNow = observer.angles(needle, planned());
-            state = observer.describe(needle, probe, planned(), aimedMm, breathing.pending(), frame, phase);
+        return player == null ? runRequests(breath) : play(breath);
+    }
+
+    private void finish() {
+        List<PlanStep> taken = player == null ? steps.stepsUntil(timeS) : plan.steps();
+        listener.finished(new LiveAttempt(
+                taken, target, needle.record(), probe.use(), snapshots.all(), timeS, run.commandHash()));
+        over = true;
+        if (player == null) {
+            // The next attempt in this run.
+            steps.keepBreathHolds();
+            hand.begin(timeS);
         }
     }
 
@@ -180,10 +217,6 @@ public final class LiveRehearsal implements StepListener {
         breathing.begin();
         over = false;
         fresh = true;
-    }
-
-    private NeedleObserver.Planned planned() {
-        return new NeedleObserver.Planned(entry, angles);
     }
 
     private boolean play(int breath) {
@@ -208,29 +241,19 @@ public final class LiveRehearsal implements StepListener {
                 listener.refused(bad.getMessage());
             }
         }
-        turnNeedle();
+        turns.asked().ifPresent(this::turnNeedle);
         return !over && !needle.shaft().isPlaced() && !needle.record().samples().isEmpty();
     }
 
     /** Turns the needle to the angles that it was asked to have last. */
-    private void turnNeedle() {
-        NeedleAngles asked = needleTurned.get();
-        if (asked == null) {
-            return;
+    private void turnNeedle(NeedleAngles asked) {
+        try {
+            grip.turn(needle, asked, timeS);
+        } catch (BadInputException bad) {
+            listener.refused(bad.getMessage());
         }
-        if (!needle.shaft().isPlaced()) {
-            angles = Optional.of(asked);
-        } else {
-            try {
-                needle.turn(asked);
-                steps.add(timeS, new PlanStep.Redirect("by hand, redirect", PlanStep.Aim.at(asked)));
-                aimedMm = needle.targetDepthMm();
-            } catch (BadInputException bad) {
-                listener.refused(bad.getMessage());
-            }
-        }
-        anglesNow = observer.angles(needle, planned());
-        needleTurned.compareAndSet(asked, null);
+        turns.are(observer.angles(needle, grip.planned()));
+        turns.executed(asked);
     }
 
     /**
@@ -247,15 +270,7 @@ public final class LiveRehearsal implements StepListener {
      * @param initialAngles angles of the needle there until it is turned or aimed
      */
     public void enterAt(double[] onSkinAtRest, NeedleAngles initialAngles) {
-        requests.add(() -> {
-            if (needle.shaft().isPlaced() && needle.shaft().depth() > 0) {
-                throw new BadInputException("entry: found the needle in the body, expected it withdrawn first");
-            }
-            SkinPoint point = SkinEntries.pointAtRest(anatomy, onSkinAtRest);
-            entryRest = Optional.of(onSkinAtRest.clone());
-            entry = Optional.of(point);
-            angles = Optional.of(initialAngles);
-        });
+        requests.add(() -> grip.enter(needle, onSkinAtRest, initialAngles));
     }
 
     /**
@@ -275,9 +290,7 @@ public final class LiveRehearsal implements StepListener {
     }
 
     private void place() {
-        if (entryRest.isEmpty()) {
-            throw new BadInputException("needle: found no entry, expected a place on the skin chosen first");
-        }
+        grip.requireEntry();
         if (over) {
             // A new attempt starts in the same run.
             over = false;
@@ -285,41 +298,22 @@ public final class LiveRehearsal implements StepListener {
             snapshots = new NeedleSnapshots();
             needle.update(frame, phase);
         }
-        if (angles.isPresent()) {
-            needle.placeAtRest(entryRest.get(), angles.get());
-            aimedMm = needle.targetDepthMm();
-        } else {
-            double[] aim = needle.targetNow();
-            needle.placeAtRest(entryRest.get(), aim);
-            aimedMm = Vectors.distance(needle.shaft().entry(), aim);
-        }
-        PlanStep.Aim aim = angles.map(PlanStep.Aim::at).orElse(PlanStep.Aim.TARGET);
-        steps.add(timeS, new PlanStep.Place("by hand, place", entryRest, false, aim));
+        grip.place(needle, timeS);
     }
 
     /** Points the needle at the current position of the target by rotating it about its skin point. */
     public void aim() {
-        requests.add(() -> {
-            if (!needle.shaft().isPlaced()) {
-                angles = Optional.empty();
-                return;
-            }
-            double[] aim = needle.targetNow();
-            needle.redirect(aim);
-            steps.add(timeS, new PlanStep.Redirect("by hand, redirect", PlanStep.Aim.TARGET));
-            aimedMm = Vectors.distance(needle.shaft().entry(), aim);
-        });
+        requests.add(() -> grip.aim(needle, timeS));
     }
 
     /** Turns the needle about its point on the skin; the last of several turns within a frame counts. */
     public void turnTo(NeedleAngles to) {
-        needleTurned.set(to);
+        turns.ask(to);
     }
 
     /** Angles that the needle has been asked to have, or has. */
     public NeedleAngles anglesAsked() {
-        NeedleAngles asked = needleTurned.get();
-        return asked != null ? asked : anglesNow;
+        return turns.askedOrNow();
     }
 
     /** Puts the probe on the skin, moves it, or lifts it; the last of several moves within a frame counts. */
