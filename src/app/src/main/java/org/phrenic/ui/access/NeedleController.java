@@ -17,6 +17,7 @@ import org.phrenic.ui.view.SceneViewport;
  */
 public final class NeedleController {
     private static final double MM_PER_NOTCH = 2;
+    private static final double MM_PER_NOTCH_WITH_SHIFT = 10;
     private static final double DEFAULT_MM_PER_S = 50;
 
     private final Session session;
@@ -72,10 +73,11 @@ public final class NeedleController {
         moveTo(from + mm);
     }
 
-    /** Moves the needle by the wheel; false if it cannot be moved. */
+    /** Moves the needle by the wheel, with Shift in larger steps; false if it cannot be moved. */
     public boolean wheelTurned(MouseWheelEvent e) {
         if (canMove()) {
-            moveBy(-MM_PER_NOTCH * e.getPreciseWheelRotation());
+            double perNotch = e.isShiftDown() ? MM_PER_NOTCH_WITH_SHIFT : MM_PER_NOTCH;
+            moveBy(-perNotch * e.getPreciseWheelRotation());
         }
         return canMove();
     }

@@ -271,6 +271,11 @@ public final class WindowHarness implements AutoCloseable {
 
     /** Turns the wheel over the middle of a part; away from the user is negative. */
     public void wheel(Component part, int notches) {
+        wheel(part, notches, 0);
+    }
+
+    /** @param modifiers keys held meanwhile, such as {@link java.awt.event.InputEvent#SHIFT_DOWN_MASK} */
+    public void wheel(Component part, int notches, int modifiers) {
         doOnEdt(() -> {
             Point at = SwingUtilities.convertPoint(part, part.getWidth() / 2, part.getHeight() / 2, window.frame());
             window.frame()
@@ -278,7 +283,7 @@ public final class WindowHarness implements AutoCloseable {
                             window.frame(),
                             MouseEvent.MOUSE_WHEEL,
                             System.currentTimeMillis(),
-                            0,
+                            modifiers,
                             at.x,
                             at.y,
                             0,

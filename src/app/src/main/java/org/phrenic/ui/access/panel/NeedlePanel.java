@@ -32,8 +32,10 @@ final class NeedlePanel extends AccessPanel {
     private final JLabel angles = Controls.secondaryLabel(" ");
     private final WrappingLabel error = WrappingLabel.emphasised("Tip to target");
     private final transient NeedleController needle = rehearsal.needle();
-    private final JButton insert = button("Insert", "2 mm deeper (I, or the wheel)", () -> needle.moveBy(STEP_MM));
-    private final JButton withdraw = button("Withdraw", "2 mm back (W, or the wheel)", () -> needle.moveBy(-STEP_MM));
+    private final JButton insert =
+            button("Insert", "2 mm deeper (I, or the wheel; 10 mm with Shift)", () -> needle.moveBy(STEP_MM));
+    private final JButton withdraw =
+            button("Withdraw", "2 mm back (W, or the wheel; 10 mm with Shift)", () -> needle.moveBy(-STEP_MM));
     private final JButton toTarget = button("Go to target", "As deep as the target lies (G)", needle::moveToTarget);
     private final JButton aim = button(
             "Aim for me",

@@ -3,6 +3,7 @@ package org.phrenic.ui.access.panel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.List;
@@ -205,11 +206,13 @@ abstract class RehearsalInputCases {
         clinic.until("12 mm in", () -> clinic.isAt(12));
         window.wheel(window.window().view(), -3);
         clinic.until("18 mm in", () -> clinic.isAt(18));
+        window.wheel(window.window().view(), -1, InputEvent.SHIFT_DOWN_MASK);
+        clinic.until("28 mm in", () -> clinic.isAt(28));
         window.key("W");
-        clinic.until("16 mm in", () -> clinic.isAt(16));
+        clinic.until("26 mm in", () -> clinic.isAt(26));
         JSlider depth = window.control(JSlider.class, "Depth of the tip");
-        dragTo(depth, 30);
-        clinic.until("near 30 mm in", () -> !state().moving() && state().depthMm() > 24 && state().depthMm() < 36);
+        dragTo(depth, 42);
+        clinic.until("near 42 mm in", () -> !state().moving() && state().depthMm() > 36 && state().depthMm() < 48);
         double deep = WindowHarness.onEdt(() -> state().depthMm());
         window.key("shift W");
         clinic.until("10 mm back", () -> clinic.isAt(deep - 10));
