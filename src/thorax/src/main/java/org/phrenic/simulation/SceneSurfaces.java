@@ -30,7 +30,6 @@ import org.phrenic.simulation.observe.SceneOverlays;
 import org.phrenic.simulation.observe.SheetContact;
 import org.phrenic.simulation.observe.SkinMotion;
 import org.phrenic.simulation.observe.Surface;
-import org.phrenic.simulation.observe.YieldingOrgan;
 
 /**
  * All surfaces of a simulation and their current positions. A frame is made in two parts: {@link #read} copies the
@@ -157,8 +156,13 @@ public final class SceneSurfaces {
 
     /** Adds a soft organ that yields to the diaphragm. */
     private void yielding(Structure s, boolean above, VertexSource place) {
-        YieldingOrgan organ = new YieldingOrgan(contact, s, above);
-        deforming(s, (time, at) -> organ.at(place.positionsAt(time, at)));
+        double[] p = s.mesh().positions().clone();
+        SheetContact.Organ organ = contact.organ(s.mesh().positions(), above);
+        deforming(s, (time, at) -> {
+            System.arraycopy(place.positionsAt(time, at), 0, p, 0, p.length);
+            organ.pushBack(p);
+            return p;
+        });
     }
 
     private void deforming(Structure s, VertexSource place, boolean... tendon) {

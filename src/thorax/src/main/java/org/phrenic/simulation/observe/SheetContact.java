@@ -25,8 +25,8 @@ public final class SheetContact {
      * to it as it is thick.
      */
     private static final double FOLD_REACH_MM = 5;
-    /** Least cosine between the normals at the corners of a triangle that is not creased. */
-    private static final double CREASE_COSINE = 0.5;
+    /** Such a point is searched for up to the height of a pleat: an edge of the coarsest sheet and the thickness. */
+    private static final double PLEAT_REACH_MM = 10;
     /** Weight of corners within a face below which a nearest point lies on the border. */
     private static final double AT_BORDER = 1e-3;
     /** Weight of a corner below which a nearest point lies on the opposite side of its triangle. */
@@ -125,9 +125,8 @@ public final class SheetContact {
     /**
      * An organ on one side of the sheet. Its points are searched in clusters: no sheet lies between the first of a
      * cluster and a point that is nearer to it than the sheet is. Such a point lies on the same side, and is searched
-     * only if a fold of the sheet may be as near to it as {@value #FOLD_REACH_MM} mm, or if the sheet is creased there.
-     * A point that, since it was last searched, has moved together with the sheet by less than it was too far away is
-     * not searched again.
+     * only if a fold of the sheet may be as near to it as {@value #FOLD_REACH_MM} mm. A point that, since it was last
+     * searched, has moved together with the sheet by less than it was too far away is not searched again.
      */
     public final class Organ {
         private final boolean above;
@@ -170,7 +169,7 @@ public final class SheetContact {
                     double dz = points[m + 2] - z;
                     double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
                     if (distance + FOLD_REACH_MM > free && !isAtFace(points, m)) {
-                        pushBack(points, m, distance < free ? FOLD_REACH_MM : REACH_MM);
+                        pushBack(points, m, distance < free ? PLEAT_REACH_MM : REACH_MM);
                     }
                 }
             }
@@ -212,7 +211,7 @@ public final class SheetContact {
             if (!pushBack(points, k, CLUSTER_REACH_MM)) {
                 return CLUSTER_REACH_MM;
             }
-            return beyond || isOnBorder() || isCreased() ? 0 : Math.sqrt(hit.distanceSquared);
+            return beyond || isOnBorder() ? 0 : Math.sqrt(hit.distanceSquared);
         }
 
         /** Moves a point if it lies beyond; returns whether the sheet is within a distance, of which the hit tells. */
@@ -282,30 +281,6 @@ public final class SheetContact {
                 + (atBorder[t[corner + 1]] ? 0 : hit.weightB)
                 + (atBorder[t[corner + 2]] ? 0 : hit.weightC);
         return between || Math.max(least, inner) < AT_BORDER;
-    }
-
-    /**
-     * Whether the sheet turns by more than 60 degrees within the triangle of the last nearest point, as in pleats,
-     * which may pass through one another: a point beyond them may lie nearest to either face.
-     */
-    private boolean isCreased() {
-        int[] t = sheet.mesh().triangles();
-        int corner = 3 * hit.triangle;
-        return turns(t[corner], t[corner + 1])
-                || turns(t[corner + 1], t[corner + 2])
-                || turns(t[corner + 2], t[corner]);
-    }
-
-    private boolean turns(int v, int w) {
-        double dot = along(v, w);
-        return dot < 0 || dot * dot < CREASE_COSINE * CREASE_COSINE * along(v, v) * along(w, w);
-    }
-
-    /** Product of the normals of two vertices. */
-    private double along(int v, int w) {
-        return normals[3 * v] * normals[3 * w]
-                + normals[3 * v + 1] * normals[3 * w + 1]
-                + normals[3 * v + 2] * normals[3 * w + 2];
     }
 
     /** Positive outside the sheet, by the normal of the face, edge or vertex on which the last nearest point lies. */

@@ -158,6 +158,32 @@ class SheetContactTest {
         assertYieldsAsAlone(contact, points, false);
     }
 
+    /** Pleats 14 mm wide and tilted, which pass through one another; points within 12 mm of them. */
+    @Test
+    void pointsBesidePleatsYieldAsTheyDoAlone() {
+        DiaphragmPart part = simulation.scene().diaphragm();
+        double[] pleated = simulation.scene().restPositions().clone();
+        for (int v = 0; v < part.diaphragm.sheet().vertexCount(); v++) {
+            int k = 3 * (part.firstNode + v);
+            if (Math.hypot(pleated[k] + 68, pleated[k + 1] + 16) < 40 && pleated[k + 2] > 100) {
+                double wave = Math.sin(2 * Math.PI * pleated[k] / 14);
+                pleated[k] += 14 * wave;
+                pleated[k + 2] += 7 * wave;
+            }
+        }
+        SheetContact contact = new SheetContact(part);
+        contact.update(pleated);
+        Random random = new Random(9);
+        double[] points = new double[3 * 3000];
+        for (int k = 0; k < points.length; k += 3) {
+            points[k] = -68 + 60 * (random.nextDouble() - 0.5);
+            points[k + 1] = -16 + 60 * (random.nextDouble() - 0.5);
+            points[k + 2] = 112 + 24 * (random.nextDouble() - 0.5);
+        }
+        assertYieldsAsAlone(contact, points, true);
+        assertYieldsAsAlone(contact, points, false);
+    }
+
     private static void assertYieldsAsAlone(SheetContact contact, double[] points, boolean above) {
         double[] together = points.clone();
         SheetContact.Organ organ = contact.organ(points, above);
