@@ -35,6 +35,7 @@ import picocli.CommandLine.ParameterException;
             BenchExercisesCommand.class,
             BenchAccessCommand.class,
             BenchImagingCommand.class,
+            BenchImportCommand.class,
             BenchStudiesCommand.class
         },
         synopsisSubcommandLabel = "[COMMAND]",
