@@ -12,6 +12,7 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.file.BadInputException;
 import org.phrenic.study.access.AccessReport;
 import org.phrenic.study.access.AccessStudy;
 import picocli.CommandLine.Command;
@@ -34,11 +35,21 @@ import picocli.CommandLine.Parameters;
             Disclaimer.TEXT
         })
 final class BenchAccessCommand extends ReportingCommand {
+    private static final int MAPS = 3;
+    private static final int MOST_MAPS = 1000;
+
     @Parameters(arity = "0..*", paramLabel = "PLAN", description = "Plans of rehearsals; the exercises without any.")
     private List<Path> plans = new ArrayList<>();
 
     @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Sets a value of the scenarios; may be repeated.")
     private List<String> set = new ArrayList<>();
+
+    @Option(
+            names = "--maps",
+            paramLabel = "N",
+            defaultValue = "" + MAPS,
+            description = "Access maps of each exercise that are timed (${DEFAULT-VALUE}; 0: none).")
+    private int maps;
 
     @Mixin
     private ProvenanceOption provenance;
@@ -49,13 +60,16 @@ final class BenchAccessCommand extends ReportingCommand {
     @Override
     public Integer call() {
         out.check();
+        if (maps < 0 || maps > MOST_MAPS) {
+            throw new BadInputException("--maps: found " + maps + ", expected 0 to " + MOST_MAPS);
+        }
         List<RehearsalPlan> exercises = plans.isEmpty()
                 ? RehearsalPlan.exercises()
                 : plans.stream().map(RehearsalPlan::read).toList();
         List<AccessStudy.Result> results = new ArrayList<>();
         ConsoleProgress progress = progress();
         try {
-            exercises.forEach(plan -> results.add(AccessStudy.of(plan.with(set), progress)));
+            exercises.forEach(plan -> results.add(AccessStudy.of(plan.with(set), maps, progress)));
         } finally {
             progress.end();
         }
@@ -70,6 +84,9 @@ final class BenchAccessCommand extends ReportingCommand {
         StringBuilder text = new StringBuilder("bench access");
         plans.forEach(plan -> text.append(' ').append(plan));
         set.forEach(value -> text.append(" --set ").append(value));
+        if (maps != MAPS) {
+            text.append(" --maps ").append(maps);
+        }
         return text.toString();
     }
 

@@ -1,6 +1,7 @@
 package org.phrenic.study.access;
 
 import static org.phrenic.study.ReportNumbers.format;
+import static org.phrenic.study.ReportNumbers.number;
 
 import java.util.ArrayList;
 import java.util.EnumSet;
@@ -83,7 +84,7 @@ public record AccessReport(List<AccessStudy.Result> results) {
                     count(r.check().ways()),
                     count(r.check().crossings()),
                     count(r.check().atCutEnd()),
-                    format("%.2f", r.mapS())));
+                    number(r.mapS())));
         }
         return rows;
     }
@@ -192,7 +193,8 @@ public record AccessReport(List<AccessStudy.Result> results) {
                 + " in part of the breath; free and through the pleura. Every way was then tried at every moment at"
                 + " which the map calls it free against every triangle of every lung, bone, organ and vessel, without"
                 + " the map's tree: ways tried, ways that cross one, entries that lie on a flat end of the skin. The"
-                + " last column is the time of a map for 2,000 points in reach on the scenario's threads.");
+                + " last column is the time of a map for 2,000 points in reach on the scenario's threads, where it was"
+                + " measured.");
         report.table(
                 "",
                 columns(
@@ -273,7 +275,7 @@ public record AccessReport(List<AccessStudy.Result> results) {
 
     private static OrderedValues values(AccessStudy.Result r) {
         Rehearsal rehearsal = r.rehearsal();
-        return new OrderedValues()
+        OrderedValues values = new OrderedValues()
                 .with("exercise", rehearsal.plan().title())
                 .with("body", rehearsal.plan().scenario().anatomy())
                 .with("access", rehearsal.map().counts().toMap())
@@ -282,7 +284,6 @@ public record AccessReport(List<AccessStudy.Result> results) {
                 .with("ways_tried", r.check().ways())
                 .with("ways_crossing", r.check().crossed())
                 .with("entries_on_a_cut_end", r.check().atCutEnd())
-                .with("map_s_for_2000_points", r.mapS())
                 .with(
                         "by_space",
                         rehearsal.targetAccess().bySpace().stream()
@@ -290,5 +291,9 @@ public record AccessReport(List<AccessStudy.Result> results) {
                                 .toList())
                 .with("attempt", rehearsal.record().headlines())
                 .with("done", rehearsal.goalsReached());
+        if (!Double.isNaN(r.mapS())) {
+            values.put("map_s_for_2000_points", r.mapS());
+        }
+        return values;
     }
 }

@@ -10,7 +10,6 @@ import org.phrenic.simulation.SimulationRun;
 
 /** Plays exercises as shipped, tries the free ways of their access maps by brute force, and times the maps. */
 public final class AccessStudy {
-    private static final int MAPS = 3;
     private static final int POINTS = 2000;
     private static final double NANO = 1e-9;
 
@@ -20,25 +19,30 @@ public final class AccessStudy {
      * What came of one exercise.
      *
      * @param check free ways against every triangle
-     * @param mapS time of the access map, for {@value AccessStudy#POINTS} points in reach, s: median of
-     *     {@value AccessStudy#MAPS} maps
+     * @param mapS time of the access map, for {@value AccessStudy#POINTS} points in reach, s: median of the maps that
+     *     were timed; NaN if none was
      */
     public record Result(Rehearsal rehearsal, WayCheck check, double mapS) {}
 
-    /** @throws org.phrenic.file.BadInputException if the plan cannot be played */
-    public static Result of(RehearsalPlan plan, SimulationRun.Progress progress) {
+    /**
+     * Plays a plan.
+     *
+     * @param maps number of maps that are timed, 0 for none
+     * @throws org.phrenic.file.BadInputException if the plan cannot be played
+     */
+    public static Result of(RehearsalPlan plan, int maps, SimulationRun.Progress progress) {
         Rehearsal rehearsal = Rehearsal.play(plan, progress);
         WayCheck check = WayCheck.of(rehearsal.surfaces(), rehearsal.map());
         progress.note(plan.title() + ": played, and its free ways are tried.");
-        return new Result(rehearsal, check, mapS(rehearsal));
+        return new Result(rehearsal, check, maps == 0 ? Double.NaN : mapS(rehearsal, maps));
     }
 
-    private static double mapS(Rehearsal rehearsal) {
+    private static double mapS(Rehearsal rehearsal, int maps) {
         RehearsalPlan plan = rehearsal.plan();
         MovingAnatomy anatomy = new MovingAnatomy(rehearsal.surfaces());
-        double[] seconds = new double[MAPS];
+        double[] seconds = new double[maps];
         try (Workers workers = Workers.of(plan.scenario().threads())) {
-            for (int i = 0; i < MAPS; i++) {
+            for (int i = 0; i < maps; i++) {
                 anatomy.update(rehearsal.map().cycle().get(0).frame());
                 long begun = System.nanoTime();
                 AccessMap map = AccessMap.of(
@@ -50,6 +54,6 @@ public final class AccessStudy {
             }
         }
         Arrays.sort(seconds);
-        return seconds[MAPS / 2];
+        return seconds[maps / 2];
     }
 }
