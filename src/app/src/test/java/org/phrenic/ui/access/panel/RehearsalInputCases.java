@@ -208,11 +208,13 @@ abstract class RehearsalInputCases {
         clinic.until("18 mm in", () -> clinic.isAt(18));
         window.wheel(window.window().view(), -1, InputEvent.SHIFT_DOWN_MASK);
         clinic.until("28 mm in", () -> clinic.isAt(28));
+        window.wheel(window.window().view(), 1, InputEvent.SHIFT_DOWN_MASK);
+        clinic.until("18 mm in again", () -> clinic.isAt(18));
         window.key("W");
-        clinic.until("26 mm in", () -> clinic.isAt(26));
+        clinic.until("16 mm in", () -> clinic.isAt(16));
         JSlider depth = window.control(JSlider.class, "Depth of the tip");
-        dragTo(depth, 42);
-        clinic.until("near 42 mm in", () -> !state().moving() && state().depthMm() > 36 && state().depthMm() < 48);
+        dragTo(depth, 30);
+        clinic.until("near 30 mm in", () -> !state().moving() && state().depthMm() > 24 && state().depthMm() < 36);
         double deep = WindowHarness.onEdt(() -> state().depthMm());
         window.key("shift W");
         clinic.until("10 mm back", () -> clinic.isAt(deep - 10));
