@@ -66,7 +66,7 @@ final class FitObjective implements AutoCloseable {
 
     /** Simulates the breath with the given parameter values. */
     Evaluation evaluate(double[] values) {
-        String failure = breath.breatheIn(values, InspiratoryHold.SEARCHED_AT_S);
+        String failure = breath.breatheInForSearch(values);
         if (!failure.isEmpty()) {
             return Evaluation.failed(values, failure);
         }

@@ -75,7 +75,7 @@ public record FitSetup(
         });
         parameters.forEach(p -> text.append(text(p) + "\n"));
         text.append(options.half + " " + options.search.seed() + " " + populationSize() + " " + options.search.sigma()
-                + " retries; compared at " + InspiratoryHold.SEARCHED_AT_S);
+                + " retries; compared at " + InspiratoryHold.searchedAtS(base));
         List<double[]> arrays = new ArrayList<>();
         for (FitTarget target : targets) {
             text.append("\n" + target.name() + " " + target.part() + " " + target.weight());

@@ -9,6 +9,7 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.material.Materials;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
@@ -27,10 +28,11 @@ import org.phrenic.simulation.observe.Observation;
 public final class InspiratoryHold implements AutoCloseable {
     /** Time from rest to end-inspiration, s. */
     public static final double INSPIRATION_S = 0.8;
-    /** Time from rest to the comparison of a breath of the search, s. The mean distance then changes by up to 2 %. */
-    static final double SEARCHED_AT_S = 1.1;
-    /** Time from rest to the observation, s. docs/fit.md gives the remaining distance from equilibrium at that time. */
-    public static final double OBSERVED_AT_S = 1.7;
+    /**
+     * Share of the time in which a held breath comes near rest after which the search compares a breath already. The
+     * mean distance then changes by up to 2 % (physical material).
+     */
+    private static final double SEARCHED_SHARE = 1.0 / 3;
 
     private static final double INSPIRATORY_FRACTION = 0.5;
     /**
@@ -67,7 +69,22 @@ public final class InspiratoryHold implements AutoCloseable {
         return base.withChanges(List.of())
                 .with(Breathing.RATE, 60 * INSPIRATORY_FRACTION / INSPIRATION_S)
                 .with(Breathing.INSPIRATORY_FRACTION, INSPIRATORY_FRACTION)
-                .with(RunSettings.DURATION, OBSERVED_AT_S);
+                .with(RunSettings.DURATION, observedAtS(base));
+    }
+
+    /** Time from rest to the observation, s. */
+    public static double observedAtS(Scenario base) {
+        return afterInspiration(base.get(Materials.MATERIAL).heldRestS());
+    }
+
+    /** Time from rest to the comparison of a breath of the search, s. */
+    static double searchedAtS(Scenario base) {
+        return afterInspiration(SEARCHED_SHARE * base.get(Materials.MATERIAL).heldRestS());
+    }
+
+    /** Rounded to whole milliseconds, so that the decimal in a scenario file is short. */
+    private static double afterInspiration(double heldS) {
+        return Math.round(1000 * (INSPIRATION_S + heldS)) / 1000.0;
     }
 
     /** The scenario with which {@code phrenic run} reaches the same state. Each value is limited to its bounds. */
@@ -93,11 +110,15 @@ public final class InspiratoryHold implements AutoCloseable {
      * @return why the simulation failed, in which case the state is undefined; empty if it did not
      */
     public String breatheIn(double[] values) {
-        return breatheIn(values, OBSERVED_AT_S);
+        return breatheIn(values, observedAtS(held));
     }
 
-    /** As {@link #breatheIn(double[])}, to another time, s. */
-    String breatheIn(double[] values, double untilS) {
+    /** Simulates the breath from rest to the comparison of the search; otherwise as {@link #breatheIn(double[])}. */
+    String breatheInForSearch(double[] values) {
+        return breatheIn(values, searchedAtS(held));
+    }
+
+    private String breatheIn(double[] values, double untilS) {
         try {
             simulation.rerun(changes(held, parameters, values));
             long steps = Math.round(untilS / held.timeStepS());

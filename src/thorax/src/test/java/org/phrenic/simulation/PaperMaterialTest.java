@@ -2,6 +2,7 @@ package org.phrenic.simulation;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import org.junit.jupiter.api.Test;
 import org.phrenic.engine.integrator.IntegratorKind;
@@ -26,6 +27,18 @@ class PaperMaterialTest {
                 .isBetween(12.0, 16.0);
         assertThat(breaths.fall("dome_right_mm")).as("the force pulls down").isPositive();
         assertThat(breaths.most("rigid_link_error")).isLessThanOrEqualTo(1e-4);
+    }
+
+    /** The sheet is nearly symmetric, so its domes change places with the ratio. */
+    @Test
+    void theStrongerActionLineMovesItsSideFarther() {
+        Runs.Run left = Runs.of(2, paper("preset=deep", "muscle_force_left_over_right=2"));
+        Runs.Run right = Runs.of(2, paper("preset=deep", "muscle_force_left_over_right=0.5"));
+        assertThat(left.fall("dome_left_mm")).isGreaterThan(1.3 * left.fall("dome_right_mm"));
+        assertThat(right.fall("dome_right_mm")).isGreaterThan(1.3 * right.fall("dome_left_mm"));
+        assertThat(left.fall("dome_left_mm"))
+                .as("the stronger side has the force of muscle_force_mn")
+                .isCloseTo(Runs.of(2, paper("preset=deep")).fall("dome_left_mm"), withinPercentage(5));
     }
 
     @Test

@@ -20,8 +20,16 @@ import org.phrenic.mesh.query.DistanceSummary;
  * @param body at end-expiration: structures of the scan, completed from a virtual body
  * @param notes on the derivation of body and targets
  * @param fit from end-expiration to end-inspiration
+ * @param paperFit the same with the paper's method: ribs still, force along action lines; empty if it was not run
  */
-public record PatientCase(String name, String data, boolean synthetic, Thorax body, List<String> notes, FitResult fit) {
+public record PatientCase(
+        String name,
+        String data,
+        boolean synthetic,
+        Thorax body,
+        List<String> notes,
+        FitResult fit,
+        Optional<FitResult> paperFit) {
     private static final List<FitPart> LUNGS = List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT);
     private static final List<FitPart> BASES = List.of(FitPart.LUNG_BASE_RIGHT, FitPart.LUNG_BASE_LEFT);
 
@@ -39,7 +47,7 @@ public record PatientCase(String name, String data, boolean synthetic, Thorax bo
 
     /** Distances from the target at the vertices of the body's lungs, before and after. */
     public List<FitResult.TargetResult> lungs() {
-        return of(LUNGS);
+        return of(fit, LUNGS);
     }
 
     /** The diaphragm at end-expiration. */
@@ -58,11 +66,25 @@ public record PatientCase(String name, String data, boolean synthetic, Thorax bo
 
     /** Distance change of the lung bases, if they are fit targets. */
     Optional<DistanceChange> lungBaseChange() {
-        List<FitResult.TargetResult> bases = of(BASES);
-        return bases.isEmpty() ? Optional.empty() : Optional.of(change(bases));
+        return change(fit, BASES);
     }
 
-    private List<FitResult.TargetResult> of(List<FitPart> parts) {
+    /** Distance change of both whole lungs with the paper's method. */
+    Optional<DistanceChange> paperLungChange() {
+        return paperFit.flatMap(result -> change(result, LUNGS));
+    }
+
+    /** Distance change of the lung bases with the paper's method. */
+    Optional<DistanceChange> paperBaseChange() {
+        return paperFit.flatMap(result -> change(result, BASES));
+    }
+
+    private static Optional<DistanceChange> change(FitResult fit, List<FitPart> parts) {
+        List<FitResult.TargetResult> targets = of(fit, parts);
+        return targets.isEmpty() ? Optional.empty() : Optional.of(change(targets));
+    }
+
+    private static List<FitResult.TargetResult> of(FitResult fit, List<FitPart> parts) {
         return fit.targets().stream()
                 .filter(t -> parts.contains(t.target().part()))
                 .toList();

@@ -6,6 +6,7 @@ import static org.phrenic.study.ReportNumbers.grouped;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.fit.InspiratoryHold;
 import org.phrenic.mesh.TriangleMesh;
@@ -73,6 +74,12 @@ record PatientSection(PatientResults results, ReportPictures pictures) {
             rows.add(row(patient.name() + ", lungs", patient.data(), patient.lungChange()));
             patient.lungBaseChange()
                     .ifPresent(bases -> rows.add(row(patient.name() + ", bases", patient.data(), bases)));
+            patient.paperLungChange()
+                    .ifPresent(
+                            lungs -> rows.add(row(patient.name() + ", lungs, paper's method", patient.data(), lungs)));
+            patient.paperBaseChange()
+                    .ifPresent(
+                            bases -> rows.add(row(patient.name() + ", bases, paper's method", patient.data(), bases)));
         }
         String[] headings = {"subject", "data", "no model", "rms", "95 %", "with the model", "rms", "95 %", "ratio"};
         report.table(PaperTexts.text("distances-caption"), PaperTexts.columns(2, headings), rows);
@@ -106,18 +113,24 @@ record PatientSection(PatientResults results, ReportPictures pictures) {
     List<Claim> claims() {
         TriangleMesh mesh = results.cases().get(0).diaphragm();
         String size = grouped(mesh.vertexCount()) + " nodes, " + grouped(mesh.triangleCount()) + " triangles";
-        return List.of(PaperTexts.claim("patient-mesh", Verdict.SHOWN, size), nearer(), speed());
+        List<Claim> claims = new ArrayList<>(List.of(
+                PaperTexts.claim("patient-mesh", Verdict.SHOWN, size),
+                nearer("patient-distance", results.cases().stream().map(PatientCase::lungChange))));
+        if (results.cases().stream().anyMatch(c -> c.paperFit().isPresent())) {
+            claims.add(nearer(
+                    "patient-distance-paper",
+                    results.cases().stream().map(PatientCase::paperLungChange).flatMap(Optional::stream)));
+        }
+        claims.add(speed());
+        return claims;
     }
 
-    private Claim nearer() {
+    private Claim nearer(String key, Stream<DistanceChange> changes) {
         boolean real = results.areRealPatients();
-        List<Double> ratios = results.cases().stream()
-                .map(c -> c.lungChange().ratio())
-                .sorted()
-                .toList();
+        List<Double> ratios = changes.map(DistanceChange::ratio).sorted().toList();
         double largest = ratios.get(ratios.size() - 1);
         return PaperTexts.claim(
-                "patient-distance",
+                key,
                 real && !results.quick() ? Verdict.agrees(largest < 1) : Verdict.SHOWN,
                 "times " + (ratios.size() > 1 ? hundredths(ratios.get(0)) + " to " : "") + hundredths(largest)
                         + (real ? "" : " (a synthetic patient)"),
@@ -132,7 +145,7 @@ record PatientSection(PatientResults results, ReportPictures pictures) {
         if (timed.isEmpty()) {
             return PaperTexts.notMeasured("patient-speed");
         }
-        double steps = InspiratoryHold.OBSERVED_AT_S
+        double steps = InspiratoryHold.observedAtS(timed.get().fit().scenario())
                 / timed.get().fit().scenario().timeStepS()
                 / timed.get().fit().search().cpuPerEvaluationS();
         return PaperTexts.claim("patient-speed", Verdict.SHOWN, grouped(steps) + " at low resolution");

@@ -24,8 +24,10 @@ import org.phrenic.fit.GroundTruth;
 import org.phrenic.fit.SyntheticPatient;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.fit.search.FitSearch;
+import org.phrenic.model.material.ActionLines;
 import org.phrenic.patient.segmentation.GeometryOverride;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.study.PaperScenarios;
 import org.phrenic.study.fit.PatientImport;
 import org.phrenic.study.fit.PatientScans;
 
@@ -41,6 +43,19 @@ public final class PatientStudy {
 
     /** Maximum number of simulated breaths in the search for each patient. */
     private static final int EVALUATIONS = 25;
+
+    /**
+     * The paper's method for patients: uniform springs and masses, ribs still, force along two action lines. Damping is
+     * stronger than published, so that the held breath comes to rest; it does not change where.
+     */
+    private static final Scenario PAPER_METHOD = Scenario.defaults()
+            .with(
+                    "material=paper",
+                    "tendon=plane",
+                    "preset=deep",
+                    "resolution=low",
+                    "rib_rotation=0",
+                    "damping_ns_per_m=0.5");
 
     private static final int THREADS = 2;
     private static final double NOISE_MM = 1;
@@ -67,14 +82,21 @@ public final class PatientStudy {
         }
         List<PatientCase> cases = new ArrayList<>();
         for (PatientImport patient : BatchRunner.run(imports, THREADS, (done, of, what) -> {})) {
+            Scenario deep = Scenario.defaults().with("preset=deep", "resolution=low");
+            List<FitTarget> targets = FitTarget.withBases(patient.targets());
+            String alignment = patient.alignment().sentence();
             progress.note(patient.name() + ": a fit of " + evaluations() + " breaths");
-            FitResult fit = fit(
-                    Scenario.defaults().with("preset=deep", "resolution=low"),
-                    patient.body(),
-                    FitTarget.withBases(patient.targets()),
-                    patient.alignment().sentence());
+            FitResult fit = fit(deep, FitParameter.defaults(deep), patient.body(), targets, alignment);
+            progress.note(patient.name() + ": the paper's method, a fit of " + evaluations() + " breaths");
+            FitResult paperFit = fit(PAPER_METHOD, paperParameters(), patient.body(), targets, alignment);
             cases.add(new PatientCase(
-                    patient.name(), "CT, two breath holds", false, patient.body(), patient.notes(), fit));
+                    patient.name(),
+                    "CT, two breath holds",
+                    false,
+                    patient.body(),
+                    patient.notes(),
+                    fit,
+                    Optional.of(paperFit)));
             progress.done(cases.size(), count, patient.name());
         }
         return cases;
@@ -85,6 +107,11 @@ public final class PatientStudy {
         return PatientImport.of(pair, axes);
     }
 
+    /** Integrator and time step of the paper's method. */
+    static String paperScheme() {
+        return PaperScenarios.scheme(PAPER_METHOD);
+    }
+
     /** A synthetic patient with a known breath, used if there are no scans. */
     public PatientCase synthetic() {
         SyntheticPatient patient = SyntheticPatient.five().get(0);
@@ -92,8 +119,12 @@ public final class PatientStudy {
         GroundTruth truth = GroundTruth.of(patient, quick ? Resolution.LOW : Resolution.MEDIUM, NOISE_MM, 1);
         Thorax body = patient.body(Resolution.LOW);
         Scenario base = Scenario.defaults().with("preset=deep", "anatomy=" + patient.anatomy(), "resolution=low");
-        FitResult fit =
-                fit(base, body, FitTarget.withBases(truth.targets()), "none: both levels are of one body in one place");
+        FitResult fit = fit(
+                base,
+                FitParameter.defaults(base),
+                body,
+                FitTarget.withBases(truth.targets()),
+                "none: both levels are of one body in one place");
         List<String> notes = List.of(
                 "what a scan would show of a virtual body that breathes with settings that the fit does not know ("
                         + String.join(", ", patient.hidden()) + "), its surfaces halved and moved by noise of 1 mm",
@@ -102,19 +133,27 @@ public final class PatientStudy {
                         "the noise alone leaves %.2f mm, which no fit can be expected to undercut",
                         truth.floorMm()));
         progress.done(1, 1, patient.name());
-        return new PatientCase(patient.name(), "synthetic", true, body, notes, fit);
+        return new PatientCase(patient.name(), "synthetic", true, body, notes, fit, Optional.empty());
     }
 
     private int evaluations() {
         return quick ? 1 : EVALUATIONS;
     }
 
-    private FitResult fit(Scenario base, Thorax body, List<FitTarget> targets, String alignment) {
+    /** Intensity and radius of the action lines, which the paper sets by hand. */
+    private static List<FitParameter> paperParameters() {
+        return Stream.of(ActionLines.MUSCLE_FORCE, ActionLines.ACTION_RADIUS, ActionLines.FORCE_LEFT_OVER_RIGHT)
+                .map(p -> FitParameter.of(p, PAPER_METHOD))
+                .toList();
+    }
+
+    private FitResult fit(
+            Scenario base, List<FitParameter> tuned, Thorax body, List<FitTarget> targets, String alignment) {
         FitSetup setup = new FitSetup(
                 base,
                 body,
                 targets,
-                FitParameter.defaults(base),
+                tuned,
                 new FitSetup.Options(
                         FitHalf.ALL, alignment, new FitSearch.Settings(1, evaluations()), quick ? 1 : THREADS, false));
         try {

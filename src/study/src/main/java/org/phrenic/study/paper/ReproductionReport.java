@@ -96,7 +96,8 @@ public record ReproductionReport(
                         List.of("Table 1, iterations a second", "published", "rk2, 0.5 ms, whole"),
                         List.of("Real time", "published", published),
                         List.of("Physiology", "physical", used),
-                        List.of("Figs. 4 and 5 and table 2, patients", "physical", used)));
+                        List.of("Figs. 4 and 5 and table 2, patients", "physical", used),
+                        List.of("Fig. 5, patients by the paper's method", "paper", PatientStudy.paperScheme())));
     }
 
     private static void add(List<List<String>> rows, String heading, List<Claim> claims) {

@@ -76,6 +76,9 @@ public abstract class TissueMaterial {
     /** Displacement from rest beyond which a run counts as diverged, mm; infinite for no limit. */
     public abstract double maxDisplacementMm();
 
+    /** Time in which a breath that is held comes near rest, s. A fit observes it then. */
+    public abstract double heldRestS();
+
     /** Mapping from tissue to springs and masses. */
     public abstract TissueLaw tissueLaw(SettingValues values);
 

@@ -21,6 +21,8 @@ import org.phrenic.parameter.SettingValues;
 class PaperMaterial extends TissueMaterial {
     private static final double TIME_STEP_S = 0.01;
     private static final double LUNG_TO_MUSCLE = 0.1;
+    /** Displacement crosses the sheet by diffusion where damping outweighs inertia, and swings for longer if not. */
+    private static final double HELD_REST_S = 30;
 
     PaperMaterial() {
         this("paper");
@@ -69,6 +71,11 @@ class PaperMaterial extends TissueMaterial {
     @Override
     public double maxDisplacementMm() {
         return Double.POSITIVE_INFINITY;
+    }
+
+    @Override
+    public double heldRestS() {
+        return HELD_REST_S;
     }
 
     @Override

@@ -39,6 +39,8 @@ final class PhysicalMaterial extends TissueMaterial {
      * its force law has no limit.
      */
     private static final double MAX_DISPLACEMENT_MM = 200;
+    /** The distance from equilibrium that is left then is stated in docs/fit.md. */
+    private static final double HELD_REST_S = 0.9;
 
     PhysicalMaterial() {
         super(
@@ -77,6 +79,11 @@ final class PhysicalMaterial extends TissueMaterial {
     @Override
     public double maxDisplacementMm() {
         return MAX_DISPLACEMENT_MM;
+    }
+
+    @Override
+    public double heldRestS() {
+        return HELD_REST_S;
     }
 
     @Override

@@ -1,0 +1,47 @@
+package org.phrenic.fit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.fit.search.FitParameter;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.Settings;
+
+/** A breath that is held for a fit, on the sheet alone. */
+class InspiratoryHoldTest {
+    /**
+     * Each material is observed when its held breath is near rest: the dome goes on by at most 2 % of its excursion
+     * between the comparison of the search, at a third of the time, and the observation.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "physical, muscle_activation, 0.6, 1.1, 1.7",
+        "paper, muscle_force_mn, 300, 10.8, 30.8",
+    })
+    void aMaterialIsObservedWhenItIsNearRest(
+            String material, String key, double value, double searchedAtS, double observedAtS) {
+        Scenario base = Scenario.defaults()
+                .with("preset=deep", "resolution=low", "lungs=off", "sternum=off", "liver=false", "rib_rotation=0")
+                .with("material=" + material);
+        if (material.equals("paper")) {
+            base = base.with("damping_ns_per_m=0.5");
+        }
+        assertThat(InspiratoryHold.searchedAtS(base)).isEqualTo(searchedAtS);
+        assertThat(InspiratoryHold.observedAtS(base)).isEqualTo(observedAtS);
+        FitParameter drive = FitParameter.of(Settings.parameter(key), base);
+        try (InspiratoryHold hold =
+                new InspiratoryHold(base, VirtualThorax.ofPreset("adult-male", Resolution.LOW), List.of(drive))) {
+            assertThat(hold.breatheInForSearch(new double[] {value})).isEmpty();
+            double early = hold.observed("dome_right_mm");
+            assertThat(hold.breatheIn(new double[] {value})).isEmpty();
+            double late = hold.observed("dome_right_mm");
+            assertThat(late).as("the dome goes down by centimetres").isLessThan(-10);
+            assertThat(early).isCloseTo(late, within(0.02 * Math.abs(late)));
+        }
+    }
+}
