@@ -41,6 +41,7 @@ final class SceneCarriers {
     private final int ofSheet;
     private final int ofLiver;
     private final double[] sheet;
+    private double[] liverNow = new double[0];
     private SkinMotion skin;
     private boolean inUse;
 
@@ -58,9 +59,9 @@ final class SceneCarriers {
         ofSheet = around.addMoving(sheet, part.diaphragm::isTendon);
         chest.addMoving(sheet, part.diaphragm::isTendon);
         if (liverPart.isPresent()) {
-            double[] rest = liver(scene.restPositions());
-            ofLiver = around.addMoving(rest, v -> true);
-            liver.addMoving(rest, v -> true);
+            liverNow = liverPart.get().positions(scene.restPositions(), scene.restPositions());
+            ofLiver = around.addMoving(liverNow, v -> true);
+            liver.addMoving(liverNow, v -> true);
         } else {
             ofLiver = -1;
         }
@@ -87,8 +88,9 @@ final class SceneCarriers {
         System.arraycopy(nodes, 3 * scene.diaphragm().firstNode, sheet, 0, sheet.length);
     }
 
-    private double[] liver(double[] nodes) {
-        return liverPart.orElseThrow().positions(scene.restPositions(), nodes);
+    /** Vertices of the liver at the last update. */
+    double[] liver() {
+        return liverNow;
     }
 
     /** Binds an organ, by its name in lower case, to what carries it. */
@@ -118,8 +120,11 @@ final class SceneCarriers {
         return skin != null;
     }
 
-    /** Takes the places of the carriers from the nodes of the scene. Does nothing while there are no organs. */
+    /**
+     * Takes the places of the carriers from the nodes of the scene; that of the liver alone while there are no organs.
+     */
     void update(double time, double[] nodes) {
+        liverPart.ifPresent(part -> liverNow = part.positions(scene.restPositions(), nodes));
         if (!inUse) {
             return;
         }
@@ -127,9 +132,8 @@ final class SceneCarriers {
         around.update(ofSheet, sheet);
         chest.update(0, sheet);
         if (ofLiver >= 0) {
-            double[] now = liver(nodes);
-            around.update(ofLiver, now);
-            liver.update(0, now);
+            around.update(ofLiver, liverNow);
+            liver.update(0, liverNow);
         }
         if (skin != null) {
             wall.update(0, skin.at(time, nodes));

@@ -105,8 +105,7 @@ public final class SceneSurfaces {
                     (time, at) -> lungs.positions(lung, time, scene.restPositions(), at));
             carryOrgans(places.size() - 1);
         }
-        liver.ifPresent(
-                part -> yielding(part.structure, false, (time, at) -> part.positions(scene.restPositions(), at)));
+        liver.ifPresent(part -> yielding(part.structure, false, (time, at) -> carriers.liver()));
         addOthers(scene.thorax().structures());
         addOthers(organs);
     }
@@ -263,15 +262,15 @@ public final class SceneSurfaces {
 
     /** Writes the current state into a frame, between two steps. */
     public void capture(Frame frame) {
-        read();
+        read(observe());
         write(frame);
     }
 
-    /** Copies the current state, between two steps, for {@link #write}. */
-    public void read() {
+    /** Copies the current state, of which the observables are given, between two steps, for {@link #write}. */
+    public void read(double[] observed) {
         copyState();
         step = simulation.stepper().steps();
-        values = observer.observe(time).values();
+        values = observed;
     }
 
     /** Computes the surfaces in the state that was read last. */

@@ -38,7 +38,7 @@ final class RayTraversal {
                 stack[depth++] = node + 1;
                 continue;
             }
-            int first = -1 - tree.child[node];
+            int first = tree.first[node];
             for (int place = first; place < first + tree.count[node]; place++) {
                 double along = intersectTriangle(tree, place, out);
                 if (along == Double.POSITIVE_INFINITY) {

@@ -89,7 +89,7 @@ public final class SegmentProbe {
                 stack[depth++] = node + 1;
                 continue;
             }
-            int first = -1 - tree.child[node];
+            int first = tree.first[node];
             for (int place = first; place < first + tree.count[node]; place++) {
                 int facing = pierces(tree.corners, 9 * place);
                 if (facing != 0) {
@@ -212,7 +212,7 @@ public final class SegmentProbe {
                 bounds[depth++] = swap ? farBound : nearBound;
                 continue;
             }
-            int first = -1 - tree.child[node];
+            int first = tree.first[node];
             for (int place = first; place < first + tree.count[node]; place++) {
                 double square = toTriangle(tree.corners, 9 * place);
                 if (square < best) {

@@ -2,6 +2,7 @@ package org.phrenic.mesh.query;
 
 import java.util.Arrays;
 import org.phrenic.engine.math.Triangles;
+import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
@@ -11,6 +12,7 @@ import org.phrenic.mesh.TriangleMesh;
  */
 abstract class TriangleBoxes {
     private static final int LEAF_TRIANGLES = 4;
+    private static final int LEAF = -1;
 
     private final TriangleMesh mesh;
     /** Triangle indices in leaf order. */
@@ -21,14 +23,21 @@ abstract class TriangleBoxes {
     final double[] normals;
     /** Whether a triangle is degenerate, in leaf order. */
     final boolean[] flat;
+
+    final TriangleDiscs discs;
     /** Six numbers per node: minimum, then maximum. */
     final double[] boxes;
-    /** Right child of an inner node; -1 - (first leaf-order index) for a leaf. */
+    /** Right child of an inner node; {@link #LEAF} for a leaf. */
     final int[] child;
     /** Number of triangles in the subtree of the node. */
     final int[] count;
+    /** First leaf-order index in the subtree of the node. */
+    final int[] first;
 
     int nodes;
+
+    /** Place of each triangle in leaf order; null until it is needed. */
+    private volatile int[] places;
 
     private final double[] normal = new double[3];
 
@@ -41,6 +50,7 @@ abstract class TriangleBoxes {
         int most = Math.max(1, 4 * n / LEAF_TRIANGLES + 2);
         child = new int[most];
         count = new int[most];
+        first = new int[most];
         if (n > 0) {
             build(0, n, centroids(mesh));
         }
@@ -48,6 +58,7 @@ abstract class TriangleBoxes {
         corners = new double[9 * n];
         normals = new double[3 * n];
         flat = new boolean[n];
+        discs = new TriangleDiscs(n);
         refit(mesh.positions());
     }
 
@@ -66,6 +77,18 @@ abstract class TriangleBoxes {
 
     public TriangleMesh mesh() {
         return mesh;
+    }
+
+    /** Place of a triangle in leaf order. */
+    final int placeOf(int triangle) {
+        if (places == null) {
+            int[] inverse = new int[order.length];
+            for (int place = 0; place < inverse.length; place++) {
+                inverse[order[place]] = place;
+            }
+            places = inverse;
+        }
+        return places[triangle];
     }
 
     /** Moves the vertices and updates the boxes in one pass; the tree structure remains. */
@@ -90,29 +113,25 @@ abstract class TriangleBoxes {
             normals[3 * place + 1] = normal[1] * scale;
             normals[3 * place + 2] = normal[2] * scale;
             flat[place] = PointTriangleDistance.isDegenerate(corners, o, normal);
+            discs.fit(place, corners, o, normals, length);
         }
         for (int node = nodes - 1; node >= 0; node--) {
-            for (int axis = 0; axis < 3; axis++) {
-                if (child[node] < 0) {
-                    boxOfLeaf(node, axis);
-                } else {
+            if (child[node] == LEAF) {
+                boxOfLeaf(node);
+            } else {
+                for (int axis = 0; axis < 3; axis++) {
                     boxOfChildren(node, axis);
                 }
             }
         }
     }
 
-    private void boxOfLeaf(int node, int axis) {
-        double low = Double.POSITIVE_INFINITY;
-        double high = Double.NEGATIVE_INFINITY;
-        int from = 9 * (-1 - child[node]) + axis;
+    private void boxOfLeaf(int node) {
+        BoundingBoxes.setEmpty(boxes, 6 * node);
+        int from = 9 * first[node];
         for (int i = from; i < from + 9 * count[node]; i += 3) {
-            double value = corners[i];
-            low = value < low ? value : low;
-            high = value > high ? value : high;
+            BoundingBoxes.include(boxes, 6 * node, corners, i);
         }
-        boxes[6 * node + axis] = low;
-        boxes[6 * node + axis + 3] = high;
     }
 
     private void boxOfChildren(int node, int axis) {
@@ -126,8 +145,9 @@ abstract class TriangleBoxes {
     private void build(int from, int to, double[] centroids) {
         int node = nodes++;
         count[node] = to - from;
+        first[node] = from;
         if (to - from <= LEAF_TRIANGLES) {
-            child[node] = -1 - from;
+            child[node] = LEAF;
             return;
         }
         int middle = (from + to) >>> 1;

@@ -16,9 +16,8 @@ public final class TriangleTree extends TriangleBoxes {
      * distance of its box is rounded up.
      */
     private static final double BOX_ROUNDING = 1 + 1e-12;
-
-    /** Place of each triangle in leaf order; null until it is needed. */
-    private volatile int[] places;
+    /** Triangles of a subtree whose tests cost less than those of its boxes, where a bound is known. */
+    private static final int FEW = 8;
 
     /** Result and working memory of a query; reuse one per thread. */
     public static final class Hit {
@@ -101,7 +100,7 @@ public final class TriangleTree extends TriangleBoxes {
             Hit out) {
         out.start(x, y, z, nx, ny, nz);
         out.leastCosine = minimumCosine;
-        return search(nodes > 0 ? 0 : NONE, squaredLimit(maximumDistance), 1, null, out);
+        return search(nodes > 0 ? 0 : NONE, squaredLimit(maximumDistance), 1, 0, null, out);
     }
 
     /** One unit in the last place above the square, so that a point at exactly the maximum distance is found. */
@@ -113,13 +112,14 @@ public final class TriangleTree extends TriangleBoxes {
      * Searches a subtree for a triangle nearer than a squared distance and writes the answer.
      *
      * @param rounding factor on the squared distance up to which boxes are searched
+     * @param few number of triangles of a subtree up to which all are tested
      */
-    private boolean search(int from, double limit, double rounding, boolean[] among, Hit out) {
+    private boolean search(int from, double limit, double rounding, int few, boolean[] among, Hit out) {
         double best = limit;
         int node = from;
         while (node >= 0) {
-            if (child[node] < 0) {
-                best = closestInLeaf(-1 - child[node], count[node], best, among, out);
+            if (child[node] < 0 || count[node] <= few) {
+                best = closestInLeaf(first[node], count[node], best, among, out);
                 node = pop(best * rounding, out);
             } else {
                 node = descend(node, best * rounding, out);
@@ -148,7 +148,7 @@ public final class TriangleTree extends TriangleBoxes {
         if (guess >= 0 && (among == null || among[guess])) {
             best = closestInLeaf(placeOf(guess), 1, best, among, out);
         }
-        return search(nodes > 0 && boxDistance(0, out) <= best ? 0 : NONE, best, BOX_ROUNDING, among, out);
+        return search(nodes > 0 && boxDistance(0, out) <= best ? 0 : NONE, best, BOX_ROUNDING, FEW, among, out);
     }
 
     /**
@@ -158,17 +158,6 @@ public final class TriangleTree extends TriangleBoxes {
      */
     public double squaredDistance(int triangle, double x, double y, double z, Hit working) {
         return squaredDistance(placeOf(triangle), x, y, z, working.weights);
-    }
-
-    private int placeOf(int triangle) {
-        if (places == null) {
-            int[] inverse = new int[order.length];
-            for (int place = 0; place < inverse.length; place++) {
-                inverse[order[place]] = place;
-            }
-            places = inverse;
-        }
-        return places[triangle];
     }
 
     /**
@@ -185,13 +174,15 @@ public final class TriangleTree extends TriangleBoxes {
     }
 
     /** Searches triangles of a leaf for a nearer one; returns the updated least squared distance. */
-    private double closestInLeaf(int first, int triangles, double limit, boolean[] among, Hit out) {
+    private double closestInLeaf(int from, int triangles, double limit, boolean[] among, Hit out) {
         double best = limit;
         double x = out.origin[0];
         double y = out.origin[1];
         double z = out.origin[2];
-        for (int place = first; place < first + triangles; place++) {
-            if ((among != null && !among[order[place]]) || (!Double.isNaN(out.leastCosine) && !faces(place, out))) {
+        for (int place = from; place < from + triangles; place++) {
+            if ((among != null && !among[order[place]])
+                    || discs.isFarther(place, x, y, z, best)
+                    || (!Double.isNaN(out.leastCosine) && !faces(place, out))) {
                 continue;
             }
             double square = squaredDistance(place, x, y, z, out.weights);
@@ -265,9 +256,9 @@ public final class TriangleTree extends TriangleBoxes {
                 node = descend(node, limit, working);
                 continue;
             }
-            int first = -1 - child[node];
-            for (int place = first; place < first + count[node]; place++) {
-                if (squaredDistance(place, x, y, z, working.weights) <= limit) {
+            for (int place = first[node]; place < first[node] + count[node]; place++) {
+                if (!discs.isFarther(place, x, y, z, limit)
+                        && squaredDistance(place, x, y, z, working.weights) <= limit) {
                     working.leafPlace = place;
                     return true;
                 }

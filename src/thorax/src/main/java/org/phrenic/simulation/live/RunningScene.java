@@ -39,6 +39,10 @@ final class RunningScene implements AutoCloseable {
     private final SceneSurfaces surfaces;
     private final FrameWriter writer = new FrameWriter();
     private long nextSample;
+    private double[] sampled = new double[0];
+    /** Step of the last sample; -1 if it is out of date. */
+    private long sampledStep = -1;
+
     private long publishedNs;
     private long publishedStep;
     private Frame listenerFrame;
@@ -125,7 +129,7 @@ final class RunningScene implements AutoCloseable {
             return;
         }
         listenerFrame = listenerFrame == null ? surfaces.newFrame() : listenerFrame;
-        surfaces.read();
+        read();
         capturedStep = simulation.steps();
         boolean shown = isReaderWaiting();
         if (shown) {
@@ -147,10 +151,17 @@ final class RunningScene implements AutoCloseable {
     }
 
     private void sample() {
-        history.add(surfaces.observe());
+        sampled = surfaces.observe();
+        history.add(sampled);
         Stepper stepper = simulation.stepper();
+        sampledStep = stepper.steps();
         nextSample = stepper.steps()
                 + Math.max(1, Math.round(simulation.start().get(RunSettings.RECORD_EVERY) / stepper.dt()));
+    }
+
+    /** Copies the state for a frame; the observables are those of the sample of this step, if there is one. */
+    private void read() {
+        surfaces.read(sampledStep == simulation.steps() ? sampled : surfaces.observe());
     }
 
     private boolean isReaderWaiting() {
@@ -165,6 +176,8 @@ final class RunningScene implements AutoCloseable {
 
     /** Publishes a frame if the state has changed and either a reader has taken the last frame or it is too old. */
     void publishIfDue() {
+        // The settings may have changed since the step.
+        sampledStep = -1;
         long since = System.nanoTime() - publishedNs;
         if (simulation.steps() != publishedStep
                 && (since > MAX_FRAME_INTERVAL_NS || (isReaderWaiting() && !isListenerFrequent()))) {
@@ -175,7 +188,7 @@ final class RunningScene implements AutoCloseable {
     /** Publishes a frame of the current state while the simulation goes on, unless another one is at work. */
     private void publishLater() {
         if (writer.isIdle()) {
-            surfaces.read();
+            read();
             published();
             writer.start(() -> {
                 surfaces.write(pipe.back());
@@ -215,6 +228,7 @@ final class RunningScene implements AutoCloseable {
     void rewound() {
         writer.finish();
         capturedStep = -1;
+        sampledStep = -1;
         history.truncateAfter(simulation.steps() == 0 ? Double.NEGATIVE_INFINITY : simulation.time());
         nextSample = 0;
         if (simulation.steps() == 0) {

@@ -149,23 +149,42 @@ public final class OrganMotion {
 
     /** Positions of the organ where its carriers are now; valid until the next call. Allocates nothing. */
     public double[] now() {
-        double[] moved = carriers.displacement();
-        for (int point = 0; point < horizontal.length; point++) {
-            double x = 0;
-            double y = 0;
-            double z = 0;
-            for (int k = count * point; k < count * (point + 1); k++) {
-                double w = weights[k];
-                int c = nearest[k];
-                x += w * moved[c];
-                y += w * moved[c + 1];
-                z += w * moved[c + 2];
-            }
-            position[3 * point] = rest[3 * point] + horizontal[point] * x;
-            position[3 * point + 1] = rest[3 * point + 1] + horizontal[point] * y;
-            position[3 * point + 2] = rest[3 * point + 2] + z;
+        for (int point = 0; point < horizontal.length; point += 2) {
+            displace(point, Math.min(point + 1, horizontal.length - 1));
         }
         kept.ifPresent(volume -> volume.apply(position));
         return position;
+    }
+
+    /** Displaces two points, whose sums overlap in the processor; that of one waits for each addition. */
+    private void displace(int a, int b) {
+        double[] moved = carriers.displacement();
+        double ax = 0;
+        double ay = 0;
+        double az = 0;
+        double bx = 0;
+        double by = 0;
+        double bz = 0;
+        int toB = count * (b - a);
+        for (int k = count * a; k < count * (a + 1); k++) {
+            double w = weights[k];
+            int c = nearest[k];
+            ax += w * moved[c];
+            ay += w * moved[c + 1];
+            az += w * moved[c + 2];
+            w = weights[k + toB];
+            c = nearest[k + toB];
+            bx += w * moved[c];
+            by += w * moved[c + 1];
+            bz += w * moved[c + 2];
+        }
+        place(a, ax, ay, az);
+        place(b, bx, by, bz);
+    }
+
+    private void place(int point, double x, double y, double z) {
+        position[3 * point] = rest[3 * point] + horizontal[point] * x;
+        position[3 * point + 1] = rest[3 * point + 1] + horizontal[point] * y;
+        position[3 * point + 2] = rest[3 * point + 2] + z;
     }
 }

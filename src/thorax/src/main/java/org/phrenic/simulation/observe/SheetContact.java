@@ -45,9 +45,6 @@ public final class SheetContact {
     private final boolean[] isThoracic;
     private final boolean[] atBorder;
     private final double[] positions;
-    /** Sum of the area vectors of the triangles about each vertex. */
-    private final double[] normals;
-
     /** Sum of the largest distances that a vertex has moved from update to update, mm. */
     private double travelMm;
 
@@ -66,7 +63,6 @@ public final class SheetContact {
         }
         atBorder = new boolean[mesh.vertexCount()];
         positions = mesh.positions().clone();
-        normals = new double[positions.length];
         sheet = new TriangleTree(mesh);
         thoracicFace = face(mesh, true);
         abdominalFace = face(mesh, false);
@@ -98,16 +94,6 @@ public final class SheetContact {
         travelMm += farthestMm(nodes);
         System.arraycopy(nodes, 3 * first, positions, 0, positions.length);
         sheet.refit(positions);
-        Arrays.fill(normals, 0);
-        int[] t = sheet.mesh().triangles();
-        for (int i = 0; i < t.length; i += 3) {
-            Triangles.cross(positions, 3 * t[i], 3 * t[i + 1], 3 * t[i + 2], normal);
-            for (int corner = i; corner < i + 3; corner++) {
-                for (int axis = 0; axis < 3; axis++) {
-                    normals[3 * t[corner] + axis] += normal[axis];
-                }
-            }
-        }
     }
 
     /** Largest distance from a vertex of the sheet to where it is now. */
@@ -290,9 +276,7 @@ public final class SheetContact {
         boolean c = hit.weightC > ON_SIDE;
         boolean atCorner = a ? !b && !c : b != c;
         if (atCorner) {
-            int v = sheet.mesh().triangles()[3 * hit.triangle + (a ? 0 : b ? 1 : 2)];
-            System.arraycopy(normals, 3 * v, normal, 0, 3);
-            return along(points, k);
+            return alongVertex(sheet.mesh().triangles()[3 * hit.triangle + (a ? 0 : b ? 1 : 2)], points, k);
         }
         double out = alongTriangle(hit.triangle, points, k);
         if (a && b && c) {
@@ -301,6 +285,25 @@ public final class SheetContact {
         int edge = topology.edgeOfSide()[3 * hit.triangle + (!c ? 0 : !a ? 1 : 2)];
         int other = edge == MeshTopology.NONE ? edge : topology.otherFace(edge, hit.triangle);
         return other == MeshTopology.NONE ? out : out + alongTriangle(other, points, k);
+    }
+
+    /** Component along the sum of the area vectors of the triangles about a vertex. */
+    private double alongVertex(int v, double[] points, int k) {
+        int[] t = sheet.mesh().triangles();
+        double x = 0;
+        double y = 0;
+        double z = 0;
+        for (int i = topology.vertexTriangleStart()[v]; i < topology.vertexTriangleStart()[v + 1]; i++) {
+            int corner = 3 * topology.vertexTriangles()[i];
+            Triangles.cross(positions, 3 * t[corner], 3 * t[corner + 1], 3 * t[corner + 2], normal);
+            x += normal[0];
+            y += normal[1];
+            z += normal[2];
+        }
+        normal[0] = x;
+        normal[1] = y;
+        normal[2] = z;
+        return along(points, k);
     }
 
     /** Component along the unit normal of a triangle. */
