@@ -67,6 +67,7 @@ public final class Session implements AutoCloseable {
     private final Timer tickTimer;
     private LiveScene scene;
     private LiveScene bodyAtRest;
+    private volatile LiveScene firstBody;
     private Scenario requested;
     private int historyFrame = -1;
     private boolean resumeAfterHistory;
@@ -97,6 +98,11 @@ public final class Session implements AutoCloseable {
     /** The simulation, for play, pause, step, speed, history and frames. Changes go through {@link #change}. */
     public LiveRun live() {
         return live;
+    }
+
+    /** The body of the scene that loads first, as soon as it is there; on any thread. */
+    public Optional<LiveScene> firstBody() {
+        return Optional.ofNullable(firstBody);
     }
 
     /** Changes made by hand, to undo and redo. */
@@ -273,6 +279,7 @@ public final class Session implements AutoCloseable {
 
         @Override
         public void body(LiveScene atRest) {
+            firstBody = firstBody == null ? atRest : firstBody;
             SwingUtilities.invokeLater(() -> {
                 if (scene == null) {
                     bodyAtRest = atRest;

@@ -9,11 +9,13 @@ import java.util.Queue;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import org.phrenic.scene.AccessMapField;
 import org.phrenic.scene.DistanceField;
 import org.phrenic.scene.NeedleMarkers;
 import org.phrenic.scene.annotate.Annotations;
+import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.Camera;
 import org.phrenic.scene.camera.PickResult;
 import org.phrenic.scene.camera.Picker;
@@ -24,6 +26,7 @@ import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.scene.gl.Renderer;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.SceneStyle;
+import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.live.LiveRun;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunHistory;
@@ -96,9 +99,13 @@ public final class RenderLoop implements AutoCloseable {
     /** Time after the last frame from which a coarse one is drawn again, ns. */
     private static final long AT_REST_NS = 300_000_000;
 
+    /** Side of the picture that is drawn out of sight. */
+    private static final int PREPARED_PIXELS = 64;
+
     private static final System.Logger LOG = System.getLogger(RenderLoop.class.getName());
 
     private final LiveRun live;
+    private final Supplier<Optional<LiveScene>> firstBody;
     private final Listener listener;
     private volatile MarkSource markSource = Optional::empty;
     private final Thread thread = new Thread(this::run, "phrenic-view");
@@ -123,8 +130,10 @@ public final class RenderLoop implements AutoCloseable {
     private long drawnNs;
     private long countedScene = -1;
 
-    RenderLoop(LiveRun live, Listener listener) {
+    /** @param firstBody the body that is shown first, once it is there; called on the render thread */
+    RenderLoop(LiveRun live, Supplier<Optional<LiveScene>> firstBody, Listener listener) {
         this.live = live;
+        this.firstBody = firstBody;
         this.listener = listener;
         thread.setDaemon(true);
     }
@@ -216,6 +225,8 @@ public final class RenderLoop implements AutoCloseable {
             long begun = System.nanoTime();
             if (wanted != null) {
                 setScene(gl, wanted.scene());
+            } else if (scene == null) {
+                firstBody.get().ifPresent(body -> prepare(gl, body));
             }
             boolean busy = task != null;
             if (busy) {
@@ -272,6 +283,13 @@ public final class RenderLoop implements AutoCloseable {
             picker = null;
             frame = scene.newFrame().get();
         }
+    }
+
+    /** Draws a body out of sight before a picture is asked for: meshes are sent and shaders compiled meanwhile. */
+    private void prepare(OffscreenContext gl, LiveScene body) {
+        setScene(gl, body);
+        Camera camera = Camera.of(AnatomicalView.ANTERIOR, SceneBounds.of(body.surfaces()), 1);
+        gl.render(renderer, frame, camera, SceneStyle.atlas(body.surfaces()), PREPARED_PIXELS, PREPARED_PIXELS);
     }
 
     /** Draws if anything has changed. */

@@ -58,7 +58,7 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         setToolTipText(null);
         setMinimumSize(new Dimension(200, 150));
         new CameraController(this);
-        renderLoop = new RenderLoop(session.live(), new RenderListener());
+        renderLoop = new RenderLoop(session.live(), session::firstBody, new RenderListener());
         appearance.addListener(this::requestFrame);
         session.addListener(this);
         addComponentListener(new ComponentAdapter() {
