@@ -169,6 +169,10 @@ final class CaseRun {
             checkBound(StabilityMeasure.LINK_ERROR, linkError, 1, time);
             compareWithReference(positions, time);
         }
+        if (!(time < Math.max(divergenceTime, refinementTime) + SETTLING_S)) {
+            scene.contactErrors()
+                    .forEach((measure, error) -> checkBound(measure, keepLargest(measure, error), 1, time));
+        }
         compareWithEarlierPeriod(positions, time);
     }
 

@@ -157,6 +157,18 @@ record DomeMesh(double[] positions, int[] triangles, int[] below, int[] rim) {
         return inside == 1 || inside == 2;
     }
 
+    /** The regular mesh with every seventh triangle turned over. */
+    static DomeMesh inverted(int rings) {
+        DomeMesh mesh = regular(rings);
+        int[] t = mesh.triangles.clone();
+        for (int corner = 0; corner < t.length; corner += 21) {
+            int first = t[corner];
+            t[corner] = t[corner + 1];
+            t[corner + 1] = first;
+        }
+        return new DomeMesh(mesh.positions, t, mesh.below, mesh.rim);
+    }
+
     /** The regular mesh with a fin on every tenth triangle: two more triangles on one of its edges, four in all. */
     static DomeMesh nonManifold(int rings) {
         DomeMesh mesh = regular(rings);

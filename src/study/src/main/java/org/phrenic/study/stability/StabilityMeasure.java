@@ -14,6 +14,10 @@ enum StabilityMeasure {
     SHAPE("shape", "rms distance from the reference solution over its excursion"),
     /** Largest | |AB| - L | / L of a rigid link. */
     LINK_ERROR("links", "error of a link's length"),
+    /** Greatest distance of a vertex of the sheet outside the chest wall at a sample, mm. */
+    OUTSIDE_MM("outside mm", "distance of a vertex outside the chest wall, mm"),
+    /** Greatest distance by which the two faces of the sheet pass each other at a sample, mm. */
+    CROSSED_MM("crossed mm", "distance by which the faces of the sheet cross, mm"),
     /** Rms distance of all nodes from the start at the end of the case, mm. */
     RETURN_MM("return mm", "rms distance from the start at the end, mm"),
     /** Distance of a node between the end of a period and the end of the first period after one minute, mm. */

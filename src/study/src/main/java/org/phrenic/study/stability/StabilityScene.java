@@ -1,5 +1,6 @@
 package org.phrenic.study.stability;
 
+import java.util.Map;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.integrator.Stepper;
 
@@ -14,6 +15,14 @@ interface StabilityScene extends AutoCloseable {
 
     /** Largest relative length error of the rigid links; 0 without links. */
     double linkError();
+
+    /**
+     * How far contacts are violated, measured anew from positions and wall and independent of the constraints that act
+     * in the scene; empty without contacts.
+     */
+    default Map<StabilityMeasure, Double> contactErrors() {
+        return Map.of();
+    }
 
     /**
      * Undoes the change that caused a divergence, if there is one.

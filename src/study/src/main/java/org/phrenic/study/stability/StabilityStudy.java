@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import org.phrenic.engine.integrator.IntegratorKind;
@@ -23,7 +24,8 @@ public record StabilityStudy(Map<String, String> cases, List<IntegratorKind> int
      * Selection and limits of a study.
      *
      * @param only keys of cases; empty for all
-     * @param quick whether to run the short version: coarser domes, shorter times
+     * @param quick whether to run the short version: coarser domes, thoraxes at low resolution, shorter times
+     * @param scan folder of a scanned body; without it its cases are left out
      * @param nodeEvaluations budget of force evaluations times nodes per cell. A cell that needs more ends early, which
      *     its simulated time shows.
      * @param verletEvaluations the same for velocity Verlet, the default integrator
@@ -33,28 +35,34 @@ public record StabilityStudy(Map<String, String> cases, List<IntegratorKind> int
             List<String> only,
             List<IntegratorKind> integrators,
             boolean quick,
+            Optional<String> scan,
             double nodeEvaluations,
             double verletEvaluations,
             int threads) {
         /** All cells of the long version. The budget of Verlet suffices for one simulated hour of quiet breathing. */
         public static final Settings LONG =
-                new Settings(List.of(), List.of(IntegratorKind.values()), false, 5e8, 5e10, 1);
+                new Settings(List.of(), List.of(IntegratorKind.values()), false, Optional.empty(), 5e8, 6e10, 1);
 
         /** All cells of the short version. */
         public static final Settings QUICK =
-                new Settings(List.of(), List.of(IntegratorKind.values()), true, 2e7, 2e7, 1);
+                new Settings(List.of(), List.of(IntegratorKind.values()), true, Optional.empty(), 4e7, 4e7, 1);
 
         public Settings withEvaluations(double evaluations) {
-            return new Settings(only, integrators, quick, evaluations, evaluations, threads);
+            return new Settings(only, integrators, quick, scan, evaluations, evaluations, threads);
         }
 
         public Settings withThreads(int count) {
-            return new Settings(only, integrators, quick, nodeEvaluations, verletEvaluations, count);
+            return new Settings(only, integrators, quick, scan, nodeEvaluations, verletEvaluations, count);
         }
 
         /** A copy with only these cases and integrators. */
         public Settings only(List<String> keys, List<IntegratorKind> kinds) {
-            return new Settings(keys, kinds, quick, nodeEvaluations, verletEvaluations, threads);
+            return new Settings(keys, kinds, quick, scan, nodeEvaluations, verletEvaluations, threads);
+        }
+
+        /** A copy with the cases of a scanned body. */
+        public Settings withScan(Optional<String> folder) {
+            return new Settings(only, integrators, quick, folder, nodeEvaluations, verletEvaluations, threads);
         }
 
         private double evaluations(IntegratorKind integrator) {
@@ -68,9 +76,13 @@ public record StabilityStudy(Map<String, String> cases, List<IntegratorKind> int
         cells = List.copyOf(cells);
     }
 
-    /** Keys of all cases, in order. */
-    public static List<String> caseKeys() {
-        return StabilityCases.all(true).stream().map(StabilityCase::key).toList();
+    /**
+     * Keys of all cases, in order.
+     *
+     * @param scan folder of a scanned body, if there is one
+     */
+    public static List<String> caseKeys(Optional<String> scan) {
+        return StabilityCases.all(true, scan).stream().map(StabilityCase::key).toList();
     }
 
     /**
@@ -78,7 +90,7 @@ public record StabilityStudy(Map<String, String> cases, List<IntegratorKind> int
      * any number of threads.
      */
     public static StabilityStudy of(Settings settings, ProgressListener progress) {
-        List<StabilityCase> cases = StabilityCases.all(settings.quick()).stream()
+        List<StabilityCase> cases = StabilityCases.all(settings.quick(), settings.scan()).stream()
                 .filter(c -> settings.only().isEmpty() || settings.only().contains(c.key()))
                 .toList();
         int total = cases.size() * settings.integrators().size();
