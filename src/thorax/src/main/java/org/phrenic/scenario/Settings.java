@@ -12,6 +12,7 @@ import org.phrenic.model.material.Muscle;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.model.material.RibRotation;
 import org.phrenic.model.material.RigidTendon;
+import org.phrenic.model.material.SheetBending;
 import org.phrenic.model.material.TransdiaphragmaticPressure;
 import org.phrenic.model.material.WallContact;
 import org.phrenic.model.organ.OrganSettings;
@@ -41,6 +42,7 @@ public final class Settings {
                             Numerics.MASS_SCALING,
                             Numerics.TENDON_LIGHTNESS,
                             Numerics.DAMPING_TIME,
+                            SheetBending.BENDING_STIFFNESS,
                             Numerics.THREADS,
                             RunSettings.RECORD_EVERY,
                             RunSettings.MESHES_EVERY,

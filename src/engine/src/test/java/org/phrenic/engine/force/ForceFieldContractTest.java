@@ -64,6 +64,12 @@ class ForceFieldContractTest {
         return springs().restLengthsAt(shorter).build();
     }
 
+    private static HingeBending bending() {
+        int[] nodes = {0, 1, 3, 10, 4, 13, 12, 26};
+        double[] rest = SampleSystems.gridPositions(3, 0, 1);
+        return new HingeBending(LAYOUT, Hinges.of(rest, nodes, new double[] {40, 70}), rest);
+    }
+
     static Stream<Arguments> fieldsWithEnergy() {
         return Stream.of(
                 Arguments.of("springs", (Supplier<ForceField>) () -> springs()
@@ -71,6 +77,7 @@ class ForceFieldContractTest {
                         .build()),
                 Arguments.of("contractile springs", (Supplier<ForceField>) ForceFieldContractTest::contractile),
                 Arguments.of("attachments", (Supplier<ForceField>) ForceFieldContractTest::attachments),
+                Arguments.of("bending", (Supplier<ForceField>) ForceFieldContractTest::bending),
                 Arguments.of("constant load", (Supplier<ForceField>) () -> new ConstantLoad(
                         LAYOUT, new Random(6).doubles(3 * N, -4, 4).toArray())));
     }
@@ -78,6 +85,7 @@ class ForceFieldContractTest {
     static Stream<Arguments> fieldsWithWholeStiffness() {
         return Stream.of(
                 Arguments.of("stretched springs", (Supplier<ForceField>) ForceFieldContractTest::stretched),
+                Arguments.of("bending", (Supplier<ForceField>) ForceFieldContractTest::bending),
                 Arguments.of("attachments", (Supplier<ForceField>) ForceFieldContractTest::attachments));
     }
 

@@ -59,7 +59,7 @@ final class MassScaling {
         nodeStiffness[at + 5] += s * z * z;
     }
 
-    /** Adds springs to bone to A_i. They are isotropic. */
+    /** Adds springs to bone to A_i, or other row sums of a stiffness matrix. They are isotropic. */
     void addAttachments(int[] nodes, double[] k, double factor) {
         for (int i = 0; i < nodes.length; i++) {
             double half = 0.5 * factor * k[i];

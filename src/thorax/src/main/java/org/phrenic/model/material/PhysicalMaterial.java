@@ -47,6 +47,7 @@ final class PhysicalMaterial extends TissueMaterial {
                 "physical",
                 List.of(
                         new SheetSprings(SheetSprings.MUSCLE_STIFFNESS, true),
+                        new SheetBending(),
                         TissueMass.PER_AREA,
                         new Muscle(),
                         new TransdiaphragmaticPressure(),
@@ -138,6 +139,7 @@ final class PhysicalMaterial extends TissueMaterial {
                 scene.settings().get(BoneAttachments.STERNUM_COUPLING));
         scaling.addAttachments(scene.diaphragm().cruralNodes, scene.diaphragm().cruralStiffnesses, 1);
         scene.lungs().ifPresent(l -> scaling.addAttachments(l.baseSprings.node(), l.baseSprings.stiffnesses(), 1));
+        SheetBending.addTo(scaling, scene, positions);
         double step = scene.settings().get(Numerics.MASS_SCALING) / Stepper.SAFETY;
         double[] least = scaling.leastMasses(step);
         // In a deep breath lungs fold at their edges; nothing that is observed of the diaphragm depends on their mass.
