@@ -56,7 +56,7 @@ final class BenchStabilityCommand extends ReportingCommand {
             names = "--spend",
             paramLabel = "N",
             description = "Evaluations of the force on a node that a cell may spend before it ends early"
-                    + " (default 5e8, for verlet 5e10; with --quick 2e7).")
+                    + " (default 5e8, for verlet 6e10; with --quick 4e7).")
     private String spend;
 
     @Option(names = "--threads", paramLabel = "N", description = "Cases at a time; the numbers do not depend on it.")

@@ -24,7 +24,6 @@ final class LungShape implements VerticalAxis {
     private static final double APEX_EDGE_MM = 12;
     private static final double PIVOT_ABOVE_DOME_MM = 45;
     private static final double BASE_PIVOT_BELOW_DOME_MM = 60;
-    private static final int SWEEPS = 12;
     private static final double PLEURA_EDGE_MM = 11;
     /** Distance from the costal pleura over which the lower limit changes from its reflection to the diaphragm, mm. */
     private static final double OFF_WALL_MM = 6;
@@ -140,7 +139,7 @@ final class LungShape implements VerticalAxis {
         int[] counts = RingMesh.counts(lines, PLEURA_EDGE_MM, 0);
         TriangleMesh mesh = RingMesh.mesh(lines, counts, true);
         int inner = mesh.vertexCount() - counts[counts.length - 1];
-        return SurfaceRelaxation.relax(mesh, SWEEPS, v -> v < inner ? side : null);
+        return SurfaceRelaxation.relax(mesh, measures.relaxationSweeps(), v -> v < inner ? side : null);
     }
 
     /** Height above the line on the wall, off the wall the distance from the diaphragm. */
@@ -173,8 +172,8 @@ final class LungShape implements VerticalAxis {
         int inner = upper.vertexCount() - border;
         int upperCount = upper.vertexCount();
 
-        TriangleMesh even =
-                SurfaceRelaxation.relax(whole, SWEEPS, v -> v < inner ? side : v < upperCount ? null : roof);
+        TriangleMesh even = SurfaceRelaxation.relax(
+                whole, measures.relaxationSweeps(), v -> v < inner ? side : v < upperCount ? null : roof);
         return Clearance.enforce(even, dome, 1, roofOffset);
     }
 

@@ -23,8 +23,8 @@ final class OrganBuilder {
 
     /** The internal mammary vessels lie on the wall, between pleura and cartilages. */
     private static final double MAMMARY_OFF_WALL_MM = 0.4;
-    /** The superior epigastric vessels lie in the rectus sheath, behind the muscle. */
-    private static final double EPIGASTRIC_OFF_WALL_MM = 5;
+    /** The superior epigastric vessels lie in the rectus sheath, behind and in the muscle. */
+    private static final double EPIGASTRIC_OFF_WALL_MM = 8;
 
     /** The pleura reaches farther into the corners beside spine and sternum than the lung. */
     private static final double PLEURA_EDGE_MM = 4;

@@ -204,6 +204,7 @@ public record VirtualThoraxParameters(
      * @param heartCentre y and z of the centre of the heart
      * @param heartRadiiMm lengths over which the cardiac bulge fades backward and upward
      * @param heartFrontShare fraction of the bulge that reaches the front wall, right and left
+     * @param relaxationSweeps sweeps that even out the triangles
      */
     public record Lungs(
             double wallInsetMm,
@@ -217,7 +218,8 @@ public record VirtualThoraxParameters(
             @Key(count = 2) ImmutableDoubleArray heartMm,
             @Key(value = "heart_centre_mm", count = 2) ImmutableDoubleArray heartCentre,
             @Key(count = 2) ImmutableDoubleArray heartRadiiMm,
-            @Key(count = 2) ImmutableDoubleArray heartFrontShare) {
+            @Key(count = 2) ImmutableDoubleArray heartFrontShare,
+            int relaxationSweeps) {
 
         /** These measures with another distance from the inner chest wall. */
         Lungs withWallInset(double insetMm) {
@@ -233,7 +235,8 @@ public record VirtualThoraxParameters(
                     heartMm,
                     heartCentre,
                     heartRadiiMm,
-                    heartFrontShare);
+                    heartFrontShare,
+                    relaxationSweeps);
         }
     }
 
