@@ -1,6 +1,7 @@
 package org.phrenic.motion;
 
 import java.util.Arrays;
+import java.util.function.ToDoubleFunction;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.SurfaceDistance;
 
@@ -17,6 +18,7 @@ final class HexahedralGrid {
     record Place(int[] nodes, double[] weights) {}
 
     private final double edge;
+    private final double poisson;
     private final double[] low = new double[3];
     private final int[] cells = new int[3];
     /** For each place of the grid: number of its cell among those kept, or -1. */
@@ -34,6 +36,7 @@ final class HexahedralGrid {
      */
     HexahedralGrid(TriangleMesh body, double edge, int samples, double least, double poisson) {
         this.edge = edge;
+        this.poisson = poisson;
         double[] box = body.bounds();
         int total = 1;
         for (int axis = 0; axis < 3; axis++) {
@@ -188,6 +191,34 @@ final class HexahedralGrid {
                 out[3 * nodes[CORNERS * cell + k / 3] + k % 3] += sum;
             }
         }
+    }
+
+    /**
+     * Forces at the nodes of a solid that would expand freely by a linear strain in all directions: {@code e / (1 - 2
+     * nu)} times the integral of each shape function's gradient, e taken at the middle of each cell.
+     *
+     * @param strain free strain, as a function of the place in mm
+     */
+    double[] expansion(ToDoubleFunction<double[]> strain) {
+        double[] out = new double[length()];
+        double[] middle = new double[3];
+        for (int place = 0; place < kept.length; place++) {
+            int cell = kept[place];
+            if (cell < 0) {
+                continue;
+            }
+            int[] at = coordinates(place);
+            for (int axis = 0; axis < 3; axis++) {
+                middle[axis] = low[axis] + edge * (at[axis] + 0.5);
+            }
+            double force = share[cell] * strain.applyAsDouble(middle) / (1 - 2 * poisson) * edge * edge / 4;
+            for (int k = 0; k < DOF; k++) {
+                int corner = k / 3;
+                boolean high = (corner >> (k % 3) & 1) == 1;
+                out[3 * nodes[CORNERS * cell + corner] + k % 3] += high ? force : -force;
+            }
+        }
+        return out;
     }
 
     /** Diagonal of the stiffness. */

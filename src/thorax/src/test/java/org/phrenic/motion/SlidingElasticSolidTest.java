@@ -59,12 +59,43 @@ class SlidingElasticSolidTest {
         assertThat(distance(to)).isLessThan(0.75 * distance(attached));
     }
 
-    /** A body that becomes a tenth longer carries a point at three tenths of its height up by 3 mm. */
+    /**
+     * A body that becomes a tenth longer carries a point at half its depth and three tenths of its height up by 3 mm.
+     */
     @Test
     void stretchesWithItsSurface() {
-        double[] to = new SlidingElasticSolid(ellipsoid(s -> s, 1), ellipsoid(s -> s, 1.1)).moved(INSIDE);
-        assertThat(to[2] - INSIDE[2]).isCloseTo(3, offset(0.6));
-        assertThat(to[1]).isCloseTo(INSIDE[1], offset(0.6));
+        double[] to =
+                new SlidingElasticSolid(ellipsoid(s -> s, 1), ellipsoid(s -> s, 1.1)).moved(new double[] {12, 0, 30});
+        assertThat(to[2] - 30).isCloseTo(3, offset(0.6));
+        assertThat(to[1]).isBetween(-1.35, 0.0);
+    }
+
+    /**
+     * A long box whose walls let the inside slide grows by a fifth. Between its walls strain is along y alone, so that
+     * the middle goes forward by (1 + nu) / (1 - nu) s L / 8 where the free strain is s y / L, s 1.5 times the mean
+     * strain. Ties along the walls hold some of it back.
+     */
+    @Test
+    void carriesTheMiddleForwardAsTheBackExpandsMost() {
+        TriangleMesh rest = box(1);
+        double s = 1.5 * (Math.cbrt(1.2) - 1);
+        double free = 1.3 / 0.7 * s * 120 / 8;
+        double[] to = new SlidingElasticSolid(rest, box(1.2)).moved(new double[3]);
+        assertThat(to[1]).isBetween(-free, -0.6 * free);
+        assertThat(to[0]).isCloseTo(0, offset(0.2));
+        assertThat(to[2]).isCloseTo(0, offset(0.2));
+    }
+
+    /** A box of 60, 120 and 200 mm about the origin. */
+    private static TriangleMesh box(double longer) {
+        double[] p = SPHERE.positions().clone();
+        for (int i = 0; i < p.length; i += 3) {
+            double most = Math.max(Math.abs(p[i]), Math.max(Math.abs(p[i + 1]), Math.abs(p[i + 2])));
+            p[i] *= 30 / most;
+            p[i + 1] *= 60 / most;
+            p[i + 2] *= 100 * longer / most;
+        }
+        return SPHERE.withPositions(p);
     }
 
     private static double distance(double[] to) {
