@@ -16,8 +16,8 @@ import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.SelfIntersections;
 import org.phrenic.mesh.query.SurfaceDistance;
-import org.phrenic.patient.diaphragm.SelfIntersections;
 
 class SkinEnvelopeTest {
     private static PatientBody body(PatientStructure.Source ofSkin) {

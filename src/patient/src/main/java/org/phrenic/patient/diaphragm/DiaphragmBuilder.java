@@ -16,6 +16,7 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.edit.Remesher;
+import org.phrenic.mesh.query.SelfIntersections;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**

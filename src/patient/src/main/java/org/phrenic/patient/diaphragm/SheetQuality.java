@@ -20,6 +20,7 @@ import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.ConnectedComponents;
 import org.phrenic.mesh.edit.MeshMerge;
+import org.phrenic.mesh.query.SelfIntersections;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**

@@ -15,6 +15,7 @@ import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
+import org.phrenic.mesh.query.SelfIntersections;
 import org.phrenic.mesh.query.SurfaceComparison;
 
 /** The virtual adult female without her diaphragm: what is built from the rest is held against it. */

@@ -17,6 +17,7 @@ import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.SelfIntersections;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 

@@ -12,6 +12,7 @@ import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.anatomy.virtual.shape.SurfaceRelaxation;
 import org.phrenic.anatomy.virtual.shape.VerticalAxis;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.SelfIntersectionSmoothing;
 
 /**
  * A lung: the region inside the chest wall, above the diaphragm and lateral to the mediastinum. Its surface has two
@@ -174,7 +175,7 @@ final class LungShape implements VerticalAxis {
 
         TriangleMesh even = SurfaceRelaxation.relax(
                 whole, measures.relaxationSweeps(), v -> v < inner ? side : v < upperCount ? null : roof);
-        return Clearance.enforce(even, dome, 1, roofOffset);
+        return SelfIntersectionSmoothing.smooth(Clearance.enforce(even, dome, 1, roofOffset));
     }
 
     private static int count(Meridians sideLines, Meridians baseLines, double edge) {

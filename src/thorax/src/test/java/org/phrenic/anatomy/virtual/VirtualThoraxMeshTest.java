@@ -17,6 +17,7 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.Vectors;
+import org.phrenic.mesh.query.SelfIntersections;
 
 @Isolated("measures the processor time of the process")
 class VirtualThoraxMeshTest {
@@ -51,6 +52,16 @@ class VirtualThoraxMeshTest {
                 assertThat(surface.eulerCharacteristic()).as(structure.name()).isEqualTo(2);
             }
         }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"adult-male, LOW", "adult-male, HIGH", "adult-female, MEDIUM"})
+    void noLungPassesThroughItself(String preset, Resolution resolution) {
+        Thorax thorax = VirtualThorax.ofPreset(preset, resolution);
+        assertThat(thorax.structuresOf(StructureKind.LUNG))
+                .allSatisfy(lung -> assertThat(SelfIntersections.count(lung.mesh()))
+                        .as(lung.name())
+                        .isZero());
     }
 
     @Test

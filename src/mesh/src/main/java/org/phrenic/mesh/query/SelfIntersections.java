@@ -1,17 +1,38 @@
-package org.phrenic.patient.diaphragm;
+package org.phrenic.mesh.query;
 
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.mesh.query.SegmentProbe;
-import org.phrenic.mesh.query.TriangleTree;
 
 /** Self-intersections of a surface: its edges that pass through a triangle without a common vertex. */
 public final class SelfIntersections {
+    private interface Crossing {
+        void at(int edge, int triangle);
+    }
+
     private SelfIntersections() {}
 
     /** Number of edges that pass through another triangle. */
     public static int count(TriangleMesh mesh) {
+        return visit(mesh, new MeshTopology(mesh).edges(), (edge, triangle) -> {});
+    }
+
+    /** Marks the vertices of edges and triangles that pass through each other. */
+    public static boolean[] vertices(TriangleMesh mesh) {
+        boolean[] crossing = new boolean[mesh.vertexCount()];
         int[] edges = new MeshTopology(mesh).edges();
+        int[] corners = mesh.triangles();
+        visit(mesh, edges, (edge, triangle) -> {
+            crossing[edges[2 * edge]] = true;
+            crossing[edges[2 * edge + 1]] = true;
+            for (int c = 3 * triangle; c < 3 * triangle + 3; c++) {
+                crossing[corners[c]] = true;
+            }
+        });
+        return crossing;
+    }
+
+    /** @param each receives an edge and the first triangle that it passes through */
+    private static int visit(TriangleMesh mesh, int[] edges, Crossing each) {
         int[] corners = mesh.triangles();
         TriangleTree tree = new TriangleTree(mesh);
         SegmentProbe probe = new SegmentProbe();
@@ -29,6 +50,9 @@ public final class SelfIntersections {
                     shared |= corners[c] == a || corners[c] == b;
                 }
                 through = !shared;
+                if (through) {
+                    each.at(e / 2, t / 3);
+                }
             }
             count += through ? 1 : 0;
         }
