@@ -55,8 +55,6 @@ final class RehearsalPreparation {
         rehearsal.body = Optional.empty();
         cycle = List.of();
         clearTarget();
-        rehearsal.colours = Optional.empty();
-        rehearsal.showBody();
         rehearsal.fireState();
         worker.run(
                 () -> RehearsalBody.of(scene),
@@ -67,9 +65,12 @@ final class RehearsalPreparation {
                 this::onFailure);
     }
 
+    /** Forgets the target, its access map and the entry, and takes the map off the skin. */
     private void clearTarget() {
         rehearsal.study = Optional.empty();
+        rehearsal.colours = Optional.empty();
         rehearsal.entrySelection().clear();
+        rehearsal.showBody();
     }
 
     /** Records the breath again if the breathing is not the recorded one. */
@@ -156,7 +157,7 @@ final class RehearsalPreparation {
         boolean mapping = rehearsal.stage == RehearsalStage.MAPPING;
         if (mapping && rehearsal.exercise.isPresent()) {
             rehearsal.exercise = Optional.empty();
-            rehearsal.study = Optional.empty();
+            clearTarget();
             computeMap();
         } else if (rehearsal.stage == RehearsalStage.LOADING || (mapping && rehearsal.study.isEmpty())) {
             rehearsal.stage = RehearsalStage.UNAVAILABLE;

@@ -44,16 +44,18 @@ class UltrasoundUpdaterTest {
 
     /** A liver of 190 mm in a trunk of 200 mm, both with a corner at or near the origin. */
     private static List<Surface> body() {
-        return List.of(box("skin", StructureKind.SKIN, 0, 200), box("liver", StructureKind.LIVER, 5, 190));
+        return List.of(
+                box("skin", StructureKind.SKIN, 0, 200, Surface.Motion.STILL),
+                box("liver", StructureKind.LIVER, 5, 190, Surface.Motion.STILL));
     }
 
-    private static Surface box(String name, StructureKind kind, double from, double side) {
+    static Surface box(String name, StructureKind kind, double from, double side, Surface.Motion motion) {
         TriangleMesh box = Shapes.box(side, side, side);
         double[] p = box.positions().clone();
         for (int i = 0; i < p.length; i++) {
             p[i] += from;
         }
-        return new Surface(name, kind, 0, Side.MIDLINE, box.withPositions(p), Surface.Motion.STILL, new boolean[0]);
+        return new Surface(name, kind, 0, Side.MIDLINE, box.withPositions(p), motion, new boolean[0]);
     }
 
     private static NeedleState state() {

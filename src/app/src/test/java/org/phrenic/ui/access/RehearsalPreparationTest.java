@@ -1,0 +1,74 @@
+package org.phrenic.ui.access;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.phrenic.access.BreathMoment;
+import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.Needle;
+import org.phrenic.access.NoGoZone;
+import org.phrenic.access.TargetLesion;
+import org.phrenic.access.path.AccessMap;
+import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.engine.parallel.Workers;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.scene.AccessMapField;
+import org.phrenic.scene.style.ColourField;
+import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Surface;
+import org.phrenic.ui.session.EventThread;
+import org.phrenic.ui.session.Session;
+import org.phrenic.ui.view.AppearanceModel;
+import org.phrenic.ui.view.SceneViewport;
+
+/** What is shown of a former target while the next one is prepared. */
+class RehearsalPreparationTest {
+    private static final List<String> LOW = List.of("resolution=low");
+
+    private static AccessMapField map() {
+        List<Surface> surfaces = List.of(
+                UltrasoundUpdaterTest.box("skin", StructureKind.SKIN, 0, 200, Surface.Motion.STILL),
+                UltrasoundUpdaterTest.box("liver", StructureKind.LIVER, 5, 190, Surface.Motion.DEFORMING));
+        MovingAnatomy anatomy = new MovingAnatomy(surfaces);
+        double[] liver = surfaces.get(1).rest().positions();
+        Frame frame = new Frame(new Object(), new int[] {0, liver.length}, new boolean[2], 0);
+        for (int i = 0; i < liver.length; i++) {
+            frame.positions(1)[i] = (float) liver[i];
+        }
+        anatomy.update(frame);
+        TargetLesion target = new TargetLesion(new double[] {40, 100, 100}, 20);
+        List<BreathMoment> breath = List.of(new BreathMoment(frame, RespiratoryPhase.PAUSE));
+        try (Workers workers = Workers.of(1)) {
+            return new AccessMapField(
+                    surfaces, AccessMap.of(anatomy, breath, target, Needle.standard(), NoGoZone.defaults(), workers));
+        }
+    }
+
+    @Test
+    void anExerciseThatIsChosenTakesTheMapOfTheFormerTargetOffTheSkin() {
+        AccessMapField former = map();
+        RehearsalPlan exercise = RehearsalPlan.exercises().get(0).with(LOW);
+        EventThread.run(() -> {
+            Session session = new Session(Scenario.defaults().with("resolution=low"));
+            AppearanceModel appearance = new AppearanceModel();
+            SceneViewport view = new SceneViewport(session, appearance);
+            RehearsalController rehearsal = new RehearsalController(session, appearance, view);
+            try {
+                rehearsal.colours = Optional.of(former);
+                rehearsal.showBody();
+                assertThat(appearance.style().field()).isEqualTo(ColourField.ACCESS);
+                rehearsal.open(exercise);
+                assertThat(appearance.style().field()).isNotEqualTo(ColourField.ACCESS);
+                assertThat(rehearsal.study()).isEmpty();
+            } finally {
+                rehearsal.shutdown();
+                view.close();
+                session.close();
+            }
+        });
+    }
+}
