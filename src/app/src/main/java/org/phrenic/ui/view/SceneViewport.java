@@ -41,6 +41,7 @@ public final class SceneViewport extends JPanel implements Session.Listener {
     private transient LiveScene scene;
     private transient RenderLoop.RenderedFrame frame;
     private transient Consumer<String> pickListener = text -> {};
+    private transient Runnable cameraListener = () -> {};
     private transient Optional<MouseTool> tool = Optional.empty();
     private String placeholder = "Building the thorax";
     private boolean unavailable;
@@ -84,9 +85,10 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         if (otherBody) {
             double aspect = getHeight() > 0 ? (double) getWidth() / getHeight() : 1;
             homeCamera = Camera.of(AnatomicalView.ANTERIOR, SceneBounds.of(now.surfaces()), aspect);
-            camera = homeCamera.withProjection(camera.orthographic());
+            setCamera(homeCamera.withProjection(camera.orthographic()));
+        } else {
+            requestFrame();
         }
-        requestFrame();
     }
 
     @Override
@@ -101,6 +103,12 @@ public final class SceneViewport extends JPanel implements Session.Listener {
     public void setCamera(Camera other) {
         camera = other;
         requestFrame();
+        cameraListener.run();
+    }
+
+    /** Sets what runs whenever the camera is another one. */
+    public void setCameraListener(Runnable listener) {
+        cameraListener = listener;
     }
 
     /** Goes back to the initial camera. */

@@ -11,25 +11,30 @@ import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JToggleButton;
 import javax.swing.JToolBar;
+import org.phrenic.scene.camera.AnatomicalView;
+import org.phrenic.scene.camera.Camera;
 import org.phrenic.ui.session.PlaybackSpeed;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.Workspace;
+import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Icons;
 import org.phrenic.ui.widget.Theme;
 
 /** The tool bar: run, breathing, view, workspace. */
 final class MainToolBar extends JToolBar {
-    /** Views offered first among {@link MenuActions#views}. */
-    private static final int VIEWS = 6;
+    /** Shown where the camera has none of the standard views; not among those that can be chosen. */
+    private static final String TURNED = "Turned";
 
     private final JButton play;
     private final JToggleButton hold;
     private final JToggleButton quiet;
     private final JToggleButton deep;
+    private final JComboBox<String> views = new JComboBox<>();
+    private boolean updating;
     private final Map<Workspace, JToggleButton> workspaceButtons = new EnumMap<>(Workspace.class);
 
-    MainToolBar(MenuActions actions, Session session, Consumer<Workspace> showWorkspace) {
+    MainToolBar(MenuActions actions, Session session, SceneViewport view, Consumer<Workspace> showWorkspace) {
         setFloatable(false);
         setName("toolbar");
         setBorder(BorderFactory.createCompoundBorder(
@@ -48,10 +53,7 @@ final class MainToolBar extends JToolBar {
         deep = addTextButton(actions.deep);
         hold = addTextButton(actions.hold);
         addGroupSeparator();
-        JComboBox<String> views = new JComboBox<>();
-        actions.views.stream().limit(VIEWS).map(MenuAction::name).forEach(views::addItem);
-        views.addActionListener(e -> actions.views.get(views.getSelectedIndex()).actionPerformed(e));
-        addBox(views, "View", "From where to look");
+        addViews(actions, view);
         addGap();
         addIconButton(actions.picture);
         add(Box.createHorizontalGlue());
@@ -66,6 +68,30 @@ final class MainToolBar extends JToolBar {
         }
         addGroupSeparator();
         addIconButton(actions.theme);
+    }
+
+    /** The standard views, of which the box shows the one that the camera has. */
+    private void addViews(MenuActions actions, SceneViewport view) {
+        // The actions of the views come first, in the order of AnatomicalView.
+        actions.views.stream()
+                .limit(AnatomicalView.values().length)
+                .map(MenuAction::name)
+                .forEach(views::addItem);
+        views.setRenderer(Controls.renderer(name -> name == null ? TURNED : name.toString()));
+        views.addActionListener(e -> {
+            if (!updating && views.getSelectedIndex() >= 0) {
+                actions.views.get(views.getSelectedIndex()).actionPerformed(e);
+            }
+        });
+        addBox(views, "View", "From where to look");
+        view.setCameraListener(() -> showView(view.camera()));
+        showView(view.camera());
+    }
+
+    private void showView(Camera camera) {
+        updating = true;
+        views.setSelectedIndex(camera.view().map(Enum::ordinal).orElse(-1));
+        updating = false;
     }
 
     private JButton addIconButton(MenuAction action) {

@@ -121,7 +121,7 @@ public final class PhrenicWindow {
         welcome = new WelcomePanel(this::showWorkspace, this::dismissWelcome);
         files = new WindowFiles(frame, session, view, preferences, this::openExercise, new ImportDisplay());
         commands = new MenuActions(this);
-        toolBar = new MainToolBar(commands, session, this::showWorkspace);
+        toolBar = new MainToolBar(commands, session, view, this::showWorkspace);
         layout = new DockLayout(preferences, new OverlayPane(view, banner, loading, importing, welcome));
         docks = new DockManager(session, appearance, view, layout, preferences);
         view.setPickListener(statusBar::showPicked);

@@ -8,6 +8,7 @@ import java.awt.Component;
 import java.awt.Window;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.nio.charset.StandardCharsets;
@@ -27,6 +28,7 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
+import javax.swing.JList;
 import javax.swing.JMenu;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
@@ -475,6 +477,38 @@ class WindowTest {
                 && window.window().docks().components().stream()
                         .filter(part -> part instanceof javax.swing.JPanel)
                         .allMatch(part -> part.getBackground().getRGB() == background.getRGB());
+    }
+
+    @Test
+    void theBoxOfViewsShowsTheViewThatTheCameraHas() {
+        JComboBox<?> box = window.control(JComboBox.class, "View");
+        String[][] keys = {
+            {"shift 1", "From behind"},
+            {"3", "From the left"},
+            {"shift 3", "From the right"},
+            {"7", "From above"},
+            {"shift 7", "From below"},
+            {"1", "From the front"}
+        };
+        for (String[] key : keys) {
+            window.key(key[0]);
+            assertThat(WindowHarness.onEdt(box::getSelectedItem)).as(key[0]).isEqualTo(key[1]);
+        }
+        SceneViewport view = window.window().view();
+        double y = view.getHeight() / 2.0;
+        window.mouse(view, 100, y, MouseEvent.MOUSE_MOVED, MouseEvent.MOUSE_PRESSED);
+        window.mouse(view, 140, y, MouseEvent.MOUSE_DRAGGED, MouseEvent.MOUSE_RELEASED);
+        assertThat(WindowHarness.onEdt(() -> view.camera().azimuthDeg())).isNotZero();
+        assertThat(WindowHarness.onEdt(box::getSelectedItem)).as("dragged").isNull();
+        assertThat(WindowHarness.onEdt(() -> shownIn(box))).isEqualTo("Turned");
+        WindowHarness.doOnEdt(() -> box.setSelectedIndex(0));
+        assertThat(WindowHarness.onEdt(() -> view.camera().azimuthDeg())).isZero();
+    }
+
+    private static <T> String shownIn(JComboBox<T> box) {
+        JLabel cell = (JLabel) box.getRenderer()
+                .getListCellRendererComponent(new JList<>(), box.getItemAt(box.getSelectedIndex()), -1, false, false);
+        return cell.getText();
     }
 
     @Test

@@ -1,5 +1,7 @@
 package org.phrenic.scene.camera;
 
+import java.util.Optional;
+import java.util.stream.Stream;
 import org.joml.Matrix3d;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
@@ -48,6 +50,8 @@ public record Camera(
     private static final double MIN_NEAR_RATIO = 0.01;
     /** Factor that enlarges the scene radius, because bodies move out of their box at rest. */
     private static final double MOTION_MARGIN = 1.25;
+    /** Angles that differ by less are the same but for rounding, degrees. */
+    private static final double SAME_VIEW_DEG = 1e-6;
     /** Radius assumed for an empty scene, mm. */
     private static final double EMPTY_RADIUS_MM = 100;
 
@@ -100,6 +104,16 @@ public record Camera(
     /** Copy with a standard direction of view. */
     public Camera withView(AnatomicalView view) {
         return with(target, view.azimuthDeg(), view.elevationDeg());
+    }
+
+    /** The standard view that the camera has, whatever it looks at; empty if it is turned away from all of them. */
+    public Optional<AnatomicalView> view() {
+        return Stream.of(AnatomicalView.values()).filter(this::looksAs).findFirst();
+    }
+
+    private boolean looksAs(AnatomicalView view) {
+        double turned = Math.IEEEremainder(azimuthDeg - view.azimuthDeg(), 360);
+        return Math.max(Math.abs(turned), Math.abs(elevationDeg - view.elevationDeg())) < SAME_VIEW_DEG;
     }
 
     /** Copy that looks along a unit direction at a point, x y z each. */

@@ -30,6 +30,16 @@ class CameraTest {
                 .withProjection(parallel);
     }
 
+    @ParameterizedTest
+    @EnumSource(AnatomicalView.class)
+    void aCameraHasAStandardViewUntilItIsTurned(AnatomicalView view) {
+        Camera camera = camera(-52, 6, false).withView(view);
+        assertThat(camera.view()).contains(view);
+        assertThat(camera.pan(30, 20, 480).zoom(2, 10, 10, 640, 480).view()).contains(view);
+        assertThat(camera.orbit(360, 0).view()).contains(view);
+        assertThat(camera.orbit(0.4, 0).view()).isEmpty();
+    }
+
     @Property
     void aPointOnTheRayOfAPixelIsSeenInThatPixel(
             @ForAll @DoubleRange(min = -720, max = 720) double azimuth,
