@@ -66,7 +66,8 @@ final class NeedlePanel extends AccessPanel {
         angles.setToolTipText(
                 "Angles of the needle: 0 in the axial plane is straight back, 90 to the patient's left; the"
                         + " arrow keys turn it, and so does dragging its hub");
-        addAll(first, depth, angles, row(insert, withdraw, toTarget), error, row(aim, sample, remove));
+        // Text that wraps comes first: the panel is held at its lower edge, and what is clicked stays in its place.
+        addAll(error, first, depth, angles, row(insert, withdraw, toTarget), row(aim, sample, remove));
         follow(session);
     }
 

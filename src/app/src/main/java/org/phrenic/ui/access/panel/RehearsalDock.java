@@ -2,6 +2,7 @@ package org.phrenic.ui.access.panel;
 
 import java.awt.BorderLayout;
 import java.util.function.Consumer;
+import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
@@ -10,8 +11,12 @@ import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.ScrollablePanel;
+import org.phrenic.ui.widget.Theme;
 
-/** The clinician's controls in the order of use: exercise, breath, target, entry, needle. */
+/**
+ * The clinician's controls in the order of use: exercise, breath, target, entry, needle. Those of the needle stay at
+ * the bottom, whatever is said above them; the others scroll.
+ */
 public final class RehearsalDock extends JPanel {
     /** @param presetSelector changes the breathing preset */
     public RehearsalDock(Session session, RehearsalController rehearsal, Consumer<String> presetSelector) {
@@ -23,10 +28,15 @@ public final class RehearsalDock extends JPanel {
         body.add(new BreathPanel(session, rehearsal, presetSelector), "wmin 0");
         body.add(new TargetPanel(session, rehearsal), "wmin 0");
         body.add(new EntryPanel(session, rehearsal), "wmin 0");
-        body.add(new NeedlePanel(session, rehearsal), "wmin 0");
         add(ScrollablePanel.scrollPane(body), BorderLayout.CENTER);
         JLabel notice = new JLabel(Disclaimer.TEXT);
         notice.putClientProperty("FlatLaf.styleClass", "small");
-        add(Controls.panel("insets 4 10 6 10", "[grow, fill, 0::]", notice), BorderLayout.SOUTH);
+        JPanel bottom = Controls.panel(
+                "insets 8 10 6 10, gap 6 8, fillx, wrap 1, novisualpadding",
+                "[grow, fill, 0::]",
+                new NeedlePanel(session, rehearsal),
+                notice);
+        bottom.setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Theme.BORDER));
+        add(bottom, BorderLayout.SOUTH);
     }
 }
