@@ -28,7 +28,7 @@ final class WelcomePanel extends JPanel {
         add(button(Workspace.CLINICIAN, tip, showWorkspace), "wmin 0");
         add(button(Workspace.RESEARCHER, "Every parameter, force and plot", showWorkspace), "wmin 0");
         add(Controls.iconButton(Icons.CLOSE, "Close this card", dismiss), "aligny top, wrap");
-        add(Controls.secondaryLabel("Needle, target, exercises, report card"), "gapx 2, wmin 0");
+        add(Controls.secondaryLabel("Exercises, needle, report card"), "gapx 2, wmin 0");
         add(Controls.secondaryLabel("Parameters, forces, live plots"), "gapx 2, wmin 0, wrap");
         add(notice, "span 3, gapy 4 0, gapx 2, wmin 0");
     }
