@@ -10,9 +10,7 @@ import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
-import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.ui.session.PlaybackSpeed;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.WindowPreferences;
 import org.phrenic.ui.session.Workspace;
@@ -62,7 +60,6 @@ public final class WindowGallery {
         SwingUtilities.invokeAndWait(() -> {
             made[0] = new PhrenicWindow(new WindowPreferences(node), session);
             made[0].show();
-            control(made[0], JComboBox.class, "Speed").setSelectedItem(PlaybackSpeed.FLAT_OUT);
         });
         PhrenicWindow window = made[0];
         waitFor(window, 0.5);
@@ -73,7 +70,6 @@ public final class WindowGallery {
                 most.setText("60");
                 most.postActionEvent();
                 control(window, JCheckBox.class, "Shape at rest").doClick();
-                session.change("Muscle stiffness", Assignment.read("gallery", "muscle_stiffness_n_per_m", "450"));
             }
         });
         waitFor(window, BREATHE_S);

@@ -21,7 +21,8 @@ import org.phrenic.simulation.Simulation;
 
 /**
  * The material of Villard, Bourne and Bello 2009 on lungs that leave room for a heart of 459 ml (the man's) and 360 ml:
- * those of commit 690655c. Each scene ends in the state that commit ends in, bit for bit.
+ * those of commit 690655c. Each scene ends in the state that commit ends in, bit for bit. At medium resolution the
+ * woman's lungs of that commit pass through themselves, so they are smoothed now and no longer the same.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class PaperMaterialHashTest {
@@ -42,8 +43,8 @@ class PaperMaterialHashTest {
     @CsvSource({
         "adult-male, 120, resolution=low tendon=plane, '',"
                 + " e6d574570837e45818e70e789d13bc0bac032b2a6adef049598a42e94fe5e968",
-        "adult-female, 12, resolution=medium, '',"
-                + " c6757c866eeec7d309955e90134efaf15dde8e7ef234eed3edba8425d237f52c",
+        "adult-female, 12, resolution=low, ''," + " c856fde6e87dd3f11d8d77b7a791f3082c41db85d18fea825f6fb81febcd5d9b",
+        "adult-female, 12, resolution=high, ''," + " 6aa52d3b2be859271a8890d3d6c1f705033f501e69b2e693866cadd8abe8d879",
         "adult-male, 40, resolution=low integrator=rk2, '',"
                 + " 38023a26214def6b6cf269d35ac1d3b7d6070eed9112408d78c4b8f3cb78f15b",
         "adult-male, 120, resolution=low, 20:muscle_force_mn=400 60:rib_rotation=1.3 80:integrator=rk4 100:preset=deep,"
