@@ -88,12 +88,9 @@ class StabilityStudyTest {
                 .withScan(scan);
         assertThat(StabilityStudy.of(settings, (count, total, what) -> {}).cells())
                 .hasSize(keys.size())
-                .allSatisfy(c -> {
-                    assertThat(c.outcome())
-                            .as(c.caseKey() + ": " + c.sentence())
-                            .isEqualTo(Outcome.STABLE);
-                    assertThat(c.value(StabilityMeasure.OUTSIDE_MM)).isLessThan(1);
-                });
+                .allSatisfy(c -> assertThat(c.outcome())
+                        .as(c.caseKey() + ": " + c.sentence())
+                        .isEqualTo(Outcome.STABLE));
     }
 
     /** The reference solution lacks the contact as well, so only a measure of its own can notice that it is missing. */
