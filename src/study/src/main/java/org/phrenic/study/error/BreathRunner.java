@@ -129,16 +129,15 @@ final class BreathRunner implements AutoCloseable {
         return new Trajectory(positions, stepper.substeps(), cpu * 1e-9, wall * 1e-9);
     }
 
-    /** Largest descent of the domes in a trajectory, mean of both sides, mm. */
+    /** Greatest displacement of the domes from rest in a trajectory, mean of both sides, mm; a descent in a breath. */
     double excursionMm(Trajectory trajectory) {
         SceneSurfaces surfaces = new SceneSurfaces(simulation);
         Frame frame = surfaces.newFrame();
         double rest = meanDomeHeight(start, surfaces, frame);
-        return rest
-                - Arrays.stream(trajectory.positions())
-                        .mapToDouble(p -> meanDomeHeight(p, surfaces, frame))
-                        .min()
-                        .orElse(rest);
+        return Arrays.stream(trajectory.positions())
+                .mapToDouble(p -> Math.abs(rest - meanDomeHeight(p, surfaces, frame)))
+                .max()
+                .orElse(0);
     }
 
     private double meanDomeHeight(double[] positions, SceneSurfaces surfaces, Frame frame) {
