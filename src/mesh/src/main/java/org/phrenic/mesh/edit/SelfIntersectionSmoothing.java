@@ -19,7 +19,7 @@ public final class SelfIntersectionSmoothing {
         MeshTopology topology = new MeshTopology(mesh);
         TriangleMesh smoothed = mesh;
         for (int round = 0; round < MAX_ROUNDS; round++) {
-            boolean[] crossing = SelfIntersections.vertices(smoothed);
+            boolean[] crossing = SelfIntersections.vertices(smoothed, topology.edges());
             boolean[] moved = withNeighbours(crossing, topology.edges());
             if (moved == null) {
                 return smoothed;

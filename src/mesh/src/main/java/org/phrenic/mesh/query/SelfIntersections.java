@@ -16,10 +16,13 @@ public final class SelfIntersections {
         return visit(mesh, new MeshTopology(mesh).edges(), (edge, triangle) -> {});
     }
 
-    /** Marks the vertices of edges and triangles that pass through each other. */
-    public static boolean[] vertices(TriangleMesh mesh) {
+    /**
+     * Marks the vertices of edges and triangles that pass through each other.
+     *
+     * @param edges of the mesh, two vertices each
+     */
+    public static boolean[] vertices(TriangleMesh mesh, int[] edges) {
         boolean[] crossing = new boolean[mesh.vertexCount()];
-        int[] edges = new MeshTopology(mesh).edges();
         int[] corners = mesh.triangles();
         visit(mesh, edges, (edge, triangle) -> {
             crossing[edges[2 * edge]] = true;

@@ -62,9 +62,9 @@ final class StabilityCases {
         dome("slivers", "slivers and triangles without area", 40, 4, near, slivers);
         DomeParameters coincident = new DomeParameters(DomeMesh.slivers(rings, true));
         dome("coincident", "triangles that have an edge without length", 40, 4, near, coincident);
-        DomeParameters apart = new DomeParameters(DomeMesh.disconnected(rings));
         DomeParameters inverted = new DomeParameters(DomeMesh.inverted(rings));
         dome("inverted", "every seventh triangle turned over", 40, 4, near, inverted);
+        DomeParameters apart = new DomeParameters(DomeMesh.disconnected(rings));
         dome("disconnected", "a sheet of two pieces", 40, 4, near, apart);
         DomeParameters fins = new DomeParameters(DomeMesh.nonManifold(rings));
         dome("non-manifold", "edges of four triangles", 40, 4, near, fins);
