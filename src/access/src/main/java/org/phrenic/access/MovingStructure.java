@@ -46,18 +46,11 @@ public final class MovingStructure {
     public void update(Frame frame) {
         if (surface.motion() == Surface.Motion.DEFORMING) {
             frame.writePositions(surface, index, positions);
-            updateBox();
+            BoundingBoxes.around(positions, 0, positions.length, box, 0);
             moved = true;
         } else if (surface.motion() == Surface.Motion.RIGID) {
             pose = frame.pose(index).clone();
             updateRigidBox();
-        }
-    }
-
-    private void updateBox() {
-        BoundingBoxes.setEmpty(box, 0);
-        for (int i = 0; i < positions.length; i += 3) {
-            BoundingBoxes.include(box, 0, positions, i);
         }
     }
 

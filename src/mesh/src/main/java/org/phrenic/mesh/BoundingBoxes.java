@@ -28,6 +28,24 @@ public final class BoundingBoxes {
         }
     }
 
+    /**
+     * Sets a box to that of consecutive points, three numbers each, from {@code from} to before {@code to}; the bounds
+     * stay in registers, which is why one axis follows the other.
+     */
+    public static void around(double[] points, int from, int to, double[] boxes, int at) {
+        for (int axis = 0; axis < 3; axis++) {
+            double low = Double.POSITIVE_INFINITY;
+            double high = Double.NEGATIVE_INFINITY;
+            for (int i = from + axis; i < to; i += 3) {
+                double value = points[i];
+                low = value < low ? value : low;
+                high = value > high ? value : high;
+            }
+            boxes[at + axis] = low;
+            boxes[at + 3 + axis] = high;
+        }
+    }
+
     /** Squared distance of a point from a box; 0 inside. */
     public static double squaredDistance(double[] boxes, int at, double x, double y, double z) {
         double dx = twiceOutside(boxes[at] - x, x - boxes[at + 3]);

@@ -83,10 +83,7 @@ public final class TriangleMesh {
      */
     public double[] bounds() {
         double[] box = new double[6];
-        BoundingBoxes.setEmpty(box, 0);
-        for (int i = 0; i < positions.length; i += 3) {
-            BoundingBoxes.include(box, 0, positions, i);
-        }
+        BoundingBoxes.around(positions, 0, positions.length, box, 0);
         return box;
     }
 

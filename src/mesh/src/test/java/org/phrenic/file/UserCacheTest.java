@@ -2,6 +2,7 @@ package org.phrenic.file;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -15,6 +16,7 @@ import java.util.Optional;
 import java.util.Properties;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -156,6 +158,17 @@ class UserCacheTest {
         }
         jar("ejml-1.jar", "library");
         String build = BuildIdentity.ofFolder(folder).orElseThrow();
+        String classes = folder.resolve("classes").toString();
+        String path = Stream.of("thorax", "mesh", "scene", "engine")
+                .map(name -> folder.resolve("phrenic-" + name + "-1.jar").toString())
+                .collect(Collectors.joining(File.pathSeparator));
+        String tests = File.pathSeparator + jar("phrenic-mesh-1-tests.jar", "tests");
+        String library = tests + File.pathSeparator + folder.resolve("ejml-1.jar");
+        assertThat(BuildIdentity.ofClassPath(classes + File.pathSeparator + path + library))
+                .contains(build);
+        assertThat(BuildIdentity.ofClassPath(path)).isPresent().isNotEqualTo(Optional.of(build));
+        assertThat(BuildIdentity.ofClassPath(path.replace("phrenic-mesh-1.jar", "classes")))
+                .isEmpty();
 
         jar("phrenic-scene-1.jar", "other pictures");
         assertThat(BuildIdentity.ofFolder(folder)).contains(build);
@@ -169,12 +182,14 @@ class UserCacheTest {
         assertThat(BuildIdentity.ofFolder(folder)).isEmpty();
     }
 
-    private void jar(String name, String content) throws IOException {
-        try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(folder.resolve(name)))) {
+    private Path jar(String name, String content) throws IOException {
+        Path file = folder.resolve(name);
+        try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(file))) {
             JarEntry entry = new JarEntry("a.class");
             entry.setTime(0);
             out.putNextEntry(entry);
             out.write(content.getBytes(StandardCharsets.UTF_8));
         }
+        return file;
     }
 }

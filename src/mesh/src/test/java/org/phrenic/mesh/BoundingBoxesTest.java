@@ -17,6 +17,15 @@ class BoundingBoxesTest {
     }
 
     @Test
+    void theBoxAroundARunOfPointsHoldsThemAndNoOther() {
+        double[] points = {-9, 9, 9, 1, -2, 3, -1, 5, 0, 99, -99, 99};
+        BoundingBoxes.around(points, 3, 9, boxes, 6);
+        assertThat(boxes).containsExactly(0, 0, 0, 0, 0, 0, -1, -2, 0, 1, 5, 3);
+        BoundingBoxes.around(points, 3, 3, boxes, 6);
+        assertThat(BoundingBoxes.squaredDistance(boxes, 6, 1, 2, 3)).isInfinite();
+    }
+
+    @Test
     void distanceIsThatOfTheNearestCornerEdgeOrFaceAndNothingInside() {
         BoundingBoxes.setEmpty(boxes, 0);
         BoundingBoxes.include(boxes, 0, new double[] {0, 0, 0}, 0);

@@ -18,10 +18,7 @@ final class PointGrid {
      */
     PointGrid(double[] positions, double size) {
         double[] box = new double[6];
-        BoundingBoxes.setEmpty(box, 0);
-        for (int i = 0; i < positions.length; i += 3) {
-            BoundingBoxes.include(box, 0, positions, i);
-        }
+        BoundingBoxes.around(positions, 0, positions.length, box, 0);
         // A layer of empty cells on all sides, so that every point has all neighbour cells.
         int[] cells = new int[3];
         for (int axis = 0; axis < 3; axis++) {

@@ -127,11 +127,8 @@ abstract class TriangleBoxes {
     }
 
     private void boxOfLeaf(int node) {
-        BoundingBoxes.setEmpty(boxes, 6 * node);
         int from = 9 * first[node];
-        for (int i = from; i < from + 9 * count[node]; i += 3) {
-            BoundingBoxes.include(boxes, 6 * node, corners, i);
-        }
+        BoundingBoxes.around(corners, from, from + 9 * count[node], boxes, 6 * node);
     }
 
     private void boxOfChildren(int node, int axis) {
