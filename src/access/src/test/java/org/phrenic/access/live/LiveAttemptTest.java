@@ -207,40 +207,13 @@ class LiveAttemptTest {
                     study.target(),
                     played ? Optional.of(study.map()) : Optional.empty(),
                     new Ended(ended));
-            run.restart(StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), new Watching(needle, moments));
+            StepListener watching = needle.andThen(
+                    (frame, label) -> needle.imageMoment().ifPresent(moment -> moments.put(frame.timeS(), moment)));
+            run.restart(StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), watching);
             hand.accept(needle);
             LiveAttempt attempt = ended.get(PATIENCE_S, TimeUnit.SECONDS);
             RehearsalPlan done = played ? plan : attempt.toPlan(plan);
             return attempt.toRehearsal(done, scene.surfaces(), study, mapped);
-        }
-    }
-
-    /** Keeps what images of all moments would be made of. */
-    private record Watching(LiveRehearsal needle, Map<Double, ImageMoment> moments) implements StepListener {
-        @Override
-        public void onStep(Frame frame, RespiratoryPhase label) {
-            needle.onStep(frame, label);
-            needle.imageMoment().ifPresent(moment -> moments.put(frame.timeS(), moment));
-        }
-
-        @Override
-        public boolean needsFrame() {
-            return needle.needsFrame();
-        }
-
-        @Override
-        public boolean maySeeFrameLater() {
-            return needle.maySeeFrameLater();
-        }
-
-        @Override
-        public void onStepWithoutFrame(double timeS, RespiratoryPhase label, int breath) {
-            needle.onStepWithoutFrame(timeS, label, breath);
-        }
-
-        @Override
-        public boolean passes(double timeS, RespiratoryPhase label, int breath) {
-            return needle.passes(timeS, label, breath);
         }
     }
 

@@ -14,9 +14,7 @@ import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
-import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.simulation.live.StepListener;
-import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
@@ -113,46 +111,17 @@ final class AttemptRunner implements AutoCloseable {
                 plan.needle(),
                 controller.pictures(),
                 shot -> fire(current, l -> l.onFluoroscopy(shot)));
-        return new WithPictures(needle, sections, images, xray);
+        return needle.andThen((frame, label) -> {
+            sections.offer(frame, needle.state());
+            images.offer(frame, needle.imageMoment(), needle.state());
+            xray.offer(frame, needle.state());
+        });
     }
 
     /** Hands on an event of a run that is still the present one. */
     private void fire(BooleanSupplier current, Consumer<RehearsalController.Listener> event) {
         if (current.getAsBoolean()) {
             controller.fire(event);
-        }
-    }
-
-    /** Hands on the steps of the run to the needle, and its frames to sections and pictures too. */
-    private record WithPictures(
-            LiveRehearsal needle, SectionUpdater sections, UltrasoundUpdater images, FluoroscopyUpdater xray)
-            implements StepListener {
-        @Override
-        public void onStep(Frame frame, RespiratoryPhase label) {
-            needle.onStep(frame, label);
-            sections.offer(frame, needle.state());
-            images.offer(frame, needle.imageMoment(), needle.state());
-            xray.offer(frame, needle.state());
-        }
-
-        @Override
-        public boolean needsFrame() {
-            return needle.needsFrame();
-        }
-
-        @Override
-        public boolean maySeeFrameLater() {
-            return needle.maySeeFrameLater();
-        }
-
-        @Override
-        public void onStepWithoutFrame(double timeS, RespiratoryPhase label, int breath) {
-            needle.onStepWithoutFrame(timeS, label, breath);
-        }
-
-        @Override
-        public boolean passes(double timeS, RespiratoryPhase label, int breath) {
-            return needle.passes(timeS, label, breath);
         }
     }
 

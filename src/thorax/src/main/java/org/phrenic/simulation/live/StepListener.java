@@ -1,5 +1,6 @@
 package org.phrenic.simulation.live;
 
+import java.util.function.BiConsumer;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.simulation.observe.Frame;
 
@@ -72,5 +73,14 @@ public interface StepListener {
      */
     default boolean passes(double timeS, RespiratoryPhase label, int breath) {
         return false;
+    }
+
+    /**
+     * This listener, whose wishes hold, and after each state that it is given, another.
+     *
+     * @param other is given the same state and phase, on the same thread
+     */
+    default StepListener andThen(BiConsumer<Frame, RespiratoryPhase> other) {
+        return new FollowedStepListener(this, other);
     }
 }
