@@ -4,29 +4,30 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.stream.Stream;
-import javax.swing.JLabel;
-import org.junit.jupiter.api.Test;
+import javax.swing.JComponent;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.ui.session.EventThread;
 import org.phrenic.ui.widget.Theme;
 
 /** The card that a newcomer reads first. */
 class WelcomePanelTest {
-    /** Width of the view in a window at first use on a screen of 1280 x 800, pixels. */
-    private static final int VIEW_WIDTH = 535;
-
-    @Test
-    void everyLineIsReadWholeOnASmallScreen() {
-        List<JLabel> cut = EventThread.get(() -> {
+    /** Widths of the view: in a window at first use on a screen of 1280 x 800, and in the smallest window, pixels. */
+    @ParameterizedTest
+    @ValueSource(ints = {535, 300})
+    void everyLineIsReadWhole(int width) {
+        List<JComponent> cut = EventThread.get(() -> {
             Theme.install(false);
             WelcomePanel panel = new WelcomePanel(workspace -> {}, () -> {});
-            panel.setSize(VIEW_WIDTH, panel.getPreferredSize().height);
+            panel.setSize(width, 1);
+            panel.setSize(width, panel.getPreferredSize().height);
             panel.doLayout();
             return Stream.of(panel.getComponents())
-                    .filter(JLabel.class::isInstance)
-                    .map(JLabel.class::cast)
-                    .filter(line -> line.getWidth() < line.getPreferredSize().width)
+                    .map(JComponent.class::cast)
+                    .filter(part -> part.getWidth() < part.getPreferredSize().width
+                            || part.getHeight() < part.getPreferredSize().height)
                     .toList();
         });
-        assertThat(cut).extracting(JLabel::getText).isEmpty();
+        assertThat(cut).extracting(JComponent::getName).isEmpty();
     }
 }
