@@ -48,7 +48,12 @@ public record Goals(boolean hit, Map<String, Double> limits) {
     public record GoalResult(String goal, double limit, double value, boolean reached) {
         /** Display name, such as "seconds in lung, at most". */
         public String label() {
-            return goal.equals(HIT) ? "target hit (1) or not (0)" : MEASURES.get(goal).label + ", at most";
+            return goal.equals(HIT) ? "target hit (1) or not (0)" : measure() + ", at most";
+        }
+
+        /** What is measured, such as "seconds in lung". */
+        public String measure() {
+            return goal.equals(HIT) ? "target hit" : MEASURES.get(goal).label;
         }
 
         Map<String, Object> toMap() {

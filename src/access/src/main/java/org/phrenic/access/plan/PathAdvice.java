@@ -46,7 +46,7 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
             }
         }
         List<String> reasons = new ArrayList<>();
-        phases.forEach((reason, of) -> reasons.add(free == 0 ? reason : reason + " " + words(of)));
+        phases.forEach((reason, of) -> reasons.add(free == 0 ? reason : reason + ": " + words(of)));
         boolean close = tightest >= 0 && path.marginsMm()[tightest] < AccessMap.SUFFICIENT_MARGIN_MM;
         Level level = free == 0 ? Level.BARRED : free < moments || close ? Level.CAREFUL : Level.FREE;
         String headline = free == 0

@@ -127,10 +127,19 @@ public final class RehearsalReport {
         return words;
     }
 
+    /** The report without a date: the same plan gives the same document. */
     public ReportDocument document(List<Picture> needlePictures, List<Picture> mapPictures) {
+        return document(needlePictures, mapPictures, "");
+    }
+
+    /** @param date when the attempt was made, as text; empty to leave it out */
+    public ReportDocument document(List<Picture> needlePictures, List<Picture> mapPictures, String date) {
         RehearsalPlan plan = rehearsal.plan();
         ReportDocument document = new ReportDocument(plan.title(), plan.description());
         document.remark(headline());
+        document.paragraph((date.isEmpty() ? "" : "Date: " + date + ". ") + "Body: "
+                + plan.scenario().anatomy() + ". Breathing: " + plan.scenario().preset() + ". Help: "
+                + plan.aids().label().toLowerCase(Locale.ROOT) + ".");
         goals(document);
         attempt(document);
         figure(document, "The needle (blue) and the target (yellow) at the sample.", needlePictures);

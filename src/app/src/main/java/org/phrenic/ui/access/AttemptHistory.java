@@ -132,13 +132,17 @@ public record AttemptHistory(Path file, String session) {
                         mean(mm, mm.length - ENDS, mm.length));
         return String.format(
                 Locale.ROOT,
-                "This exercise: %d samples in %d sessions, %d hits, %.1f \u00b1 %.1f mm off%s.",
-                mm.length,
-                sessions,
-                hits,
+                "This exercise: %s in %s, %s, %.1f%s mm off%s.",
+                count(mm.length, "sample"),
+                count(sessions, "session"),
+                count(hits, "hit"),
                 mean(mm, 0, mm.length),
-                deviation(mm),
+                mm.length < 2 ? "" : String.format(Locale.ROOT, " \u00b1 %.1f", deviation(mm)),
                 ends);
+    }
+
+    private static String count(long number, String what) {
+        return number + " " + what + (number == 1 ? "" : "s");
     }
 
     private static double mean(double[] values, int from, int to) {
@@ -149,14 +153,14 @@ public record AttemptHistory(Path file, String session) {
         return sum / (to - from);
     }
 
-    /** Standard deviation of a sample; 0 for one value. */
+    /** Standard deviation of a sample of two or more. */
     private static double deviation(double[] values) {
         double mean = mean(values, 0, values.length);
         double squares = 0;
         for (double value : values) {
             squares += (value - mean) * (value - mean);
         }
-        return values.length < 2 ? 0 : Math.sqrt(squares / (values.length - 1));
+        return Math.sqrt(squares / (values.length - 1));
     }
 
     /**

@@ -41,8 +41,16 @@ public final class FileDialogs {
 
     /** A folder to write a report into; a report that is in it is confirmed. */
     public static Optional<Path> folder(Component parent, String title) {
+        return folder(parent, title, "");
+    }
+
+    /** A folder to write a report into; one in the last folder is proposed, by this name unless it is empty. */
+    public static Optional<Path> folder(Component parent, String title, String proposed) {
         JFileChooser chooser = chooser(title);
         chooser.setFileSelectionMode(JFileChooser.DIRECTORIES_ONLY);
+        if (!proposed.isEmpty()) {
+            chooser.setSelectedFile(new File(chooser.getCurrentDirectory(), proposed));
+        }
         if (chooser.showSaveDialog(parent) != JFileChooser.APPROVE_OPTION) {
             return Optional.empty();
         }

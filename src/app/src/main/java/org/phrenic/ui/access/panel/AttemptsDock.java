@@ -4,8 +4,12 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.event.MouseEvent;
 import java.nio.file.Path;
+import java.time.LocalDateTime;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -33,6 +37,8 @@ import org.phrenic.ui.widget.ScrollablePanel;
 
 /** The report card of an attempt, and a table of the attempts of the session. */
 public final class AttemptsDock extends JPanel implements RehearsalController.Listener {
+    private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("uuuu-MM-dd HH.mm", Locale.ROOT);
+
     private record Column(String name, String tip, int width, Function<Rehearsal, String> text) {}
 
     private static final List<Column> COLUMNS = List.of(
@@ -86,7 +92,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
             Supplier<Optional<Path>> chooser) {
         super(new BorderLayout());
         this.session = session;
-        this.chooser = chooser == null ? () -> FileDialogs.folder(this, "Folder for the report") : chooser;
+        this.chooser = chooser == null ? () -> newFolder() : chooser;
         this.writer = writer;
         setName("attempts");
         placeholder.setTextIfChanged(
@@ -145,6 +151,13 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
         card.show(attempt);
         save.setEnabled(true);
         revalidate();
+    }
+
+    /** Asks for a folder; one of its own is proposed, named by the time, such as "rehearsal 2026-11-25 16.21". */
+    private Optional<Path> newFolder() {
+        String proposed =
+                "rehearsal " + LocalDateTime.now(ZoneId.systemDefault()).format(TIME);
+        return FileDialogs.folder(this, "Folder for the report", proposed);
     }
 
     /** Keeps attempts over sessions. */

@@ -1,5 +1,7 @@
 package org.phrenic.ui.access.panel;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
@@ -31,6 +33,8 @@ final class NeedlePanel extends AccessPanel {
     private final JLabel depthText = new JLabel("Not in the body");
     private final JLabel angles = Controls.secondaryLabel(" ");
     private final WrappingLabel error = WrappingLabel.emphasised("Tip to target");
+    private final JLabel parts = Controls.secondaryLabel(" ");
+    private final JLabel loads = Controls.secondaryLabel(" ");
     private final transient NeedleController needle = rehearsal.needle();
     private final JButton insert =
             button("Insert", "2 mm deeper (I, or the wheel; 10 mm with Shift)", () -> needle.moveBy(STEP_MM));
@@ -46,10 +50,13 @@ final class NeedlePanel extends AccessPanel {
             "Take out",
             "Withdraw the needle all the way (O); after a sample the attempt ends with that",
             () -> needle.moveTo(0));
+    private final transient Session session;
+    private int samplesTold;
     private boolean updating;
 
     NeedlePanel(Session session, RehearsalController rehearsal) {
         super(rehearsal);
+        this.session = session;
         JComboBox<Double> speed = Controls.describe(
                 new JComboBox<>(SPEEDS_MM_PER_S), "Speed of the needle", "How fast the needle moves, mm per second");
         speed.setSelectedItem(50.0);
@@ -63,11 +70,13 @@ final class NeedlePanel extends AccessPanel {
         JPanel first = new JPanel(new MigLayout("insets 0, gap 6, novisualpadding", "[grow, fill, 0::][]"));
         first.add(depthText, "wmin 0");
         first.add(speed);
+        parts.setToolTipText("Distance from the tip to the middle of the target along the needle, and aside of it");
+        loads.setToolTipText("Force along the needle and the layer it comes from; force aside, which bends the needle");
         angles.setToolTipText(
                 "Angles of the needle: 0 in the axial plane is straight back, 90 to the patient's left; the"
                         + " arrow keys turn it, and so does dragging its hub");
         // Text that wraps comes first: the panel is held at its lower edge, and what is clicked stays in its place.
-        addAll(error, first, depth, angles, row(insert, withdraw, toTarget), row(aim, sample, remove));
+        addAll(error, parts, first, depth, angles, loads, row(insert, withdraw, toTarget), row(aim, sample, remove));
         follow(session);
     }
 
@@ -94,23 +103,34 @@ final class NeedlePanel extends AccessPanel {
                         ? NumberFormats.text("Depth %.0f of %.0f mm", s.depthMm(), s.aimedDepthMm())
                         : NumberFormats.text("Depth %.0f mm", s.depthMm()))
                 .orElse("Not in the body"));
-        Optional<String> distance = state.flatMap(NeedleState::targetingError).map(NeedlePanel::text);
+        Optional<TargetingError> distance = state.flatMap(NeedleState::targetingError);
         error.setVisible(rehearsal.pictures().aids() != Aids.PICTURES);
-        error.setTextIfChanged(distance.orElse("Tip to target: -"));
+        error.setTextIfChanged(distance.map(NeedlePanel::text).orElse("Tip to target: -"));
+        parts.setVisible(error.isVisible());
+        parts.setText(distance.map(NeedlePanel::parts).orElse(" "));
         if (!depth.getValueIsAdjusting()) {
             updating = true;
             depth.setValue((int) Math.round(state.map(NeedleState::depthMm).orElse(0.0)));
             updating = false;
         }
         angles.setText(state.map(s -> NumberFormats.text(
-                        "%.0f\u00b0 in the axial plane, %.0f\u00b0 to the %s%s",
+                        "%.0f\u00b0 in the axial plane, %.0f\u00b0 to the %s",
                         s.angles().axialDeg(),
                         Math.abs(s.angles().cranialDeg()),
-                        s.angles().cranialDeg() < 0 ? "feet" : "head",
-                        text(s.load())))
+                        s.angles().cranialDeg() < 0 ? "feet" : "head"))
                 .orElse(" "));
+        loads.setText(
+                state.map(s -> text(s.load())).filter(text -> !text.isEmpty()).orElse(" "));
+        tellSamples(state.map(NeedleState::samples).orElse(0));
         setEnabled(state.isPresent() && isReady(), aim);
         setEnabled(placed.isPresent() && isReady(), sample, remove, withdraw);
+    }
+
+    private void tellSamples(int taken) {
+        if (taken > samplesTold) {
+            session.note(isReady() ? "Sample taken. Take out (O) ends the attempt." : "Sample taken.");
+        }
+        samplesTold = taken;
     }
 
     /** Whether the distance of the tip from the target is told. */
@@ -118,18 +138,25 @@ final class NeedlePanel extends AccessPanel {
         return error.isVisible();
     }
 
-    private static String text(NeedleLoad load) {
-        String axial = load.layer().isEmpty() ? "" : NumberFormats.text("; %.1f N, %s", load.axialN(), load.layer());
-        return load.sideN() < 0.1 ? axial : axial + NumberFormats.text("; %.1f N aside", load.sideN());
+    /** Forces in words, such as "1.3 N from the capsule, 0.4 N aside"; empty if there is none to tell. */
+    static String text(NeedleLoad load) {
+        List<String> words = new ArrayList<>();
+        if (!load.layer().isEmpty()) {
+            words.add(NumberFormats.text("%.1f N from the %s", load.axialN(), load.layer()));
+        }
+        if (load.sideN() >= 0.1) {
+            words.add(NumberFormats.text("%.1f N aside", load.sideN()));
+        }
+        return String.join(", ", words);
     }
 
     static String text(TargetingError error) {
+        return NumberFormats.text("Tip to target %.1f mm%s", error.distanceMm(), error.hit() ? ", in it" : "");
+    }
+
+    static String parts(TargetingError error) {
         return NumberFormats.text(
-                "Tip to target %.1f mm: %.1f %s, %.1f aside%s",
-                error.distanceMm(),
-                Math.abs(error.axialMm()),
-                error.axialMm() < 0 ? "too deep" : "to go",
-                error.lateralMm(),
-                error.hit() ? ", in it" : "");
+                "%.1f mm %s, %.1f mm aside",
+                Math.abs(error.axialMm()), error.axialMm() < 0 ? "too deep" : "to go", error.lateralMm());
     }
 }

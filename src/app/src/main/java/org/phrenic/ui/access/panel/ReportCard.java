@@ -87,7 +87,7 @@ public final class ReportCard extends JPanel {
         List<String> lines = new ArrayList<>();
         for (Goals.GoalResult o : rehearsal.plan().goals().evaluate(rehearsal.record())) {
             String value = Double.isFinite(o.value()) ? number(o.value()) : "no sample";
-            String measure = o.label() + " " + number(o.limit()) + ": " + value;
+            String measure = o.measure() + ": " + value + " (at most " + number(o.limit()) + ")";
             lines.add((o.reached() ? "\u2713 " : "\u2717 ") + (o.goal().equals("hit") ? "target hit" : measure));
         }
         return lines;
@@ -110,7 +110,7 @@ public final class ReportCard extends JPanel {
                 + number(r.targetExcursionMm()) + " mm");
         lines.add("Capsule pulled aside " + number(r.capsulePullMm()) + " mm"
                 + (r.capsulePullMm() > AttemptRecord.PULL_WARNING_MM ? " (warning)" : ""));
-        lines.add("Force at most, N: " + r.loads().peaks());
+        lines.add("Greatest force, N: " + r.loads().peaks());
         lines.add("Capsule pushed " + number(r.loads().capsulePushMm()) + " mm; needle bent "
                 + number(r.loads().bendingMm()) + " mm by " + number(r.loads().sideN()) + " N from the side");
         addEvent(r, AttemptEvent.Kind.SKIN_PUNCTURE, "Skin", lines);
@@ -123,7 +123,7 @@ public final class ReportCard extends JPanel {
     private static List<String> guidance(Rehearsal rehearsal) {
         List<String> lines = new ArrayList<>();
         long aims = rehearsal.plan().aimsByProgram();
-        String aimed = aims == 0 ? "Aimed by hand" : "Aimed by the program, " + aims + " times";
+        String aimed = aims == 0 ? "Aimed by hand" : "Aimed by the program " + (aims == 1 ? "once" : aims + " times");
         lines.add(aimed + "; help: " + rehearsal.plan().aids().label().toLowerCase(Locale.ROOT));
         ProbeUse probe = rehearsal.probe();
         if (probe.isUsed()) {

@@ -92,9 +92,10 @@ final class TargetPanel extends AccessPanel {
         TargetMotion moves = study.get().map().motion();
         double[] range = moves.rangeMm();
         double diameter = study.get().target().diameterMm();
-        motion.setTextIfChanged(NumberFormats.text("The target moves %.0f mm with the breath", moves.excursionMm()));
+        motion.setTextIfChanged(NumberFormats.text("Target moves %.0f mm with the breath", moves.excursionMm()));
         directions.setTextIfChanged(NumberFormats.text(
-                "%.0f up-down, %.0f front-back, %.0f sideways; %.0f mm wide", range[2], range[1], range[0], diameter));
+                "%.0f mm up-down, %.0f front-back, %.0f sideways\nDiameter of the target %.0f mm",
+                range[2], range[1], range[0], diameter));
         size.setValue((int) Math.round(diameter));
     }
 }

@@ -23,7 +23,7 @@ import org.phrenic.ui.widget.Controls;
 
 /** The live ultrasound image, the probe's angles, and the controls of the scanner. */
 public final class UltrasoundDock extends AccessPanel {
-    private static final String NO_PROBE = "Put the probe on the skin: press U\nand click, or take a usual place.";
+    private static final String NO_PROBE = "Put the probe on the skin:\npress U, then click on the body.";
     private static final double STEP_DEG = 5;
 
     private final UltrasoundView view = new UltrasoundView();

@@ -2,13 +2,18 @@ package org.phrenic.ui.access.panel;
 
 import java.awt.Color;
 import java.awt.Font;
+import java.util.regex.Pattern;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import org.phrenic.ui.widget.Theme;
 
-/** A label whose text wraps. */
+/** A label whose text wraps, but not between a number and its unit. */
 public final class WrappingLabel extends JTextArea {
+    private static final String NO_BREAK = "\u00a0";
+    private static final Pattern KEPT_TOGETHER =
+            Pattern.compile("(?<=[0-9]) (?=(?:mm|cm|ml|s|N|%)(?![a-zA-Z]))|(?<=\\brib) (?=[0-9])");
+
     private final boolean bold;
 
     private WrappingLabel(String name, Color colour, boolean bold) {
@@ -38,8 +43,13 @@ public final class WrappingLabel extends JTextArea {
 
     void setTextIfChanged(String text) {
         if (!text.equals(getText())) {
-            setText(text);
+            setText(KEPT_TOGETHER.matcher(text).replaceAll(NO_BREAK));
         }
+    }
+
+    @Override
+    public String getText() {
+        return super.getText().replace(NO_BREAK, " ");
     }
 
     private void applyTheme() {

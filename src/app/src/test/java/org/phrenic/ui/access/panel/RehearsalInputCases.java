@@ -324,7 +324,8 @@ abstract class RehearsalInputCases {
             }
             assertThat(folder.resolve("kept/report.html"))
                     .content()
-                    .contains("<img", "Not for clinical use", "not validated");
+                    .contains("<img", "Not for clinical use", "not validated", "Date: 20", "Body: virtual/adult-male")
+                    .contains("Help: ");
         } finally {
             WindowHarness.doOnEdt(() -> rehearsal().removeListener(dock));
         }

@@ -166,6 +166,7 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
         clinic.until("20 mm in", () -> clinic.isAt(20) || !state().moving());
         window.key("X");
         clinic.until("a sample", () -> state().samples() == 1);
+        clinic.until("a word of it", () -> window.window().banner().message().startsWith("Sample taken"));
         window.screenshot("rehearse-probe");
         Rehearsal attempt = clinic.ended();
         window.key("H");

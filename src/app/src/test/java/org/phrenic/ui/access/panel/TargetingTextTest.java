@@ -3,8 +3,11 @@ package org.phrenic.ui.access.panel;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.OptionalDouble;
+import javax.swing.text.BadLocationException;
 import org.junit.jupiter.api.Test;
+import org.phrenic.access.attempt.NeedleLoad;
 import org.phrenic.access.attempt.TargetingError;
+import org.phrenic.ui.session.EventThread;
 
 /** An axial error is positive where the middle of the target lies deeper than the tip. */
 class TargetingTextTest {
@@ -13,13 +16,37 @@ class TargetingTextTest {
 
     @Test
     void theNeedlePanelSaysHowFarThereIsToGo() {
-        assertThat(NeedlePanel.text(SHORT)).isEqualTo("Tip to target 13.0 mm: 12.0 to go, 5.0 aside");
-        assertThat(NeedlePanel.text(DEEP)).isEqualTo("Tip to target 13.0 mm: 12.0 too deep, 5.0 aside");
+        assertThat(NeedlePanel.text(SHORT)).isEqualTo("Tip to target 13.0 mm");
+        assertThat(NeedlePanel.parts(SHORT)).isEqualTo("12.0 mm to go, 5.0 mm aside");
+        assertThat(NeedlePanel.parts(DEEP)).isEqualTo("12.0 mm too deep, 5.0 mm aside");
     }
 
     @Test
     void theCardSaysWhetherTheSampleWasShortOrDeep() {
         assertThat(ReportCard.place(SHORT)).contains("13.0 mm from the middle", "12.0 mm short of it, 5.0 mm aside");
         assertThat(ReportCard.place(DEEP)).contains("12.0 mm too deep, 5.0 mm aside");
+    }
+
+    @Test
+    void theForcesAreToldWithTheirLayer() {
+        NeedleLoad load = new NeedleLoad("capsule", 1.34, 0, 0.42, 0, false);
+        assertThat(NeedlePanel.text(load)).isEqualTo("1.3 N from the capsule, 0.4 N aside");
+        assertThat(NeedlePanel.text(NeedleLoad.NONE)).isEmpty();
+    }
+
+    @Test
+    void aNumberStaysOnTheLineOfItsUnit() {
+        WrappingLabel label = WrappingLabel.normal("Measures");
+        label.setTextIfChanged("The target moved 13.2 mm, below rib 9, in 4 small steps");
+        assertThat(label.getText()).isEqualTo("The target moved 13.2 mm, below rib 9, in 4 small steps");
+        assertThat(label.getAccessibleContext().getAccessibleName()).isEqualTo("Measures");
+        String shown = EventThread.get(() -> {
+            try {
+                return label.getDocument().getText(0, label.getDocument().getLength());
+            } catch (BadLocationException e) {
+                throw new IllegalStateException(e);
+            }
+        });
+        assertThat(shown).contains("13.2\u00a0mm", "rib\u00a09", "4 small");
     }
 }
