@@ -35,6 +35,8 @@ public record Annotations(
     private static final double SMALL_TEXT_SIZE = 10;
     private static final double MARGIN = 9;
     private static final double FIGURE_HEIGHT = 74;
+    /** Width of the figure that is kept clear of footnotes, in heights of it. */
+    private static final double FIGURE_WIDTH = 0.6;
     /** Shorter side of the picture at which one unit is one pixel, pixels. */
     private static final double REFERENCE_SIDE = 720;
 
@@ -129,27 +131,33 @@ public record Annotations(
         double line = small + ink.toPixels(5);
         double floor = height - margin - small - ink.toPixels(7) - (notInScan.isEmpty() ? 0 : line);
         drawOrientationLetters(ink, camera, width, height, floor);
-        drawFootnote(ink, Disclaimer.TEXT, width, height - margin);
+        double notes = drawFootnote(ink, Disclaimer.TEXT, width, height - margin);
         if (!notInScan.isEmpty()) {
-            drawFootnote(ink, "Not in the scan: " + notInScan, width, height - margin - line);
+            String text = "Not in the scan: " + notInScan;
+            notes = Math.max(notes, drawFootnote(ink, text, width, height - margin - line));
         }
         double figure = Math.min(ink.toPixels(FIGURE_HEIGHT), 0.3 * Math.min(width, height));
-        OrientationFigure.draw(ink, camera, width - margin - figure * 0.36, height - margin - figure * 0.52, figure);
+        boolean above = notes > width - margin - figure * FIGURE_WIDTH;
+        double foot = above ? floor : height - margin;
+        OrientationFigure.draw(ink, camera, width - margin - figure * 0.36, foot - figure * 0.52, figure);
         if (camera.orthographic()) {
             Ruler.draw(ink, camera.mmPerPixel(height), margin, floor, MAX_RULER_SHARE * width);
         }
         scale.ifPresent(colours -> {
-            double bottom = Math.min(height * 0.66, height - margin - 1.1 * figure - ink.toPixels(8));
+            double bottom = Math.min(height * 0.66, foot - 1.1 * figure - ink.toPixels(8));
             double right = width - margin - rightLetterWidth(ink, camera) - ink.toPixels(8);
             ColourBar.draw(ink, quantityName, colours, right, height * 0.26, bottom);
         });
         ink.dispose();
     }
 
-    private static void drawFootnote(HaloGraphics ink, String text, int width, double baseline) {
+    /** Draws a line at the foot, and returns where it ends, pixels from the left. */
+    private static double drawFootnote(HaloGraphics ink, String text, int width, double baseline) {
         double margin = ink.toPixels(MARGIN);
         double size = ink.fittingSize(text, SMALL_TEXT_SIZE, width - 2 * margin);
-        ink.drawText(ink.ellipsized(text, size, width - 2 * margin), margin, baseline, 0, size, false);
+        String shown = ink.ellipsized(text, size, width - 2 * margin);
+        ink.drawText(shown, margin, baseline, 0, size, false);
+        return margin + ink.measure(shown, size, false).getWidth();
     }
 
     private HaloGraphics halo(Graphics2D graphics, int width, int height, double unit) {

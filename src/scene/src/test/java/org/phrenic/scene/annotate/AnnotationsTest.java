@@ -8,6 +8,8 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -72,6 +74,32 @@ class AnnotationsTest {
                 assertThat(marked(p, 0, 0, width, height, background)).isGreaterThan(500);
             }
         }
+    }
+
+    /** Where a footnote reaches it, the figure, which shows the view, is not in the rows of the footnotes. */
+    @Test
+    void theFigureStandsAboveFootnotesThatReachIt() {
+        assertThat(rowsOfTheFigure("a very long list of structures, ".repeat(6)))
+                .isZero();
+        assertThat(rowsOfTheFigure("the skin")).isPositive();
+    }
+
+    /** Rows of the footnotes in which a picture differs from one from another side, at the right. */
+    private static long rowsOfTheFigure(String notInScan) {
+        BufferedImage[] pictures = Stream.of(AnatomicalView.ANTERIOR, AnatomicalView.LEFT)
+                .map(view -> {
+                    BufferedImage picture = new BufferedImage(400, 400, BufferedImage.TYPE_INT_RGB);
+                    Graphics2D g = picture.createGraphics();
+                    new Annotations(true, "", "", "", Optional.empty(), notInScan)
+                            .drawStatic(g, Camera.of(view, BODY), 400, 400, 1);
+                    g.dispose();
+                    return picture;
+                })
+                .toArray(BufferedImage[]::new);
+        return IntStream.range(378, 400)
+                .filter(y ->
+                        IntStream.range(350, 400).anyMatch(x -> pictures[0].getRGB(x, y) != pictures[1].getRGB(x, y)))
+                .count();
     }
 
     @Test
