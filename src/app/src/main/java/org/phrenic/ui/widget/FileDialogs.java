@@ -8,6 +8,7 @@ import java.util.Optional;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import javax.swing.plaf.basic.BasicFileChooserUI;
 import org.phrenic.ui.session.WindowPreferences;
 
 /** Dialogs that choose a file or folder and remember the folder it is in; empty if the dialog is cancelled. */
@@ -47,10 +48,7 @@ public final class FileDialogs {
     /** A folder to write a report into; one in the last folder is proposed, by this name unless it is empty. */
     public static Optional<Path> folder(Component parent, String title, String proposed) {
         JFileChooser chooser = chooser(title);
-        chooser.setFileSelectionMode(JFileChooser.DIRECTORIES_ONLY);
-        if (!proposed.isEmpty()) {
-            chooser.setSelectedFile(new File(chooser.getCurrentDirectory(), proposed));
-        }
+        propose(chooser, proposed);
         if (chooser.showSaveDialog(parent) != JFileChooser.APPROVE_OPTION) {
             return Optional.empty();
         }
@@ -58,6 +56,14 @@ public final class FileDialogs {
         String question = "Replace the report in " + folder.getName() + "?";
         File report = new File(folder, "report.json");
         return confirmed(parent, title, folder, report, question);
+    }
+
+    /** Lets a chooser choose folders and shows the name of a new one, which need not exist. */
+    static void propose(JFileChooser chooser, String name) {
+        chooser.setFileSelectionMode(JFileChooser.DIRECTORIES_ONLY);
+        if (!name.isEmpty() && chooser.getUI() instanceof BasicFileChooserUI shown) {
+            shown.setFileName(new File(chooser.getCurrentDirectory(), name).getPath());
+        }
     }
 
     private static Optional<Path> chosen(Component parent, JFileChooser chooser) {

@@ -2,6 +2,7 @@ package org.phrenic.ui.widget;
 
 import java.awt.Dimension;
 import java.awt.Rectangle;
+import javax.swing.BorderFactory;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
@@ -22,7 +23,8 @@ public class ScrollablePanel extends JPanel implements Scrollable {
     public static JScrollPane scrollPane(JPanel body) {
         JScrollPane scroll = new JScrollPane(
                 body, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-        scroll.setBorder(null);
+        // Not null, which a change of the theme would replace.
+        scroll.setBorder(BorderFactory.createEmptyBorder());
         return scroll;
     }
 

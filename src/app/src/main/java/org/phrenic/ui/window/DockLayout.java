@@ -5,6 +5,7 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.util.EnumMap;
 import java.util.Map;
+import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
@@ -50,7 +51,7 @@ final class DockLayout extends JPanel {
         bottom.setTopComponent(left);
         bottom.setResizeWeight(1);
         for (JSplitPane pane : new JSplitPane[] {left, right, bottom}) {
-            pane.setBorder(null);
+            pane.setBorder(BorderFactory.createEmptyBorder());
             pane.setContinuousLayout(true);
         }
         for (Place place : Place.values()) {

@@ -18,7 +18,7 @@ final class LoadingPanel extends JPanel {
 
     /** @param name of the panel; its button is {@code name.cancel} */
     LoadingPanel(String name, String tip, Runnable cancel) {
-        super(new MigLayout("insets 8 12 8 12, gap 10, novisualpadding", "[180!][140!][]", "[center]"));
+        super(new MigLayout("insets 8 12 8 12, gap 10 6, novisualpadding", "[0:260:, grow, fill][]"));
         setName(name);
         JButton stop = Controls.button("Cancel", tip, () -> {
             setVisible(false);
@@ -26,7 +26,7 @@ final class LoadingPanel extends JPanel {
         });
         stop.setName(name + ".cancel");
         bar.getAccessibleContext().setAccessibleName("Progress of loading");
-        add(what);
+        add(what, "span 2, wmin 0, wrap");
         add(bar, "growx");
         add(stop);
         setVisible(false);

@@ -74,7 +74,7 @@ public final class ImportPipeline {
         progress.stage("bringing " + template.name() + " to the scan for what it lacks");
         RestingBody resting = RestingBody.asScanned(scanned, BodyCompletion.complete(scanned, template));
         if (resting.isInspired() && !completion.keepLevel()) {
-            progress.stage("bringing the scan, which is one at inspiration, to end-expiration");
+            progress.stage("bringing the scan from inspiration to end-expiration");
             resting = resting.atEndExpiration(scanned, template);
         }
         progress.stage("building the diaphragm from the organs and bones that it touches");
