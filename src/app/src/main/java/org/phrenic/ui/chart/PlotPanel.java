@@ -4,19 +4,27 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
 import java.awt.geom.Rectangle2D;
 import java.util.function.DoubleConsumer;
 import org.jfree.chart.ChartPanel;
 import org.jfree.chart.panel.CrosshairOverlay;
 import org.jfree.chart.plot.Crosshair;
 import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.data.Range;
 import org.phrenic.ui.widget.Theme;
 
 /**
- * The panel of the chart: dragging zooms into a time range, a double click resets it, and a crosshair follows the
- * mouse.
+ * The panel of the chart: dragging or the wheel zooms into a time range, a double click resets it, and a crosshair
+ * follows the mouse.
  */
 final class PlotPanel extends ChartPanel {
+    private static final double ZOOM_PER_NOTCH = 1.25;
+    /** Least and greatest range of times that the wheel shows, s. */
+    private static final double LEAST_S = 0.1;
+
+    private static final double MOST_S = 600;
+
     private final transient PlotChart plot;
     private final transient DoubleConsumer cursorListener;
     private final transient Runnable zoomListener;
@@ -47,6 +55,7 @@ final class PlotPanel extends ChartPanel {
         MouseAdapter mouse = new CursorMouse();
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
+        addMouseWheelListener(mouse);
     }
 
     private static Crosshair crosshair(Color colour, int width) {
@@ -92,6 +101,21 @@ final class PlotPanel extends ChartPanel {
             if (Double.compare(time, cursor.getValue()) != 0) {
                 cursor.setValue(time);
                 cursorListener.accept(time);
+            }
+        }
+
+        /** Zooms about the time under the mouse; times before the start are not shown. */
+        @Override
+        public void mouseWheelMoved(MouseWheelEvent e) {
+            Rectangle2D area = getScreenDataArea();
+            if (area.contains(e.getPoint())) {
+                Range shown = plot.timeAxis().getRange();
+                double time = plot.timeAxis().java2DToValue(e.getX(), area, RectangleEdge.BOTTOM);
+                double length = shown.getLength() * Math.pow(ZOOM_PER_NOTCH, e.getPreciseWheelRotation());
+                double within = Math.max(LEAST_S, Math.min(MOST_S, length));
+                double from = Math.max(0, time - (time - shown.getLowerBound()) * within / shown.getLength());
+                plot.timeAxis().setRange(from, from + within);
+                zoomListener.run();
             }
         }
 

@@ -30,6 +30,7 @@ final class DockLayout extends JPanel {
     private static final int DIVIDER_SIZE = 5;
     private static final int PICTURE_WIDTH = 392;
     private static final int MIN_VIEW_SIZE = 280;
+    private static final double BOTTOM_SHARE = 0.32;
 
     private final transient WindowPreferences preferences;
     private final JSplitPane left = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
@@ -118,10 +119,16 @@ final class DockLayout extends JPanel {
         }
     }
 
+    /** Height of the plots: as it was left, or a share of a high window. */
+    private int bottomSize() {
+        int size = sizes.get(Place.BOTTOM);
+        return size == Place.BOTTOM.size ? Math.max(size, (int) (BOTTOM_SHARE * getHeight())) : size;
+    }
+
     private void applySizes() {
         validate();
         if (dock(Place.BOTTOM) != null) {
-            int size = sizes.get(Place.BOTTOM) + DIVIDER_SIZE;
+            int size = bottomSize() + DIVIDER_SIZE;
             bottom.setDividerLocation(Math.max(MIN_VIEW_SIZE / 2, getHeight() - size));
         }
         if (dock(Place.LEFT) != null) {

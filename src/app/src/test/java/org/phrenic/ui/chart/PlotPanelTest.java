@@ -1,0 +1,55 @@
+package org.phrenic.ui.chart;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.Graphics2D;
+import java.awt.event.MouseWheelEvent;
+import java.awt.image.BufferedImage;
+import org.jfree.data.Range;
+import org.junit.jupiter.api.Test;
+import org.phrenic.ui.session.EventThread;
+import org.phrenic.ui.widget.Theme;
+
+/** The wheel over the plot shows a shorter time about the mouse, and no time before the start. */
+class PlotPanelTest {
+    private static final int X = 300;
+
+    private static Range turn(PlotPanel panel, PlotChart chart, int notches) {
+        panel.dispatchEvent(new MouseWheelEvent(
+                panel,
+                MouseWheelEvent.MOUSE_WHEEL,
+                0,
+                0,
+                X,
+                60,
+                0,
+                false,
+                MouseWheelEvent.WHEEL_UNIT_SCROLL,
+                1,
+                notches));
+        return chart.timeAxis().getRange();
+    }
+
+    @Test
+    void theWheelZoomsAboutTheMouse() {
+        EventThread.run(() -> {
+            Theme.install(false);
+            PlotChart chart = new PlotChart();
+            chart.setCurves(PlotCurve.ofObservables().subList(0, 1));
+            chart.timeAxis().setRange(10, 20);
+            int[] zooms = new int[1];
+            PlotPanel panel = new PlotPanel(chart, time -> {}, () -> zooms[0]++, () -> {});
+            panel.setSize(600, 200);
+            Graphics2D g = new BufferedImage(600, 200, BufferedImage.TYPE_INT_RGB).createGraphics();
+            panel.paint(g);
+            g.dispose();
+            Range closer = turn(panel, chart, -3);
+            assertThat(closer.getLength()).isCloseTo(10 / Math.pow(1.25, 3), within(1e-9));
+            assertThat(closer.getLowerBound()).isGreaterThan(10);
+            assertThat(closer.getUpperBound()).isLessThan(20);
+            assertThat(zooms[0]).isEqualTo(1);
+            assertThat(turn(panel, chart, 20).getLowerBound()).isZero();
+        });
+    }
+}
