@@ -69,6 +69,9 @@ class BenchErrorCommandTest {
         assertRefused("expected one of", "--integrator", "leapfrog");
         assertRefused("--sweeps", "--sweeps", "0");
         assertRefused("--max-error", "--max-error", "none");
+        assertRefused("--set: found it with --whole", "--whole", "--set", "damping_rate_per_s=1");
+        assertRefused("--until: found it with --whole", "--whole", "--until", "1");
+        assertRefused("--beside: found it without --whole", "--beside", "data/scenarios/heavy-tissue.yaml");
         assertRefused("--part: found 'luck'", "--whole", "--part", "luck");
         assertRefused("--scan: found no folder", "--whole", "--scan", "nowhere");
     }

@@ -23,6 +23,7 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.AtomicFile;
+import org.phrenic.file.BadInputException;
 import org.phrenic.file.Hashes;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
@@ -37,6 +38,7 @@ import org.phrenic.study.error.SolverGrid;
 import org.phrenic.study.error.TableCheck;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 
 /** {@code phrenic bench error}: measures cost and error of solver settings against a reference. */
@@ -69,6 +71,22 @@ final class BenchErrorCommand extends ReportingCommand {
             "changes",
             "hold",
             "meshes_every_s");
+
+    /** Options that are read with --whole. */
+    private static final Set<String> OF_WHOLE = Set.of(
+            "--whole",
+            "--part",
+            "--scan",
+            "--beside",
+            "--resolution",
+            "--quick",
+            "--out",
+            "--made-by",
+            "--json",
+            "--debug");
+
+    /** Options that are read with --whole alone. */
+    private static final Set<String> OF_WHOLE_ALONE = Set.of("--part", "--scan", "--beside");
 
     private static final int CHECKED_ROWS = 6;
 
@@ -147,6 +165,7 @@ final class BenchErrorCommand extends ReportingCommand {
 
     @Override
     public Integer call() {
+        requireUsed();
         if (out != null) {
             ReportFolder.requireWritable(out);
         }
@@ -190,6 +209,20 @@ final class BenchErrorCommand extends ReportingCommand {
             cheapest.forEach(err()::println);
         }
         return ExitCode.SUCCESS;
+    }
+
+    /** Refuses an option that the kind of measurement does not read. */
+    private void requireUsed() {
+        for (OptionSpec option : commandLine().getParseResult().matchedOptions()) {
+            String name = option.longestName();
+            if (budget.isGiven() && !OF_WHOLE.contains(name)) {
+                throw new BadInputException(name + ": found it with --whole, which measures the defaults; a scenario"
+                        + " given by --beside is measured beside them");
+            }
+            if (!budget.isGiven() && OF_WHOLE_ALONE.contains(name)) {
+                throw new BadInputException(name + ": found it without --whole, expected both");
+            }
+        }
     }
 
     private double simulatedS() {
