@@ -1,5 +1,7 @@
 package org.phrenic.mesh.edit;
 
+import java.util.Arrays;
+import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.SelfIntersections;
@@ -17,16 +19,52 @@ public final class SelfIntersectionSmoothing {
     /** The smoothed surface; after {@value #MAX_ROUNDS} rounds some self-intersections may be left. */
     public static TriangleMesh smooth(TriangleMesh mesh) {
         MeshTopology topology = new MeshTopology(mesh);
-        TriangleMesh smoothed = mesh;
+        SelfIntersections intersections = new SelfIntersections(mesh);
+        double[] positions = mesh.positions();
+        int[] tried = topology.edges();
         for (int round = 0; round < MAX_ROUNDS; round++) {
-            boolean[] crossing = SelfIntersections.vertices(smoothed, topology.edges());
-            boolean[] moved = withNeighbours(crossing, topology.edges());
+            boolean[] moved = withNeighbours(intersections.vertices(tried), topology.edges());
             if (moved == null) {
-                return smoothed;
+                break;
             }
-            smoothed = smoothed.withPositions(relaxed(smoothed.positions(), moved, topology));
+            positions = relaxed(positions, moved, topology);
+            intersections.moveTo(positions);
+            tried = edgesNear(moved, positions, topology.edges());
         }
-        return smoothed;
+        return positions == mesh.positions() ? mesh : mesh.withPositions(positions);
+    }
+
+    /**
+     * The edges that touch the box of all triangles with a vertex that has moved: what does not touch it crosses
+     * nothing that it did not cross before.
+     */
+    private static int[] edgesNear(boolean[] moved, double[] p, int[] edges) {
+        double[] box = new double[6];
+        BoundingBoxes.setEmpty(box, 0);
+        for (int e = 0; e < edges.length; e += 2) {
+            if (moved[edges[e]] || moved[edges[e + 1]]) {
+                BoundingBoxes.include(box, 0, p, 3 * edges[e]);
+                BoundingBoxes.include(box, 0, p, 3 * edges[e + 1]);
+            }
+        }
+        int[] near = new int[edges.length];
+        int count = 0;
+        for (int e = 0; e < edges.length; e += 2) {
+            if (touches(box, p, 3 * edges[e], 3 * edges[e + 1])) {
+                near[count++] = edges[e];
+                near[count++] = edges[e + 1];
+            }
+        }
+        return Arrays.copyOf(near, count);
+    }
+
+    private static boolean touches(double[] box, double[] p, int a, int b) {
+        boolean touches = true;
+        for (int axis = 0; axis < 3; axis++) {
+            touches &= Math.max(p[a + axis], p[b + axis]) >= box[axis]
+                    && Math.min(p[a + axis], p[b + axis]) <= box[3 + axis];
+        }
+        return touches;
     }
 
     /** Null if no vertex is marked. */
