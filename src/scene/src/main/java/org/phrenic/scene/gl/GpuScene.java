@@ -4,6 +4,7 @@ import com.jogamp.common.nio.Buffers;
 import com.jogamp.opengl.GL3;
 import java.nio.FloatBuffer;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
@@ -15,13 +16,14 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
 
-/** GPU buffers of all surfaces and overlays of a scene. Uploads only data that changed since the last frame. */
+/** GPU buffers of all surfaces and overlays of a scene. Uploads only what is visible and has changed. */
 final class GpuScene {
     private final GlResources resources;
     private final List<SurfaceBuffers> surfaces;
     private final List<OverlayBuffers> overlays;
     private final int nodeBuffer;
     private FloatBuffer nodes = FloatBuffer.allocate(0);
+    private final BitSet toUpload = new BitSet();
     private boolean nodesUploaded;
     private long step = -1;
     private double time;
@@ -55,13 +57,14 @@ final class GpuScene {
             time = frame.timeS();
             nodesHash = hash;
             nodesUploaded = false;
-            surfaces.forEach(s -> s.upload(gl, frame));
+            toUpload.set(0, surfaces.size());
         }
+        boolean uploaded = uploadVisible(gl, frame, style);
         if (!style.lines().overlays().isEmpty() && !nodesUploaded) {
             uploadNodes(gl, frame.nodes());
         }
         String wanted = style.field() + " " + style.colouring().structure() + " " + version;
-        if (style.field() != ColourField.NONE && (moved || !wanted.equals(uploadedField))) {
+        if (style.field() != ColourField.NONE && (uploaded || !wanted.equals(uploadedField))) {
             for (SurfaceBuffers s : surfaces) {
                 if (style.showsField(s.surface().name())) {
                     s.uploadField(gl, style.field(), given.get(s.surface().name()));
@@ -69,6 +72,20 @@ final class GpuScene {
             }
         }
         uploadedField = wanted;
+    }
+
+    /** Uploads the visible surfaces of a frame that have not been since it came; returns whether there were any. */
+    private boolean uploadVisible(GL3 gl, Frame frame, SceneStyle style) {
+        boolean any = false;
+        for (int i = toUpload.nextSetBit(0); i >= 0; i = toUpload.nextSetBit(i + 1)) {
+            SurfaceBuffers s = surfaces.get(i);
+            if (style.shows(s.surface().name())) {
+                s.upload(gl, frame);
+                toUpload.clear(i);
+                any = true;
+            }
+        }
+        return any;
     }
 
     void setPoses(Map<String, float[]> poses) {

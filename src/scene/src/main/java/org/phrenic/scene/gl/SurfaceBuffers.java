@@ -59,9 +59,10 @@ final class SurfaceBuffers {
         TriangleMesh mesh = surface.rest();
         int[] triangles = orientedOutward(mesh);
         normals = new VertexNormals(triangles, mesh.vertexCount());
-        positions = restPositions();
+        float[] rest = restPositions();
+        positions = Buffers.newDirectFloatBuffer(rest);
         packedNormals = Buffers.newDirectIntBuffer(mesh.vertexCount());
-        normals.compute(positions, packedNormals);
+        normals.compute(rest, packedNormals);
         EdgeTable table = new EdgeTable(mesh);
         edges = table.edges();
         IntStream open = IntStream.range(0, table.edgeCount()).filter(e -> table.faceCount(e) == 1);
@@ -80,11 +81,11 @@ final class SurfaceBuffers {
         triangleCount = triangles.length / 3;
     }
 
-    private FloatBuffer restPositions() {
+    private float[] restPositions() {
         double[] rest = surface.rest().positions();
-        FloatBuffer at = Buffers.newDirectFloatBuffer(rest.length);
+        float[] at = new float[rest.length];
         for (int i = 0; i < rest.length; i++) {
-            at.put(i, (float) rest[i]);
+            at[i] = (float) rest[i];
         }
         return at;
     }
@@ -118,7 +119,7 @@ final class SurfaceBuffers {
             setPose(frame.pose(index));
         } else if (surface.motion() == Surface.Motion.DEFORMING) {
             positions.put(0, frame.positions(index));
-            normals.compute(positions, packedNormals);
+            normals.compute(frame.positions(index), packedNormals);
             resources.stream(gl, positionBuffer, positions);
             resources.stream(gl, normalBuffer, packedNormals);
         }
@@ -197,7 +198,8 @@ final class SurfaceBuffers {
         if (restArray == 0) {
             restArray = resources.create(gl, GlResources.Kind.VERTEX_ARRAY);
             gl.glBindVertexArray(restArray);
-            resources.createBuffer(gl, GL3.GL_ARRAY_BUFFER, restPositions(), GL3.GL_STATIC_DRAW);
+            resources.createBuffer(
+                    gl, GL3.GL_ARRAY_BUFFER, Buffers.newDirectFloatBuffer(restPositions()), GL3.GL_STATIC_DRAW);
             attribute(gl, POSITION, 3, GL3.GL_FLOAT, false);
         }
         return restArray;

@@ -1,6 +1,5 @@
 package org.phrenic.scene.surface;
 
-import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 
@@ -26,21 +25,21 @@ public final class VertexNormals {
      * @param p vertex positions, x y z each, mm
      * @param packed receives one packed normal per vertex
      */
-    public void compute(FloatBuffer p, IntBuffer packed) {
+    public void compute(float[] p, IntBuffer packed) {
         Arrays.fill(sum, 0);
         for (int t = 0; t < triangles.length; t += 3) {
             int a = 3 * triangles[t];
             int b = 3 * triangles[t + 1];
             int c = 3 * triangles[t + 2];
-            float ax = p.get(a);
-            float ay = p.get(a + 1);
-            float az = p.get(a + 2);
-            float ux = p.get(b) - ax;
-            float uy = p.get(b + 1) - ay;
-            float uz = p.get(b + 2) - az;
-            float vx = p.get(c) - ax;
-            float vy = p.get(c + 1) - ay;
-            float vz = p.get(c + 2) - az;
+            float ax = p[a];
+            float ay = p[a + 1];
+            float az = p[a + 2];
+            float ux = p[b] - ax;
+            float uy = p[b + 1] - ay;
+            float uz = p[b + 2] - az;
+            float vx = p[c] - ax;
+            float vy = p[c + 1] - ay;
+            float vz = p[c + 2] - az;
             float nx = uy * vz - uz * vy;
             float ny = uz * vx - ux * vz;
             float nz = ux * vy - uy * vx;

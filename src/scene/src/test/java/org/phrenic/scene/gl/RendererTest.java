@@ -22,6 +22,7 @@ import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.ColourScale;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.style.Transparency;
+import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
 
@@ -115,6 +116,35 @@ class RendererTest {
         assertThat(renderer.statistics().bytesUploaded()).as("another frame").isEqualTo(16 * vertices);
         assertThat(renderer.statistics().drawCalls()).isBetween(50, 150);
         fixture.offscreen.release(renderer);
+    }
+
+    @Test
+    void whatIsHiddenIsNotSentAndWhenShownStandsWhereItIs() {
+        String liver = fixture.name(StructureKind.LIVER);
+        SceneStyle hidden = fixture.style()
+                .withAppearance(
+                        liver, fixture.style().appearance(liver).orElseThrow().withVisible(false));
+        SceneStyle shown = fixture.style().withField(ColourField.DISPLACEMENT, liver, ColourScale.diverging(20, "mm"));
+        Renderer renderer = new Renderer(fixture.surfaces, fixture.overlays);
+        Camera camera = fixture.camera(AnatomicalView.ANTERIOR);
+        fixture.offscreen.render(renderer, fixture.rest, camera, fixture.style(), WIDTH, HEIGHT);
+        long all = sentWith(renderer, fixture.inspired, fixture.style());
+        fixture.offscreen.render(renderer, fixture.rest, camera, shown, WIDTH, HEIGHT);
+        long vertices = fixture.surfaces.stream()
+                .filter(s -> s.name().equals(liver))
+                .mapToLong(s -> s.rest().vertexCount())
+                .sum();
+        assertThat(sentWith(renderer, fixture.inspired, hidden)).isEqualTo(all - 16 * vertices);
+        BufferedImage later = draw(renderer, shown);
+        fixture.offscreen.release(renderer);
+        Renderer fresh = new Renderer(fixture.surfaces, fixture.overlays);
+        assertThat(PictureDifference.of(later, draw(fresh, shown)).largest()).isZero();
+        fixture.offscreen.release(fresh);
+    }
+
+    private long sentWith(Renderer renderer, Frame frame, SceneStyle style) {
+        fixture.offscreen.render(renderer, frame, fixture.camera(AnatomicalView.ANTERIOR), style, WIDTH, HEIGHT);
+        return renderer.statistics().bytesUploaded();
     }
 
     @Test
