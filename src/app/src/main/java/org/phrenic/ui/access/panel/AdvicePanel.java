@@ -10,7 +10,7 @@ import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.scene.NeedleMarkers;
 import org.phrenic.ui.widget.Theme;
 
-/** A headline in green, amber or red, and the reasons for it. */
+/** A headline in green, amber or red, and the reasons for it; in plain colours while a worse one is shown. */
 public final class AdvicePanel extends JPanel {
     private static final int BAR_WIDTH = 5;
     /** Green, amber and red; they differ in lightness too. */
@@ -27,11 +27,15 @@ public final class AdvicePanel extends JPanel {
     private final WrappingLabel headline = WrappingLabel.emphasised("Verdict on the path");
     private final WrappingLabel body = WrappingLabel.normal("Reasons and margin");
     private PathAdvice.Level level = PathAdvice.Level.FREE;
+    private boolean plain;
 
-    public AdvicePanel() {
+    /** @param name what the advice is about, such as "Path at present" */
+    public AdvicePanel(String name) {
         super(new MigLayout("insets 6 13 6 8, gap 0 1, fillx, hidemode 3, wrap 1", "[grow, fill]"));
         add(headline, "wmin 0");
         add(body, "wmin 0");
+        setName(name);
+        getAccessibleContext().setAccessibleName(name);
         applyColours();
     }
 
@@ -43,8 +47,16 @@ public final class AdvicePanel extends JPanel {
             level = shown;
             applyColours();
         }
-        getAccessibleContext().setAccessibleName("Path");
         getAccessibleContext().setAccessibleDescription(first + (rest.isEmpty() ? "" : ". " + rest));
+    }
+
+    /** Takes the colours of other text while another advice is shown and worse, so that this one permits nothing. */
+    void giveWayTo(AdvicePanel other) {
+        boolean giving = other.isVisible() && other.level.compareTo(level) > 0;
+        if (giving != plain) {
+            plain = giving;
+            applyColours();
+        }
     }
 
     /** Headline and reasons, a line each. */
@@ -53,16 +65,19 @@ public final class AdvicePanel extends JPanel {
     }
 
     private void applyColours() {
+        setOpaque(!plain);
         setBackground(BACKGROUNDS.get(level));
-        headline.setForeground(TEXTS.get(level));
-        body.setForeground(TEXTS.get(level));
+        headline.setForeground(plain ? Theme.TEXT : TEXTS.get(level));
+        body.setForeground(plain ? Theme.TEXT : TEXTS.get(level));
         repaint();
     }
 
     @Override
     protected void paintComponent(Graphics g) {
         super.paintComponent(g);
-        g.setColor(new Color(NeedleMarkers.rgb(level)));
-        g.fillRect(0, 0, BAR_WIDTH, getHeight());
+        if (!plain) {
+            g.setColor(new Color(NeedleMarkers.rgb(level)));
+            g.fillRect(0, 0, BAR_WIDTH, getHeight());
+        }
     }
 }

@@ -14,7 +14,10 @@ import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 
-/** The entry of the needle, and advice on the path over the breath and at present. */
+/**
+ * The entry of the needle, and advice on the path: at present, then over the breath. The advice over the breath has no
+ * colour while the present is worse.
+ */
 final class EntryPanel extends AccessPanel {
     private final JToggleButton setEntry =
             toggle("Set entry", "Set entry", "Then click on the skin where the needle goes in (E)", () -> rehearsal
@@ -28,13 +31,13 @@ final class EntryPanel extends AccessPanel {
             button("Best at expiration", "The best entry for a breath held at end-expiration", () -> rehearsal
                     .entrySelection()
                     .selectBest(true));
-    private final AdvicePanel breathAdvice = new AdvicePanel();
-    private final AdvicePanel currentAdvice = new AdvicePanel();
+    private final AdvicePanel breathAdvice = new AdvicePanel("Path over the breath");
+    private final AdvicePanel currentAdvice = new AdvicePanel("Path at present");
     private final AccessMapLegend legend = new AccessMapLegend();
 
     EntryPanel(Session session, RehearsalController rehearsal) {
         super(rehearsal);
-        addAll(row(setEntry, best, bestAtExpiration), legend, breathAdvice, currentAdvice);
+        addAll(row(setEntry, best, bestAtExpiration), legend, currentAdvice, breathAdvice);
         follow(session);
     }
 
@@ -88,6 +91,7 @@ final class EntryPanel extends AccessPanel {
         Optional<NeedleState> state = rehearsal.state().filter(NeedleState::hasNeedle);
         currentAdvice.setVisible(state.isPresent() && isAdvised());
         state.ifPresent(this::showCurrent);
+        breathAdvice.giveWayTo(currentAdvice);
     }
 
     private void showCurrent(NeedleState state) {

@@ -17,7 +17,7 @@ import org.phrenic.ui.session.NumberFormats;
 
 /** The result of an attempt: hit or missed, the targeting error, goals and measures. */
 public final class ReportCard extends JPanel {
-    private final AdvicePanel verdict = new AdvicePanel();
+    private final AdvicePanel verdict = new AdvicePanel("Verdict");
     private final WrappingLabel goals = WrappingLabel.normal("Goals");
     private final WrappingLabel measures = WrappingLabel.normal("Measures of the attempt");
     private final WrappingLabel notice = WrappingLabel.secondary("Thresholds");

@@ -95,6 +95,18 @@ class RehearsalDockTest {
     }
 
     @Test
+    void thePresentStandsAboveTheBreath() {
+        EventThread.run(() -> {
+            AdvicePanel now = WindowHarness.find(dock, AdvicePanel.class, "Path at present")
+                    .orElseThrow();
+            AdvicePanel breath = WindowHarness.find(dock, AdvicePanel.class, "Path over the breath")
+                    .orElseThrow();
+            assertThat(now.getParent().getComponentZOrder(now))
+                    .isLessThan(now.getParent().getComponentZOrder(breath));
+        });
+    }
+
+    @Test
     void theControlsOfTheNeedleAreWholeHoweverMuchIsSaidAboveThem() {
         EventThread.run(() -> {
             places(LONG.repeat(3), "About the exercise");
