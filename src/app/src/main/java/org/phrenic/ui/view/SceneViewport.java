@@ -81,6 +81,8 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         boolean otherBody = scene == null
                 || !scene.scenario().anatomy().equals(now.scenario().anatomy());
         scene = now;
+        picked = Optional.empty();
+        pickListener.accept("");
         appearance.setSurfaces(now.surfaces());
         if (otherBody) {
             double aspect = getHeight() > 0 ? (double) getWidth() / getHeight() : 1;

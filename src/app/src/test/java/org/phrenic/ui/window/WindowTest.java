@@ -429,6 +429,12 @@ class WindowTest {
         // The way of that point is plotted at a key.
         window.command("Plot this point");
         window.control(JCheckBox.class, "Point 1");
+        // In another scene that place may be of another structure.
+        long before = id();
+        WindowHarness.doOnEdt(
+                () -> window.session().open("Another scene", running().with("rib_rotation=0.5", "resolution=medium")));
+        reloaded("medium", before);
+        assertThat(WindowHarness.onEdt(pointed::getText)).isBlank();
     }
 
     @Test

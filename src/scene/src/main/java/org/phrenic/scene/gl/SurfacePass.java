@@ -87,7 +87,9 @@ final class SurfacePass {
         double transparency = 1 - Math.min(look.opacity(), MAX_TRANSLUCENT_OPACITY);
         program.set(gl, "thinness", (float) (Math.log(transparency) / Math.log(2)));
         program.set(gl, "lift", surface.kind() == StructureKind.LUNG ? LUNG_OFFSET_MM : 0);
-        float accent = surface.name().equals(style.highlighted()) ? HIGHLIGHT_STRENGTH : 0;
+        // A tint would change the values that colours tell.
+        boolean tinted = surface.name().equals(style.highlighted()) && !style.showsField(surface.name());
+        float accent = tinted ? HIGHLIGHT_STRENGTH : 0;
         program.set(gl, "accent", HIGHLIGHT_RGB[0], HIGHLIGHT_RGB[1], HIGHLIGHT_RGB[2], accent);
         if (features.contains(Feature.FIELD)) {
             ColourScale scale = style.scale();

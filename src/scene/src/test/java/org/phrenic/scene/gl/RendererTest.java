@@ -244,6 +244,24 @@ class RendererTest {
         fixture.offscreen.release(renderer);
     }
 
+    @Test
+    void aStructureThatIsPointedAtKeepsTheColoursThatTellAQuantity() {
+        Renderer renderer = new Renderer(fixture.surfaces, fixture.overlays);
+        String liver = fixture.name(StructureKind.LIVER);
+        SceneStyle plain = fixture.only(fixture.style(), StructureKind.LIVER);
+        SceneStyle map = plain.withField(ColourField.DISPLACEMENT, liver, ColourScale.sequential(10, "mm"));
+        BufferedImage untouched = draw(renderer, map);
+        assertThat(PictureDifference.of(untouched, draw(renderer, map.withHighlighted(liver)))
+                        .mean())
+                .as("a liver in the colours of its displacement")
+                .isZero();
+        assertThat(PictureDifference.of(draw(renderer, plain), draw(renderer, plain.withHighlighted(liver)))
+                        .mean())
+                .as("a liver in its own colour")
+                .isPositive();
+        fixture.offscreen.release(renderer);
+    }
+
     /** The pixel at the middle of all that is not background, told by its place in the picture of the liver. */
     private static int middle(BufferedImage image) {
         long sumX = 0;
