@@ -9,6 +9,7 @@ import org.phrenic.cli.option.VersionProvider;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.HeadlessRun;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.StandardOutput;
 import org.phrenic.ui.window.PhrenicWindow;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -44,8 +45,8 @@ import picocli.CommandLine.Spec;
             "  phrenic sweep study.yaml --out study      many runs: which parameter decides what",
             "  phrenic ultrasound --out images           ultrasound images from a probe on the skin",
             "",
-            "Exit codes: 0 done, 1 failure, 2 usage or bad input, 3 out of range, 4 nothing here can draw. "
-                    + "Results go to stdout, log and progress to stderr.",
+            "Exit codes: 0 done, 1 failure such as a full disk, 2 usage or bad input, 3 out of range, "
+                    + "4 nothing here can draw. Results go to stdout, log and progress to stderr.",
             Disclaimer.TEXT
         })
 public final class Phrenic implements Callable<Integer> {
@@ -62,7 +63,8 @@ public final class Phrenic implements Callable<Integer> {
 
     /** Ends the process with the exit code of {@link #execute}. */
     public static void main(String[] args) {
-        PrintWriter out = new PrintWriter(System.out, true, StandardCharsets.UTF_8);
+        StandardOutput results = new StandardOutput();
+        PrintWriter out = new PrintWriter(results, true, StandardCharsets.UTF_8);
         PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
         int code = ExitCode.BAD_INPUT;
         if (hasLibraries()) {
@@ -72,6 +74,11 @@ public final class Phrenic implements Callable<Integer> {
                     + " in the zip");
         }
         out.flush();
+        if (results.failure().isPresent()) {
+            err.println("phrenic: the results could not be printed: "
+                    + results.failure().get());
+            code = code == ExitCode.SUCCESS ? ExitCode.FAILURE : code;
+        }
         err.flush();
         System.exit(code);
     }

@@ -117,6 +117,30 @@ class HeadlessTest {
         assertNoScreen(loadedBy("info", "data/scenarios/quiet.yaml"));
     }
 
+    @Test
+    void resultsThatCannotBePrintedAreAFailure() throws Exception {
+        Path full = Path.of("/dev/full");
+        assumeThat(full).exists();
+        Process process = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        SHORT_LIVED,
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        Phrenic.class.getName(),
+                        "--version")
+                .redirectOutput(full.toFile())
+                .redirectError(folder.resolve("stderr").toFile())
+                .start();
+        boolean ended = process.waitFor(PATIENCE_S, TimeUnit.SECONDS);
+        process.destroyForcibly();
+        assertThat(ended).isTrue();
+        assertThat(process.exitValue()).isEqualTo(ExitCode.FAILURE);
+        assertThat(Files.readAllLines(folder.resolve("stderr")))
+                .singleElement()
+                .asString()
+                .startsWith("phrenic: the results could not be printed: ");
+    }
+
     /** Starts {@code render} in a process without a display and returns its exit code. */
     private int render(Map<String, String> environment, String... options) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of(

@@ -36,7 +36,9 @@ public final class AtomicFile {
      */
     public static void write(Path target, Content content) {
         if (Files.isDirectory(target)) {
-            throw new OutputException(target + ": found a folder, expected a file to write", null);
+            throw new OutputException(
+                    target + ": found a folder, expected a file to write",
+                    new FileAlreadyExistsException(target.toString()));
         }
         try {
             // A symbolic link is followed, not replaced.
@@ -48,7 +50,7 @@ public final class AtomicFile {
                 return;
             }
             if (!Files.isDirectory(folder(real))) {
-                Files.createDirectories(folder(real));
+                createFolder(folder(real));
             }
             writeBeside(real, content);
         } catch (IOException failure) {
@@ -89,6 +91,17 @@ public final class AtomicFile {
                 Files.deleteIfExists(beside);
             }
         }
+    }
+
+    private static void createFolder(Path folder) throws IOException {
+        Path nearest = folder;
+        while (!Files.exists(nearest)) {
+            nearest = folder(nearest);
+        }
+        if (!Files.isDirectory(nearest)) {
+            throw new FileAlreadyExistsException(nearest.toString());
+        }
+        Files.createDirectories(folder);
     }
 
     private static Path folder(Path file) {

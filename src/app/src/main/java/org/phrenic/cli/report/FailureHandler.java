@@ -49,6 +49,10 @@ public record FailureHandler(BooleanSupplier debug) implements IParameterExcepti
             print(line.getErr(), sentence(failure), failure);
             return ExitCode.BAD_INPUT;
         }
+        if (told && failure instanceof OutputException) {
+            print(line.getErr(), sentence(failure), failure);
+            return ExitCode.FAILURE;
+        }
         if (told && failure instanceof NoGraphicsException) {
             print(line.getErr(), failure.getMessage(), failure);
             return ExitCode.NO_GRAPHICS;
@@ -85,7 +89,7 @@ public record FailureHandler(BooleanSupplier debug) implements IParameterExcepti
 
     private static boolean isBadInput(Exception failure) {
         return failure instanceof BadInputException
-                || failure instanceof OutputException
+                || (failure instanceof OutputException output && output.isOfPlace())
                 || failure instanceof IllegalArgumentException
                 || failure instanceof IOException
                 || failure instanceof UncheckedIOException;
