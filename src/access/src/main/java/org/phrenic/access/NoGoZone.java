@@ -19,7 +19,7 @@ public enum NoGoZone {
     /** The pleural recess ({@link PleuralReflection}). */
     PLEURA("pleural recess"),
     /** Any other organ or large vessel, such as gall bladder, bowel or portal vein, and unknown structures. */
-    ORGAN("other organ");
+    ORGAN("another organ or a vessel");
 
     private final String label;
 

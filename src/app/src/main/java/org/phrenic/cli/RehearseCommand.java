@@ -68,7 +68,8 @@ final class RehearseCommand extends ReportingCommand {
             draw(rehearsal, needle, map, err);
         }
         report.images().forEach(image -> UltrasoundPicture.write(out.resolve(image.file()), image.image()));
-        AtomicFile.write(out.resolve("report.html"), HtmlPage.format(report.document(needle, map)));
+        String html = HtmlPage.format(report.document(needle, map, RehearsalReport.dateNow()));
+        AtomicFile.write(out.resolve("report.html"), html);
         JsonWriter.write(out.resolve("report.json"), values);
         print(values, () -> text(rehearsal));
         return rehearsal.goalsReached() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;

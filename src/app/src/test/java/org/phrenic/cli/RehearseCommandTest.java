@@ -64,7 +64,8 @@ class RehearseCommandTest {
         assertThat(second).contains("\"done\": false");
         assertThat(attempt(first.replace("\"threads\": 1", "\"threads\": 2"))).isEqualTo(attempt(second));
         assertThat(Files.readString(folder.resolve("one/report.html")))
-                .contains("Not for clinical use", "not validated", "The path over a breath");
+                .contains("Not for clinical use", "not validated", "The path over a breath")
+                .containsPattern("Date: 20[0-9-]{8} [0-9:]{5}");
     }
 
     @Test

@@ -3,6 +3,7 @@ package org.phrenic.access.path;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.Map;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.document.OrderedValues;
 
 /**
@@ -10,10 +11,11 @@ import org.phrenic.document.OrderedValues;
  *
  * @param name name of the structure
  * @param label display name
+ * @param kind kind of the structure
  * @param distanceMm distance between path and surface, mm; 0 if the path crosses the surface
  * @param depthMm depth of the nearest point along the path, mm
  */
-public record Approach(String name, String label, double distanceMm, double depthMm) {
+public record Approach(String name, String label, StructureKind kind, double distanceMm, double depthMm) {
     /** The order by distance; equal distances by name. */
     public static final Comparator<Approach> NEAREST_FIRST =
             Comparator.comparingDouble(Approach::distanceMm).thenComparing(Approach::name);

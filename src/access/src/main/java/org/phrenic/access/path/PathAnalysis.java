@@ -73,9 +73,18 @@ public record PathAnalysis(
                     .map(Crossing::label)
                     .distinct()
                     .collect(Collectors.joining(", "));
-            reasons.add(crossed.isEmpty() ? "touches another organ" : "crosses " + crossed);
+            reasons.add(crossed.isEmpty() ? "touches " + nearestOrgan() : "crosses " + crossed);
         }
         return reasons;
+    }
+
+    /** The nearest organ or vessel, by name. */
+    private String nearestOrgan() {
+        return approaches.stream()
+                .filter(a -> NoGoZone.of(a.kind()).equals(Optional.of(NoGoZone.ORGAN)))
+                .map(Approach::label)
+                .findFirst()
+                .orElseGet(NoGoZone.ORGAN::label);
     }
 
     private void addIfTouched(List<String> reasons, NoGoZone zone, Set<NoGoZone> avoided, String reason) {

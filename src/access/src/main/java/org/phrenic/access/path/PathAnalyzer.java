@@ -62,7 +62,8 @@ public final class PathAnalyzer {
             if (s.noGo().isPresent()) {
                 double distance = distance(s, entry, end, MAX_DISTANCE_MM);
                 if (distance < MAX_DISTANCE_MM) {
-                    approaches.add(new Approach(s.surface().name(), s.label(), distance, probe.nearestDepth()));
+                    approaches.add(new Approach(
+                            s.surface().name(), s.label(), s.surface().kind(), distance, probe.nearestDepth()));
                 }
             }
         }

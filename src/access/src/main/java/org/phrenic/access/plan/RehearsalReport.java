@@ -1,5 +1,8 @@
 package org.phrenic.access.plan;
 
+import java.time.LocalDateTime;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -127,17 +130,21 @@ public final class RehearsalReport {
         return words;
     }
 
-    /** The report without a date: the same plan gives the same document. */
-    public ReportDocument document(List<Picture> needlePictures, List<Picture> mapPictures) {
-        return document(needlePictures, mapPictures, "");
+    /** This moment as text, for the date of a report. */
+    public static String dateNow() {
+        return LocalDateTime.now(ZoneId.systemDefault()).format(DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm"));
     }
 
-    /** @param date when the attempt was made, as text; empty to leave it out */
+    /**
+     * The report to be read. But for its date and pictures the same plan gives the same document.
+     *
+     * @param date when the attempt was made, as text
+     */
     public ReportDocument document(List<Picture> needlePictures, List<Picture> mapPictures, String date) {
         RehearsalPlan plan = rehearsal.plan();
         ReportDocument document = new ReportDocument(plan.title(), plan.description());
         document.remark(headline());
-        document.paragraph((date.isEmpty() ? "" : "Date: " + date + ". ") + "Body: "
+        document.paragraph("Date: " + date + ". Body: "
                 + plan.scenario().anatomy() + ". Breathing: " + plan.scenario().preset() + ". Help: "
                 + plan.aids().label().toLowerCase(Locale.ROOT) + ".");
         goals(document);

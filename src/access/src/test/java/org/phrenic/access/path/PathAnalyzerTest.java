@@ -3,12 +3,15 @@ package org.phrenic.access.path;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.phrenic.access.BoxAnatomy;
 import org.phrenic.access.CostalGroove;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
+import org.phrenic.anatomy.StructureKind;
 
 /** What a path meets in a body of boxes, in closed form. */
 class PathAnalyzerTest {
@@ -95,5 +98,24 @@ class PathAnalyzerTest {
         assertThat(reader.margin(from, to, NoGoZone.defaults()).mm())
                 .isCloseTo(10 - CostalGroove.NEUROVASCULAR_ZONE_MM, within(TOLERANCE_MM));
         assertThat(reader.margin(from, to, NoGoZone.defaults()).nearest()).isEqualTo("vessels_rib_08_R");
+    }
+
+    @Test
+    void aVesselThatIsTouchedAndNotCrossedHasItsName() {
+        scene.update(body.still(0));
+        PathAnalysis free = read(-10);
+        Approach vessel =
+                new Approach("epigastric_R", "right superior epigastric vessels", StructureKind.VESSEL, 0.4, 12);
+        PathAnalysis touching = new PathAnalysis(
+                0,
+                free.lengthMm(),
+                free.crossings(),
+                free.way(),
+                List.of(vessel),
+                free.costalGrooveMm(),
+                free.costalGrooveRib(),
+                free.capsuleAngleDeg(),
+                Set.of(NoGoZone.ORGAN));
+        assertThat(touching.reasons(NoGoZone.defaults())).containsExactly("touches right superior epigastric vessels");
     }
 }

@@ -1,9 +1,6 @@
 package org.phrenic.ui.access;
 
 import java.nio.file.Path;
-import java.time.LocalDateTime;
-import java.time.ZoneId;
-import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -64,12 +61,9 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize) {
         RehearsalPlan plan = rehearsal.plan();
         YamlWriter.write(folder.resolve("scenario.yaml"), plan.scenario().toMap());
         YamlWriter.write(folder.resolve("plan.yaml"), plan.toMap("scenario.yaml"));
-        AtomicFile.write(folder.resolve("report.html"), HtmlPage.format(report.document(needle, map, now())));
+        String html = HtmlPage.format(report.document(needle, map, RehearsalReport.dateNow()));
+        AtomicFile.write(folder.resolve("report.html"), html);
         JsonWriter.write(folder.resolve("report.json"), report.values());
-    }
-
-    private static String now() {
-        return LocalDateTime.now(ZoneId.systemDefault()).format(DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm"));
     }
 
     private List<String> render(Rehearsal rehearsal, Function<NeedlePictures, List<String>> what) {
