@@ -1,7 +1,9 @@
 package org.phrenic.scene.gl;
 
 import com.jogamp.opengl.GL3;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import org.joml.Matrix4d;
 import org.phrenic.scene.camera.ViewTransform;
 import org.phrenic.scene.style.Appearance;
@@ -13,6 +15,13 @@ import org.phrenic.simulation.observe.Overlay;
 final class LinePass {
     private static final float MIN_EDGE_OPACITY = 0.35f;
     private static final float REST_OPACITY = 0.55f;
+    /** Share of the opacity of what a surface hides. */
+    private static final float HIDDEN_OPACITY = 0.35f;
+
+    /** Overlays that are seen through surfaces; those that cover a sheet are not, for both sides would mix. */
+    private static final Set<Overlay.Kind> SEEN_THROUGH = EnumSet.of(
+            Overlay.Kind.RIGID_LINKS, Overlay.Kind.ATTACHMENTS, Overlay.Kind.ACTION_LINES, Overlay.Kind.HELICAL_AXES);
+
     private static final float EDGE_WIDTH = 1.0f;
     private static final float EDGE_OFFSET_MM = 0.4f;
     private static final int REST_RGB_ON_LIGHT = 0x24405c;
@@ -36,6 +45,11 @@ final class LinePass {
                 case ACTION_LINES -> new LineStyle(0x009e73, 1, 2.6f, 5, 1.5f);
                 case HELICAL_AXES -> new LineStyle(0x0072b2, 1, 2.6f, 6, 1.5f);
             };
+        }
+
+        /** Of the parts behind a surface. */
+        LineStyle hidden() {
+            return new LineStyle(rgb, HIDDEN_OPACITY * opacity, width, pointSize, eyeOffset);
         }
 
         float[] rgba() {
@@ -72,20 +86,30 @@ final class LinePass {
         buffers.drawEdges(gl, true);
     }
 
+    /** Draws the chosen overlays; those that run inside the body are faint where a surface hides them. */
     void drawOverlays(GL3 gl, List<OverlayBuffers> overlays, ViewTransform transform, SceneStyle style) {
         for (OverlayBuffers overlay : overlays) {
             if (!style.lines().overlays().contains(overlay.kind())) {
                 continue;
             }
             LineStyle drawn = LineStyle.of(overlay.kind());
-            useLines(gl, transform, style, transform.view());
-            lines.set(gl, "faded", 0);
-            setLine(gl, transform, drawn.rgba(), drawn.width(), drawn.eyeOffset());
-            overlay.drawLines(gl);
-            if (overlay.hasPoints()) {
-                usePoints(gl, transform, style, drawn);
-                overlay.drawPoints(gl);
+            draw(gl, overlay, transform, style, drawn);
+            if (SEEN_THROUGH.contains(overlay.kind())) {
+                gl.glDepthFunc(GL3.GL_GREATER);
+                draw(gl, overlay, transform, style, drawn.hidden());
+                gl.glDepthFunc(GL3.GL_LESS);
             }
+        }
+    }
+
+    private void draw(GL3 gl, OverlayBuffers overlay, ViewTransform transform, SceneStyle style, LineStyle drawn) {
+        useLines(gl, transform, style, transform.view());
+        lines.set(gl, "faded", 0);
+        setLine(gl, transform, drawn.rgba(), drawn.width(), drawn.eyeOffset());
+        overlay.drawLines(gl);
+        if (overlay.hasPoints()) {
+            usePoints(gl, transform, style, drawn);
+            overlay.drawPoints(gl);
         }
     }
 

@@ -262,6 +262,20 @@ class RendererTest {
         fixture.offscreen.release(renderer);
     }
 
+    @Test
+    void attachmentsWithinTheBodyAreSeenThroughItsSkin() {
+        Renderer renderer = new Renderer(fixture.surfaces, fixture.overlays);
+        String skin = fixture.name(StructureKind.SKIN);
+        SceneStyle opaque = fixture.only(fixture.style(), StructureKind.SKIN)
+                .withAppearance(
+                        skin, fixture.style().appearance(skin).orElseThrow().withOpacity(1));
+        SceneStyle attachments = opaque.withOverlays(EnumSet.of(Overlay.Kind.ATTACHMENTS));
+        assertThat(PictureDifference.of(draw(renderer, opaque), draw(renderer, attachments))
+                        .mean())
+                .isGreaterThan(5);
+        fixture.offscreen.release(renderer);
+    }
+
     /** The pixel at the middle of all that is not background, told by its place in the picture of the liver. */
     private static int middle(BufferedImage image) {
         long sumX = 0;
