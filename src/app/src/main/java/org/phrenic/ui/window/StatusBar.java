@@ -16,8 +16,9 @@ import org.phrenic.ui.widget.Theme;
 
 /** The status bar: the structure clicked last, and time, step and speed of the simulation in fields of fixed width. */
 final class StatusBar extends JPanel {
-    private static final String QUALITY_TIP = "Resolution of the meshes, and drawn over shown pixels: drawing gives way"
-            + " before time does, and comes back when there is time";
+    private static final String QUALITY_TIP = "Resolution of the meshes, and the share of the view's pixels that is"
+            + " drawn along each side: on a slow machine the picture becomes coarser before the breath"
+            + " becomes slower";
 
     private static final String SLOW_TIP =
             "Slower than it should be: this machine is busy, or too slow for the resolution;"
@@ -35,7 +36,7 @@ final class StatusBar extends JPanel {
         pickedLabel.setName("pointed");
         pickedLabel.getAccessibleContext().setAccessibleName("Structure and place pointed at");
         add(pickedLabel, "growx, wmin 0");
-        addField("quality", QUALITY_TIP, "Medium, drawn at 0.70");
+        addField("quality", QUALITY_TIP, "Medium, drawn at 0.70 of full sharpness");
         addField("phase", "Phase of the breath", "post-expiratory");
         addField("time", "Simulated time", "t 0000.00 s");
         addField("step", "Steps since the start", "step 0 000 000");
@@ -81,7 +82,7 @@ final class StatusBar extends JPanel {
 
     /** @param drawn drawn over shown pixels along each side of the view */
     void showResolution(double drawn) {
-        String coarser = drawn < 1 ? ", drawn at " + trimmed(drawn) : "";
+        String coarser = drawn < 1 ? ", drawn at " + trimmed(drawn) + " of full sharpness" : "";
         set("quality", meshes + coarser);
     }
 
