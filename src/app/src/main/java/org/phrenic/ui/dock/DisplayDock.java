@@ -94,7 +94,7 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
     private final JComboBox<Clip> clip =
             Controls.describe(new JComboBox<>(Clip.values()), "Clip plane", "Cut away what lies beyond a plane");
     private final JSlider clipSlider = Controls.describe(
-            new JSlider(0, SLIDER_MAX, SLIDER_MAX / 2), "Place of the clip plane", "Where the plane is");
+            Controls.slider(0, SLIDER_MAX, SLIDER_MAX / 2), "Place of the clip plane", "Where the plane is");
     private transient double[] bounds = new double[6];
 
     public DisplayDock(Session session, AppearanceModel appearance) {

@@ -66,8 +66,8 @@ public final class OrgansDock extends ScrollablePanel implements Session.Listene
         visible.addActionListener(e -> change(group, look -> look.withVisible(visible.isSelected())));
         JButton colour = Controls.iconButton(swatch(group), label + " colour", () -> pickColour(group));
         colour.setToolTipText("Colour of: " + label);
-        JSlider opacity =
-                Controls.describe(new JSlider(0, PERCENT), label + " opacity", "Opacity in percent: " + label);
+        JSlider opacity = Controls.describe(
+                Controls.slider(0, PERCENT, PERCENT), label + " opacity", "Opacity in percent: " + label);
         opacity.addChangeListener(e -> {
             if (!updating) {
                 change(group, look -> look.withOpacity(opacity.getValue() / (float) PERCENT));

@@ -32,7 +32,7 @@ final class SliderRow extends SettingRow {
     private final transient NumberSetting setting;
     private final String unit;
     private final transient SliderScale scale;
-    private final JSlider slider = new JSlider(0, SliderScale.POSITIONS);
+    private final JSlider slider = Controls.slider(0, SliderScale.POSITIONS, 0);
     private final JTextField field = new JTextField();
     private final JButton reset;
     private final transient RateLimiter rateLimiter = new RateLimiter(this::send, System::nanoTime);

@@ -3,7 +3,9 @@ package org.phrenic.ui.widget;
 import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Point;
 import java.awt.RenderingHints;
+import java.awt.event.MouseEvent;
 import java.util.function.Function;
 import javax.swing.AbstractButton;
 import javax.swing.DefaultListCellRenderer;
@@ -13,12 +15,16 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
+import javax.swing.JSlider;
 import javax.swing.JToggleButton;
 import javax.swing.ListCellRenderer;
 import net.miginfocom.swing.MigLayout;
 
 /** Makes controls of one style; each has a tooltip and an accessible name. */
 public final class Controls {
+    /** Between a control and the tooltip below it, pixels. */
+    private static final int TIP_GAP = 2;
+
     private Controls() {}
 
     /** Names a control for screen readers and tests, and gives it a tooltip. */
@@ -27,6 +33,16 @@ public final class Controls {
         control.getAccessibleContext().setAccessibleName(name);
         control.setToolTipText(tip);
         return control;
+    }
+
+    /** A slider whose tooltip appears below it, so that its knob stays in sight. */
+    public static JSlider slider(int minimum, int maximum, int value) {
+        return new JSlider(minimum, maximum, value) {
+            @Override
+            public Point getToolTipLocation(MouseEvent e) {
+                return new Point(0, getHeight() + TIP_GAP);
+            }
+        };
     }
 
     public static JButton button(String text, String tip, Runnable action) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.data.Percentage.withPercentage;
 
 import java.awt.Paint;
+import java.awt.event.MouseEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -241,6 +242,22 @@ class DocksTest {
         } finally {
             EventThread.run(own::close);
         }
+    }
+
+    @Test
+    void aSmallNumberIsShownWholeAndTheTipOfASliderLeavesItInSight() {
+        EventThread.run(() -> {
+            ParameterDock dock = new ParameterDock(session);
+            SliderRow row = row(dock, "time_step_s");
+            row.field().setText("0.001234");
+            row.setSize(300, row.getPreferredSize().height);
+            row.doLayout();
+            assertThat(row.field().getWidth())
+                    .isGreaterThanOrEqualTo(row.field().getPreferredSize().width);
+            MouseEvent over = new MouseEvent(row.slider(), MouseEvent.MOUSE_MOVED, 0, 0, 20, 5, 0, false);
+            assertThat(row.slider().getToolTipLocation(over).y)
+                    .isGreaterThanOrEqualTo(row.slider().getHeight());
+        });
     }
 
     @Test

@@ -32,11 +32,11 @@ public final class FluoroscopyDock extends AccessPanel {
     private final JToggleButton beam =
             toggle("X-ray on", "X-ray on", "Takes pictures, at most three a second, while it is on", this::switchBeam);
     private final JSlider oblique = Controls.describe(
-            new JSlider(-MOST_OBLIQUE_DEG, MOST_OBLIQUE_DEG, 0),
+            Controls.slider(-MOST_OBLIQUE_DEG, MOST_OBLIQUE_DEG, 0),
             "C-arm to the left",
             "Turns the detector toward the patient's left (LAO) or right (RAO), degrees; 0 is frontal");
     private final JSlider cranial = Controls.describe(
-            new JSlider(-MOST_CRANIAL_DEG, MOST_CRANIAL_DEG, 0),
+            Controls.slider(-MOST_CRANIAL_DEG, MOST_CRANIAL_DEG, 0),
             "C-arm to the head",
             "Turns the detector toward the head (cranial) or the feet (caudal), degrees");
     private final JLabel obliqueText = new JLabel();

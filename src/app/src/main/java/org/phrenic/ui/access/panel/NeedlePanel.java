@@ -27,7 +27,7 @@ final class NeedlePanel extends AccessPanel {
     private static final Double[] SPEEDS_MM_PER_S = {10.0, 25.0, 50.0, 100.0, 200.0};
 
     private final JSlider depth = Controls.describe(
-            new JSlider(0, DEFAULT_LENGTH_MM, 0),
+            Controls.slider(0, DEFAULT_LENGTH_MM, 0),
             "Depth of the tip",
             "Drag to insert or withdraw; so do the wheel over the view and the keys I and W");
     private final JLabel depthText = new JLabel("Not in the body");

@@ -106,7 +106,7 @@ public final class UltrasoundDock extends AccessPanel {
     /** @param range least, greatest and first position */
     private static void addSlider(
             JPanel panel, String name, String tip, String format, int[] range, double perStep, DoubleConsumer set) {
-        JSlider slider = Controls.describe(new JSlider(range[0], range[1], range[2]), name, tip);
+        JSlider slider = Controls.describe(Controls.slider(range[0], range[1], range[2]), name, tip);
         JLabel value = new JLabel(NumberFormats.text(format, perStep * range[2]));
         slider.addChangeListener(e -> {
             value.setText(NumberFormats.text(format, perStep * slider.getValue()));
