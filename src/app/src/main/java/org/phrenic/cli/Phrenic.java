@@ -51,6 +51,7 @@ import picocli.CommandLine.Spec;
         })
 public final class Phrenic implements Callable<Integer> {
     private static final Path DEFAULT_OUT = Path.of("phrenic-out");
+    private static final String LOG_FORMAT = "java.util.logging.SimpleFormatter.format";
 
     @Spec
     private CommandSpec spec;
@@ -63,6 +64,7 @@ public final class Phrenic implements Callable<Integer> {
 
     /** Ends the process with the exit code of {@link #execute}. */
     public static void main(String[] args) {
+        printLogWithoutClasses();
         StandardOutput results = new StandardOutput();
         PrintWriter out = new PrintWriter(results, true, StandardCharsets.UTF_8);
         PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
@@ -81,6 +83,13 @@ public final class Phrenic implements Callable<Integer> {
         }
         err.flush();
         System.exit(code);
+    }
+
+    /** Lets the log on stderr consist of messages, without class and level, unless a format is set. */
+    static void printLogWithoutClasses() {
+        if (System.getProperty(LOG_FORMAT) == null) {
+            System.setProperty(LOG_FORMAT, "%5$s%6$s%n");
+        }
     }
 
     /** Whether the jars of {@code lib} are there. This class loads without them. */

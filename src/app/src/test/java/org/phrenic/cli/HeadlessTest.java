@@ -117,6 +117,28 @@ class HeadlessTest {
         assertNoScreen(loadedBy("info", "data/scenarios/quiet.yaml"));
     }
 
+    /** Logs a line as the program does. */
+    static final class OneLogLine {
+        public static void main(String[] args) {
+            Phrenic.printLogWithoutClasses();
+            System.getLogger(OneLogLine.class.getName()).log(System.Logger.Level.INFO, "Pictures by {0}", "a card");
+        }
+    }
+
+    @Test
+    void theLogOnStderrNamesNoClass() throws Exception {
+        Process process = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        SHORT_LIVED,
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        OneLogLine.class.getName())
+                .redirectError(folder.resolve("stderr").toFile())
+                .start();
+        assertThat(process.waitFor(PATIENCE_S, TimeUnit.SECONDS)).isTrue();
+        assertThat(Files.readAllLines(folder.resolve("stderr"))).containsExactly("Pictures by a card");
+    }
+
     @Test
     void resultsThatCannotBePrintedAreAFailure() throws Exception {
         Path full = Path.of("/dev/full");

@@ -195,7 +195,7 @@ public final class RenderLoop implements AutoCloseable {
 
     private void run() {
         try (OffscreenContext gl = OffscreenContext.open()) {
-            LOG.log(System.Logger.Level.INFO, "Pictures by {0}", gl.info());
+            LOG.log(System.Logger.Level.INFO, "Pictures by {0}", gl.info().description());
             listener.onReady(gl.info());
             loop(gl);
         } catch (NoGraphicsException e) {

@@ -30,6 +30,11 @@ public record GraphicsInfo(
                 Math.min(number(gl, GL3.GL_MAX_RENDERBUFFER_SIZE), number(gl, GL3.GL_MAX_TEXTURE_SIZE)));
     }
 
+    /** What draws, in words. */
+    public String description() {
+        return renderer + ", OpenGL " + version + (software ? ", on the processor" : "");
+    }
+
     /** Value of an integer state variable ({@code glGetIntegerv}). */
     static int number(GL3 gl, int name) {
         int[] value = new int[1];
