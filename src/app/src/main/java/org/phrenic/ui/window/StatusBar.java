@@ -31,13 +31,13 @@ final class StatusBar extends JPanel {
     private String meshes = "";
 
     StatusBar() {
-        super(new MigLayout("insets 3 10 3 10, gap 14, novisualpadding, hidemode 3", "[grow, 0::]", "[]"));
+        super(new MigLayout("insets 3 10 3 10, gap 10, novisualpadding, hidemode 3", "[grow, 0::]", "[]"));
         setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Theme.BORDER));
         pickedLabel.setName("pointed");
         pickedLabel.getAccessibleContext().setAccessibleName("Structure and place pointed at");
         add(pickedLabel, "growx, wmin 0");
-        addField("quality", QUALITY_TIP, "Medium, drawn at 0.70 of full sharpness");
-        addField("phase", "Phase of the breath", "post-expiratory");
+        addField("quality", QUALITY_TIP, "Medium, drawn at 0.70 sharpness");
+        addField("phase", "Phase of the breath", "inspiration");
         addField("time", "Simulated time", "t 0000.00 s");
         addField("step", "Steps since the start", "step 0 000 000");
         addField("dt", "Time step, and the substeps it is split into", "dt 10.000 ms / 10");
@@ -82,7 +82,7 @@ final class StatusBar extends JPanel {
 
     /** @param drawn drawn over shown pixels along each side of the view */
     void showResolution(double drawn) {
-        String coarser = drawn < 1 ? ", drawn at " + trimmed(drawn) + " of full sharpness" : "";
+        String coarser = drawn < 1 ? ", drawn at " + trimmed(drawn) + " sharpness" : "";
         set("quality", meshes + coarser);
     }
 
