@@ -98,6 +98,7 @@ final class StatusBar extends JPanel {
     /** Names the structure under the cursor at the last click. */
     void showPicked(String text) {
         pickedLabel.setText(text.isEmpty() ? " " : text);
+        pickedLabel.setToolTipText(text.isEmpty() ? null : text);
         pickedLabel.setFont(pickedLabel.getFont().deriveFont(text.isEmpty() ? Font.PLAIN : Font.BOLD));
     }
 
