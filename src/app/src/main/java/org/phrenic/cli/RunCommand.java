@@ -66,8 +66,7 @@ final class RunCommand extends ReportingCommand {
             remarks.put("chosen", chosen.sentence());
         }
         Breathing.traceDescription(scenario).ifPresent(sentence -> remarks.put("trace_read", sentence));
-        Map<String, Object> summary = RunReport.run(scenario, remarks, out, err());
-        print(summary, () -> RunReport.table(summary));
+        RunReport.run(scenario, remarks, out, err(), summary -> print(summary, () -> RunReport.table(summary)));
         return ExitCode.SUCCESS;
     }
 

@@ -26,6 +26,9 @@ public final class SimulationRun {
 
         /** A remark to show once, such as a mesh repair or the use of substeps. */
         default void note(String sentence) {}
+
+        /** The summary, before any file of it is written. */
+        default void measured(Map<String, Object> summary) {}
     }
 
     private static final double PROGRESS_EVERY_S = 0.1;
@@ -74,6 +77,7 @@ public final class SimulationRun {
                 double stepping = stepToEnd(scenario, simulation, samples, recorder, progress);
                 Map<String, Object> summary = summary(scenario, simulation, thorax, samples, stepping, untilFirstStep);
                 summary.putAll(remarks);
+                progress.measured(summary);
                 recorder.writeResults(summary, samples);
                 return summary;
             }

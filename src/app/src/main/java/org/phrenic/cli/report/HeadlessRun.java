@@ -28,7 +28,7 @@ public final class HeadlessRun {
      */
     public static void run(Path out, PrintWriter stdout, PrintWriter stderr) {
         Scenario scenario = Scenario.defaults();
-        stdout.print(RunReport.table(RunReport.run(scenario, Map.of(), out, stderr)));
+        RunReport.run(scenario, Map.of(), out, stderr, summary -> stdout.print(RunReport.table(summary)));
         stdout.flush();
         Path observables = out.resolve("observables.csv");
         System.setProperty("java.awt.headless", "true");

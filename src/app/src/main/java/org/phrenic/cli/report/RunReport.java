@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.document.report.Disclaimer;
@@ -30,20 +31,31 @@ public final class RunReport {
     private RunReport() {}
 
     /**
-     * Runs a scenario and returns its summary.
+     * Runs a scenario.
      *
      * @param remarks entries added to the summary and printed when the run begins
      * @param out output folder; null for none
+     * @param show gets the summary before it is written, so that a full disk loses no result
      */
-    public static Map<String, Object> run(
-            Scenario scenario, Map<String, String> remarks, Path out, PrintWriter stderr) {
+    public static void run(
+            Scenario scenario,
+            Map<String, String> remarks,
+            Path out,
+            PrintWriter stderr,
+            Consumer<Map<String, Object>> show) {
         if (out != null) {
             ReportFolder.requireWritable(out);
         }
-        ConsoleProgress progress = new ConsoleProgress(stderr);
+        ConsoleProgress progress = new ConsoleProgress(stderr) {
+            @Override
+            public void measured(Map<String, Object> summary) {
+                end();
+                show.accept(summary);
+            }
+        };
         remarks.values().forEach(progress::note);
         try {
-            return SimulationRun.run(scenario, out, progress, remarks);
+            SimulationRun.run(scenario, out, progress, remarks);
         } finally {
             progress.end();
         }
