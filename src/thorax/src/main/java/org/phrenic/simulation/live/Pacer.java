@@ -13,6 +13,9 @@ final class Pacer {
 
     private static final long MEASURE_NS = 250_000_000;
 
+    /** Share of the last measurement in the rate that tells whether the pace is kept: a mean over about two seconds. */
+    private static final double LATEST_SHARE = 0.125;
+
     private double speed = 1;
     private double anchorS;
     private long anchorNs;
@@ -21,6 +24,7 @@ final class Pacer {
     private double measuredS;
     private double stepsPerS;
     private double realtime;
+    private double meanRealtime;
 
     /** Sets the simulated seconds per second of wall time; infinite for no limit. */
     void setSpeed(double factor, double nowS) {
@@ -40,6 +44,7 @@ final class Pacer {
         measuredNs = anchorNs;
         measuredSteps = steps;
         measuredS = nowS;
+        meanRealtime = Double.isInfinite(speed) ? 0 : speed;
     }
 
     /** Time to wait, ns, until a step from this simulated time is due; 0 or less if it is due. */
@@ -64,6 +69,7 @@ final class Pacer {
             double wall = (now - measuredNs) * 1e-9;
             stepsPerS = (steps - measuredSteps) / wall;
             realtime = (nowS - measuredS) / wall;
+            meanRealtime += LATEST_SHARE * (realtime - meanRealtime);
             measuredNs = now;
             measuredSteps = steps;
             measuredS = nowS;
@@ -71,9 +77,9 @@ final class Pacer {
         return due;
     }
 
-    /** Whether the rate is below the requested one. Always true without a limit. */
+    /** Whether the mean rate is below the requested one. Always true without a limit. */
     boolean isBehind() {
-        return realtime < ON_PACE_SHARE * speed;
+        return meanRealtime < ON_PACE_SHARE * speed;
     }
 
     double stepsPerS() {
