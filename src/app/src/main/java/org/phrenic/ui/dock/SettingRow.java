@@ -14,7 +14,7 @@ import org.phrenic.ui.widget.Theme;
 /** A row of a dock for one setting: a label above its controls, and perhaps a message below them. */
 abstract class SettingRow extends JPanel {
     /** Slider, number, unit, reset; the number has room for a small one such as 0.001234. */
-    private static final String COLUMNS = "[40:80:,grow,fill]6[78!]4[50!]2[20!]";
+    private static final String COLUMNS = "[40:80:,grow,fill]6[84!]4[50!]2[20!]";
 
     private static final Pattern SPACES = Pattern.compile("\\s+");
 
