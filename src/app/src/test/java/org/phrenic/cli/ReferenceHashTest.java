@@ -30,7 +30,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class ReferenceHashTest {
     private static final Pattern HASH = Pattern.compile("\"state_sha256\"\\s*:\\s*\"([0-9a-f]{64})\"");
     private static final Path SHARED = Path.of("..", "shared");
-    private static final String PLAN_HASH = "b85f42fdcdc3d3c183e041ca6af7850846a7cbdea73fc094221d6383b67f56d4";
+    private static final String PLAN_HASH = "3af463669e7007409be5cd04340a503be42db661677d88be3f91a4d7c56523b6";
 
     record ReferenceScene(String name, String options, String hash) {
         @Override

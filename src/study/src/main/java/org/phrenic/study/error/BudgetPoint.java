@@ -82,6 +82,7 @@ public record BudgetPoint(
 
     private static double equilibrium(BudgetTable table, BudgetRow row) {
         return table.rows(BudgetPart.EQUILIBRIUM, row.body(), row.breath(), row.mesh()).stream()
+                .filter(r -> !r.isOfNewton())
                 .mapToDouble(BudgetRow::percent)
                 .max()
                 .orElse(Double.NaN);

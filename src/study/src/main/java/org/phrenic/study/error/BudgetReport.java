@@ -8,6 +8,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
@@ -189,23 +190,40 @@ public final class BudgetReport {
                 Column.number("x real time")));
         EquilibriumLag.phases().forEach(phase -> columns.add(Column.number("rms at " + phase + ", %")));
         columns.add(Column.number("max, mm"));
+        columns.add(Column.number("drift, %"));
+        columns.add(Column.number("Newton, %"));
         List<List<String>> rows = new ArrayList<>();
         scenes.forEach((scene, phases) -> {
             BudgetRow first = phases.get(0);
             List<String> cells = new ArrayList<>(scene);
             cells.add(format("%.2f", first.excursionMm()));
             cells.add(Double.isNaN(first.realTime()) ? "" : format("%.2f", first.realTime()));
-            phases.forEach(row -> cells.add(format("%.2f", row.percent())));
-            cells.add(format(
-                    "%.2g", phases.stream().mapToDouble(BudgetRow::maxMm).max().orElseThrow()));
+            List<BudgetRow> held =
+                    phases.stream().filter(row -> !row.isOfNewton()).toList();
+            held.forEach(row -> cells.add(format("%.2f", row.percent())));
+            cells.add(greatest(held, BudgetRow::maxMm));
+            cells.add(greatest(held, row -> 100 * row.uncertaintyMm() / row.excursionMm()));
+            cells.add(greatest(phases.stream().filter(BudgetRow::isOfNewton).toList(), BudgetRow::percent));
             rows.add(cells);
         });
         page.section("Distance from equilibrium");
         page.paragraph("Ribs, muscle and pressure are stopped at a phase of the breath, in parts of its period; rms"
-                + " distance of the diaphragm's nodes from the equilibrium there, in per cent of the excursion, and the"
-                + " greatest distance of a node at any of the phases. A mesh with the name of a scenario is of its"
+                + " distance of the diaphragm's nodes from where they come to rest in 4 s, in per cent of the excursion. Of"
+                + " all phases: the greatest distance of a node, the greatest rms that the nodes still move in the last"
+                + " 2 s, and the greatest rms distance from the equilibrium that Newton's method finds from there,"
+                + " which may be that of another fold. A mesh with the name of a scenario is of its"
                 + " settings, the others are of the defaults.");
         page.table("", columns, rows);
+    }
+
+    /** The greatest known value of some rows; empty if none is known. */
+    private static String greatest(List<BudgetRow> rows, ToDoubleFunction<BudgetRow> value) {
+        double greatest = rows.stream()
+                .mapToDouble(value)
+                .filter(v -> !Double.isNaN(v))
+                .max()
+                .orElse(Double.NaN);
+        return Double.isNaN(greatest) ? "" : format("%.2g", greatest);
     }
 
     private void addOrder(ReportDocument page) {

@@ -36,6 +36,9 @@ public record BudgetRow(
         double uncertaintyMm,
         double cpuS,
         double realTime) {
+    /** End of the setting of rows that hold a breath against Newton's equilibrium. */
+    static final String NEWTON = ", Newton";
+
     private static final int DIGITS = 5;
     private static final double EQUILATERAL = 2 / Math.sqrt(3);
 
@@ -56,6 +59,11 @@ public record BudgetRow(
     /** Whether the row is of a part of the budget of a scene. */
     boolean isOf(BudgetPart wanted, String onBody, String ofBreath, String onMesh) {
         return part == wanted && body.equals(onBody) && breath.equals(ofBreath) && mesh.equals(onMesh);
+    }
+
+    /** Whether the row holds a breath against Newton's equilibrium instead of the one that the held body takes. */
+    boolean isOfNewton() {
+        return setting.endsWith(NEWTON);
     }
 
     /** Distance in per cent of the excursion. */

@@ -177,22 +177,30 @@ public final class BudgetStudy {
             SolverSettings settings = SolverSettings.of(scenario);
             Trajectory run = runs.run(settings);
             double excursionMm = runs.excursionMm(run);
-            return EquilibriumLag.of(runs, run, settings).stream()
-                    .map(lag -> new BudgetRow(
-                            BudgetPart.EQUILIBRIUM,
-                            names.get(0),
-                            names.get(1),
-                            names.get(2),
-                            SolverSettings.number(lag.timeS()) + " s",
-                            true,
-                            Double.NaN,
-                            excursionMm,
-                            lag.rmsMm(),
-                            lag.maxMm(),
-                            Double.NaN,
-                            run.cpuS(),
-                            runs.durationS() / run.cpuS()))
-                    .toList();
+            List<BudgetRow> rows = new ArrayList<>();
+            for (EquilibriumLag lag : EquilibriumLag.of(runs, run, settings)) {
+                String phase = SolverSettings.number(lag.timeS()) + " s";
+                rows.add(new BudgetRow(
+                        BudgetPart.EQUILIBRIUM,
+                        names.get(0),
+                        names.get(1),
+                        names.get(2),
+                        phase,
+                        true,
+                        Double.NaN,
+                        excursionMm,
+                        lag.heldRmsMm(),
+                        lag.heldMaxMm(),
+                        lag.heldDriftMm(),
+                        run.cpuS(),
+                        runs.durationS() / run.cpuS()));
+                List<String> newton = new ArrayList<>(names);
+                newton.add(phase + BudgetRow.NEWTON);
+                rows.add(row(
+                        BudgetPart.EQUILIBRIUM, newton, excursionMm, new double[] {lag.rmsMm(), lag.maxMm(), Double.NaN
+                        }));
+            }
+            return rows;
         }
     }
 

@@ -11,13 +11,17 @@ import org.phrenic.engine.integrator.IntegratorKind;
 
 /**
  * Distance of a breathing scene from quasi-static equilibrium. The drive (ribs, muscle and pressure) is stopped at a
- * phase of the breath. The nodes then relax under the scene's own forces, constraints and viscosity. From the relaxed
- * state Newton's method finds the equilibrium of the diaphragm, on which no other structure exerts force
- * ({@link NewtonEquilibrium}). The lungs keep their relaxed positions, because their soft folds have many equilibria.
+ * phase of the breath. The nodes then come to rest under the scene's own forces, constraints and viscosity: the
+ * equilibrium that the held body takes. From there Newton's method finds an equilibrium of the diaphragm, on which no
+ * other structure exerts force ({@link NewtonEquilibrium}); where the sheet is folded, it may be that of another fold.
+ * The lungs keep their relaxed positions, because their soft folds have many equilibria.
  *
  * @param timeS time at which the breath was stopped, s
- * @param rmsMm rms distance of the diaphragm's nodes from equilibrium, mm
- * @param maxMm maximum distance of the diaphragm's nodes from equilibrium, mm
+ * @param heldRmsMm rms distance of the diaphragm's nodes from where they come to rest, mm
+ * @param heldMaxMm maximum distance of the diaphragm's nodes from where they come to rest, mm
+ * @param heldDriftMm rms distance that the diaphragm's nodes still move in the second half of the relaxation, mm
+ * @param rmsMm rms distance of the diaphragm's nodes from Newton's equilibrium, mm
+ * @param maxMm maximum distance of the diaphragm's nodes from Newton's equilibrium, mm
  * @param relaxedRmsMm rms distance of all nodes from their relaxed positions, mm
  * @param relaxedMaxMm maximum distance of all nodes from their relaxed positions, mm
  * @param relaxationErrorMm rms distance of the relaxed diaphragm from its equilibrium, mm
@@ -25,14 +29,17 @@ import org.phrenic.engine.integrator.IntegratorKind;
  */
 public record EquilibriumLag(
         double timeS,
+        double heldRmsMm,
+        double heldMaxMm,
+        double heldDriftMm,
         double rmsMm,
         double maxMm,
         double relaxedRmsMm,
         double relaxedMaxMm,
         @Key("relaxation_left_mm") double relaxationErrorMm,
         NewtonEquilibrium.Result newton) {
-    /** Relaxation time, s. The slowest modes (about 5 1/s, nearly critically damped) decay to a thousandth in it. */
-    private static final double RELAX_S = 2;
+    /** Half the relaxation time, s. The slowest modes (about 5 1/s, nearly critically damped) decay to a thousandth. */
+    private static final double HALF_S = 2;
 
     private static final double[] PHASES = {0.15, 0.3, 0.45, 0.75};
     /** Force tolerance, mN: at most 1e-7 of the pressure load on a node. */
@@ -64,21 +71,38 @@ public record EquilibriumLag(
             Arrays.fill(system.velocities(), 0);
             system.invalidate();
             Integrator integrator = IntegratorKind.VERLET.create(system);
-            long steps = Math.round(RELAX_S / settings.timeStepS());
-            for (long i = 0; i < steps; i++) {
-                // Every step ends at the same time, so the drive does not move.
-                integrator.step(timeS - settings.timeStepS(), settings.timeStepS());
-            }
+            hold(integrator, timeS, settings.timeStepS());
+            Trajectory half = snapshot(system.positions().clone());
+            hold(integrator, timeS, settings.timeStepS());
             Trajectory relaxed = snapshot(system.positions().clone());
             NewtonEquilibrium.Result newton =
                     new NewtonEquilibrium(system, timeS, mayMove).findEquilibrium(TOLERANCE_MN, MAX_ROUNDS);
             Trajectory rest = snapshot(system.positions());
             double[] all = snapshot(seen).distanceFrom(relaxed);
             double[] distance = snapshot(seen).distanceFrom(rest, sheet);
+            double[] held = snapshot(seen).distanceFrom(relaxed, sheet);
+            double drift = half.distanceFrom(relaxed, sheet)[0];
             list.add(new EquilibriumLag(
-                    timeS, distance[0], distance[1], all[0], all[1], relaxed.distanceFrom(rest, sheet)[0], newton));
+                    timeS,
+                    held[0],
+                    held[1],
+                    drift,
+                    distance[0],
+                    distance[1],
+                    all[0],
+                    all[1],
+                    relaxed.distanceFrom(rest, sheet)[0],
+                    newton));
         }
         return list;
+    }
+
+    /** Steps whose drive does not move: every one ends at the same time. */
+    private static void hold(Integrator integrator, double timeS, double stepS) {
+        long steps = Math.round(HALF_S / stepS);
+        for (long i = 0; i < steps; i++) {
+            integrator.step(timeS - stepS, stepS);
+        }
     }
 
     private static Trajectory snapshot(double[] positions) {

@@ -124,18 +124,18 @@ public final class ErrorReport {
     /** Describes the distance from equilibrium at one phase. */
     public static String lagSentence(ErrorStudy study, EquilibriumLag lag) {
         NewtonEquilibrium.Result newton = lag.newton();
-        String distances = "At %.1f s the reference's diaphragm is %.3g mm rms (%.2g %%) and at most %.3g mm from the"
-                + " equilibrium of ribs, muscle and pressure at that time, and all its nodes %.3g mm rms from where"
-                + " they come to rest by themselves.";
-        double percent = study.percent(lag.rmsMm());
+        String distances = "At %.1f s the reference's diaphragm is %.3g mm rms (%.2g %%) and at most %.3g mm from"
+                + " where it comes to rest with ribs, muscle and pressure of that time, and %.3g mm rms from the"
+                + " equilibrium that Newton's method finds.";
+        double percent = study.percent(lag.heldRmsMm());
         String outcome = newton.converged() ? "converged to" : "not converged,";
         double residual = newton.residualsMn()[newton.residualsMn().length - 1];
         String more = newton.activeSetSettled() ? "" : ", " + newton.activeSetChanges() + " more would change";
-        return format(distances, lag.timeS(), lag.rmsMm(), percent, lag.maxMm(), lag.relaxedRmsMm())
+        return format(distances, lag.timeS(), lag.heldRmsMm(), percent, lag.heldMaxMm(), lag.rmsMm())
                 + format(
                         " Newton: %s %.1g mN a node, %d constraints bind%s;",
                         outcome, residual, newton.activeRows(), more)
-                + format(" relaxation alone was %.2g mm rms off.", lag.relaxationErrorMm());
+                + format(" the two are %.2g mm rms apart.", lag.relaxationErrorMm());
     }
 
     /** Describes the mesh refinement errors, one sentence each. */

@@ -18,7 +18,7 @@ public final class Numerics {
     private static final double MAX_STEP_S = 0.1;
     private static final double MAX_STATED_REFRESH_S = 1;
     private static final double MAX_SCALED_STEP_S = 0.01;
-    private static final double SCALED_STEP_S = 0.0017;
+    private static final double SCALED_STEP_S = 0.0015;
     private static final double MAX_LIGHTNESS = 100;
     private static final double LIGHTNESS = 20;
     private static final double MAX_DAMPING_TIME_S = 10;

@@ -11,14 +11,17 @@ import org.phrenic.parameter.Setting;
 
 /**
  * Resistance of the diaphragm's muscle to bending. A plate of thickness h that is stretched by a membrane stiffness E h
- * has the bending stiffness D = E h · h² / 12 (1 - ν²): 0.1 to 0.7 N mm for 300 N/m and 2 to 5 mm.
+ * has the bending stiffness D = E h · h² / 12 (1 - ν²). The default, 0.1 N mm, is that of 300 N/m and 1.9 mm, the
+ * thickness of the zone of apposition at end-expiration in ultrasound; 5 mm have 0.7 N mm.
  */
 public final class SheetBending extends ScenePart {
+    private static final double STIFFNESS_N_MM = 0.1;
+
     public static final NumberSetting BENDING_STIFFNESS = Setting.named(
                     "bending_stiffness_n_mm", "Bending stiffness", Effect.ASSEMBLY)
             .describedAs("Physical material: bending stiffness of the diaphragm's muscle; E h (thickness)² / 11 of a"
                     + " plate.")
-            .number("N mm", 0, 10, values -> 0.0);
+            .number("N mm", 0, 10, values -> STIFFNESS_N_MM);
 
     private static final double MILLI = 1000;
 
