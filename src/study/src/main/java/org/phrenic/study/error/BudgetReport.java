@@ -209,10 +209,10 @@ public final class BudgetReport {
         page.section("Distance from equilibrium");
         page.paragraph("Ribs, muscle and pressure are stopped at a phase of the breath, in parts of its period; rms"
                 + " distance of the diaphragm's nodes from where they come to rest in 4 s, in per cent of the"
-                + " excursion. Of all phases: the greatest distance of a node, the greatest rms that the nodes still move in the"
-                + " last 2 s, and the greatest rms distance from the equilibrium that Newton's method finds from"
-                + " there, which may be that of another fold. A mesh with the name of a scenario is of its settings,"
-                + " the others are of the defaults.");
+                + " excursion. Of all phases: the greatest distance of a node, the greatest rms that the nodes still"
+                + " move in the last 2 s, and the greatest rms distance from the equilibrium that Newton's method"
+                + " finds from there, which may be that of another fold. A mesh with the name of a scenario is of its"
+                + " settings, the others are of the defaults.");
         page.table("", columns, rows);
     }
 
