@@ -11,11 +11,18 @@ import java.util.Optional;
  * @param row the setting's measurement of the error in time
  * @param timePercent rms distance from the reference, and the reference's uncertainty
  * @param resolved whether that distance is at least three times the reference's uncertainty
- * @param spacePercent difference of the excursion from that extrapolated to edge length 0; NaN if not measured
+ * @param spacePercent difference of the excursion from that extrapolated to edge length 0, or from that on the finest
+ *     mesh if no order of convergence is observed; NaN if not measured
+ * @param extrapolated whether an order of convergence in space is observed
  * @param equilibriumPercent largest rms distance from equilibrium at the phases; NaN if not measured
  */
 public record BudgetPoint(
-        BudgetRow row, double timePercent, boolean resolved, double spacePercent, double equilibriumPercent) {
+        BudgetRow row,
+        double timePercent,
+        boolean resolved,
+        double spacePercent,
+        boolean extrapolated,
+        double equilibriumPercent) {
     private static final double RESOLVED = 3;
 
     /** Sum of the parts, per cent. */
@@ -42,6 +49,9 @@ public record BudgetPoint(
                         100 * (row.rmsMm() + row.uncertaintyMm()) / row.excursionMm(),
                         row.rmsMm() >= RESOLVED * row.uncertaintyMm(),
                         space(table, row),
+                        convergence(table, row.body(), row.breath())
+                                .map(RichardsonFit::hasOrder)
+                                .orElse(false),
                         equilibrium(table, row)));
             }
         }
@@ -70,8 +80,14 @@ public record BudgetPoint(
 
     private static double space(BudgetTable table, BudgetRow row) {
         return convergence(table, row.body(), row.breath())
-                .map(fit -> 100 * Math.abs(usual(table, row).excursionMm() - fit.limit()) / Math.abs(fit.limit()))
+                .map(fit -> fit.hasOrder() ? fit.limit() : finest(table, row).excursionMm())
+                .map(limit -> 100 * Math.abs(usual(table, row).excursionMm() - limit) / Math.abs(limit))
                 .orElse(Double.NaN);
+    }
+
+    private static BudgetRow finest(BudgetTable table, BudgetRow row) {
+        List<BudgetRow> meshes = meshes(table, row.body(), row.breath());
+        return meshes.get(meshes.size() - 1);
     }
 
     /** The default's measurement on the same mesh. */

@@ -56,8 +56,16 @@ public final class BudgetReport {
 
     private static List<String> cells(BudgetPoint p) {
         BudgetRow row = p.row();
-        String remark =
-                (row.usual() ? "default" : "") + (p.resolved() ? "" : row.usual() ? ", unresolved" : "unresolved");
+        List<String> remarks = new ArrayList<>();
+        if (row.usual()) {
+            remarks.add("default");
+        }
+        if (!p.resolved()) {
+            remarks.add("unresolved");
+        }
+        if (!p.extrapolated() && !Double.isNaN(p.spacePercent())) {
+            remarks.add("no order");
+        }
         return List.of(
                 row.body(),
                 row.breath(),
@@ -70,7 +78,7 @@ public final class BudgetReport {
                 percent(p.equilibriumPercent()),
                 percent(p.wholePercent()),
                 format("%.2f", row.realTime()),
-                remark);
+                String.join(", ", remarks));
     }
 
     private static String percent(double value) {
@@ -92,7 +100,8 @@ public final class BudgetReport {
         page.points(provenance.toArray(String[]::new));
         page.paragraph("How each part is measured is described in error.md of the documentation. The parts of the"
                 + " whole are added. \"Unresolved\": the error in time is below three times the uncertainty of its"
-                + " reference; the sum of both is given.");
+                + " reference; the sum of both is given. \"No order\": the excursions do not converge as a power of"
+                + " the edge length; the part in space is the distance from the finest mesh, and no bound.");
         if (!points.isEmpty()) {
             page.section("The defaults");
             page.table("", COLUMNS, cells(true));
@@ -168,10 +177,9 @@ public final class BudgetReport {
     }
 
     private static String order(double order) {
-        double margin = 0.01;
-        return order < RichardsonFit.MIN_ORDER + margin
+        return order < RichardsonFit.MIN_ORDER + RichardsonFit.MARGIN
                 ? "none"
-                : order > RichardsonFit.MAX_ORDER - margin ? "above 4" : format("%.2f", order);
+                : order > RichardsonFit.MAX_ORDER - RichardsonFit.MARGIN ? "above 4" : format("%.2f", order);
     }
 
     private void addEquilibrium(ReportDocument page) {

@@ -19,6 +19,8 @@ public record RichardsonFit(double limit, double order, double deviation, boolea
 
     private static final double GOLDEN = 0.5 * (Math.sqrt(5) - 1);
     private static final int ITERATIONS = 60;
+    /** An order nearer to a bound is the bound. */
+    static final double MARGIN = 0.01;
 
     /**
      * Fits a quantity.
@@ -46,6 +48,11 @@ public record RichardsonFit(double limit, double order, double deviation, boolea
         double order = 0.5 * (low + high);
         double[] line = line(edges, values, order);
         return new RichardsonFit(line[0], order, Math.sqrt(line[2] / edges.length), isMonotone(values));
+    }
+
+    /** Whether an order of convergence is observed: the quantity converges, as a power between the bounds. */
+    public boolean hasOrder() {
+        return isMonotone && order > MIN_ORDER + MARGIN && order < MAX_ORDER - MARGIN;
     }
 
     private static boolean isMonotone(double[] values) {
