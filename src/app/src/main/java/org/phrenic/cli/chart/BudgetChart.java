@@ -23,6 +23,12 @@ import org.phrenic.study.error.BudgetPoint;
 public final class BudgetChart {
     private static final int PANEL_HEIGHT = 480;
     private static final int MARGIN_HEIGHT = 150;
+    /** Ratio of speeds up to which a point is beside a slower one. */
+    private static final double BESIDE = 1.5;
+    /** Ratio of speeds below which two points are one above the other. */
+    private static final double EQUAL = 1.1;
+    /** Ratio of errors up to which two labels may meet. */
+    private static final double LEVEL = 1.25;
 
     private BudgetChart() {}
 
@@ -106,17 +112,31 @@ public final class BudgetChart {
                 .sorted(Comparator.comparingDouble(p -> p.row().realTime()))
                 .toList();
         for (int i = 0; i < bySpeed.size(); i++) {
-            // Neighbours have their labels above and below, so that they do not overlap.
-            annotate(plot, bySpeed.get(i), label, i % 2 == 0 ? TextAnchor.BOTTOM_LEFT : TextAnchor.TOP_LEFT);
+            // Neighbours have their labels above and below, and a slower one to its left, so that they do not overlap.
+            BudgetPoint p = bySpeed.get(i);
+            boolean left = bySpeed.subList(i + 1, bySpeed.size()).stream().anyMatch(q -> isBeside(p, q));
+            annotate(plot, p, label, i % 2 == 0, left);
         }
         return plot;
     }
 
-    private static void annotate(XYPlot plot, BudgetPoint p, Label label, TextAnchor anchor) {
-        String text = "    " + label.of(p) + (p.row().usual() ? " (default)" : "");
+    /** Whether a faster point lies where the label of a point would be to its right. */
+    private static boolean isBeside(BudgetPoint p, BudgetPoint faster) {
+        double ratio = faster.row().realTime() / p.row().realTime();
+        double height = Math.abs(Math.log(faster.wholePercent() / p.wholePercent()));
+        return ratio > EQUAL && ratio < BESIDE && height < Math.log(LEVEL);
+    }
+
+    private static void annotate(XYPlot plot, BudgetPoint p, Label label, boolean above, boolean left) {
+        String name = label.of(p) + (p.row().usual() ? " (default)" : "");
+        String text = left ? name + "    " : "    " + name;
         XYTextAnnotation note = new XYTextAnnotation(text, p.row().realTime(), p.wholePercent());
         note.setFont(ChartStyle.font(12));
-        note.setTextAnchor(anchor);
+        if (left) {
+            note.setTextAnchor(above ? TextAnchor.BOTTOM_RIGHT : TextAnchor.TOP_RIGHT);
+        } else {
+            note.setTextAnchor(above ? TextAnchor.BOTTOM_LEFT : TextAnchor.TOP_LEFT);
+        }
         plot.addAnnotation(note);
     }
 }
