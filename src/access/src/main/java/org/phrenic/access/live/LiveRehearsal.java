@@ -113,13 +113,16 @@ public final class LiveRehearsal implements StepListener {
     /** While a needle by hand is in no body and nothing is asked of it, a frame changes nothing but what is shown. */
     @Override
     public boolean needsFrame() {
+        return isAtWork() || System.nanoTime() - describedNs > IDLE_NS;
+    }
+
+    private boolean isAtWork() {
         return needle == null
                 || player != null
                 || needle.shaft().isPlaced()
                 || !requests.isEmpty()
                 || hand.isAsked()
-                || turns.asked().isPresent()
-                || System.nanoTime() - describedNs > IDLE_NS;
+                || turns.asked().isPresent();
     }
 
     /** A needle by hand changes only breath holds, which need no frame; its end needs the state of the step. */
@@ -142,7 +145,8 @@ public final class LiveRehearsal implements StepListener {
     @Override
     public boolean passes(double nowS, RespiratoryPhase doing, int breath) {
         synchronized (stepLock) {
-            if (needsFrame() || !maySeeFrameLater()) {
+            // The frame at work is described, however late it is.
+            if (isAtWork() || !maySeeFrameLater()) {
                 return false;
             }
             takeNote(nowS, doing, breath);
