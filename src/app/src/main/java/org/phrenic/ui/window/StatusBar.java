@@ -66,11 +66,15 @@ final class StatusBar extends JPanel {
         set("time", String.format(Locale.ROOT, "t %.2f s", s.timeS()));
         set("step", "step " + withThousands(s.step()));
         set("dt", "dt " + trimmed(1000 * s.dtS()) + " ms" + (s.substeps() > 1 ? " / " + s.substeps() : ""));
-        set("steps", withThousands(Math.round(s.stepsPerS())) + " steps/s");
-        set("realtime", String.format(Locale.ROOT, "%.2fx real time", s.realtimeFactor()));
+        set("steps", s.playing() ? withThousands(Math.round(s.stepsPerS())) + " steps/s" : " ");
+        set("realtime", s.playing() ? String.format(Locale.ROOT, "%.2fx real time", s.realtimeFactor()) : idle(s));
         JLabel dt = fields.get("dt");
         dt.setToolTipText(s.stabilityMessage().isEmpty() ? "Time step" : s.stabilityMessage());
         dt.setForeground(s.stabilityMessage().isEmpty() ? Theme.SECONDARY_TEXT : Theme.WARNING_TEXT);
+    }
+
+    private static String idle(RunStatus s) {
+        return s.equals(RunStatus.NOTHING) ? " " : "paused";
     }
 
     /** Shows whether the simulation keeps the pace that it is asked for. */
@@ -92,7 +96,7 @@ final class StatusBar extends JPanel {
     }
 
     void showFrameRate(double perSecond) {
-        set("frames", String.format(Locale.ROOT, "%.0f frames/s", perSecond));
+        set("frames", perSecond < 0.5 ? " " : String.format(Locale.ROOT, "%.0f frames/s", perSecond));
     }
 
     /** Names the structure under the cursor at the last click. */

@@ -20,7 +20,11 @@ import org.phrenic.ui.session.Workspace;
  * {@code window-light.png} and {@code window-dark.png}. Needs a display. Argument: folder.
  */
 public final class WindowGallery {
-    private static final double BREATHE_S = 3.4;
+    /** Full inspiration of the second breath, quiet. */
+    private static final double QUIET_S = 5.4;
+
+    /** Full inspiration, deep. */
+    private static final double DEEP_S = 3.4;
 
     private final Path folder;
 
@@ -72,8 +76,10 @@ public final class WindowGallery {
                 control(window, JCheckBox.class, "Shape at rest").doClick();
             }
         });
-        waitFor(window, BREATHE_S);
-        Thread.sleep(600);
+        waitFor(window, setting.endsWith("deep") ? DEEP_S : QUIET_S);
+        // A view that the processor draws becomes sharp when the scene rests.
+        SwingUtilities.invokeAndWait(window.session()::togglePlay);
+        Thread.sleep(1500);
         SwingUtilities.invokeAndWait(() -> {
             BufferedImage image = new BufferedImage(
                     window.frame().getRootPane().getWidth(),

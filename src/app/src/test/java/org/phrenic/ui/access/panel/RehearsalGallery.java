@@ -32,6 +32,9 @@ import org.phrenic.ui.window.PhrenicWindow;
 public final class RehearsalGallery {
     private static final String RESOLUTION = "resolution=" + System.getProperty("gallery.resolution", "medium");
 
+    /** Time in which the view of a scene at rest becomes sharp. */
+    private static final int SHARPENED_MS = 1500;
+
     private RehearsalGallery() {}
 
     public static void main(String[] arguments) throws Exception {
@@ -77,27 +80,29 @@ public final class RehearsalGallery {
         until(() -> rehearsal.entrySelection().advice().isPresent()
                 && rehearsal.state().get().hasNeedle());
         Thread.sleep(1500);
-        picture(window, folder.resolve(name + "-entry.png"));
+        picture(window, session, folder.resolve(name + "-entry.png"));
         EventThread.run(rehearsal.needle()::aimAtTarget);
         until(() -> !rehearsal.state().get().aimedByHand());
         EventThread.run(() -> holdProbe(session, rehearsal));
         until(() -> rehearsal.state().get().probe().isPresent());
         Thread.sleep(2500);
-        picture(window, folder.resolve(name + "-probe.png"));
+        picture(window, session, folder.resolve(name + "-probe.png"));
+        // In the pause the liver hardly pulls at the needle.
+        until(() -> session.live().status().phaseLabel().equals("expiration"));
+        until(() -> session.live().status().phaseLabel().equals("pause"));
         EventThread.run(() -> rehearsal.needle().moveTo(58));
         until(() -> rehearsal.state().get().depthMm() > 57);
-        Thread.sleep(1200);
-        picture(window, folder.resolve(name + "-in.png"));
+        picture(window, session, folder.resolve(name + "-in.png"));
         EventThread.run(() -> rehearsal.setAids(Aids.PICTURES));
         Thread.sleep(2500);
-        picture(window, folder.resolve(name + "-pictures.png"));
+        picture(window, session, folder.resolve(name + "-pictures.png"));
         EventThread.run(() -> {
             rehearsal.setAids(Aids.SECTIONS);
             rehearsal.pictures().setXrayOn(true);
             tab(window, "X-ray");
         });
         Thread.sleep(3000);
-        picture(window, folder.resolve(name + "-xray.png"));
+        picture(window, session, folder.resolve(name + "-xray.png"));
         EventThread.run(() -> {
             rehearsal.setAids(Aids.SEE_THROUGH);
             rehearsal.pictures().setXrayOn(false);
@@ -110,7 +115,7 @@ public final class RehearsalGallery {
         EventThread.run(() -> rehearsal.needle().moveTo(0));
         until(() -> !window.docks().attempts().attempts().isEmpty());
         Thread.sleep(1500);
-        picture(window, folder.resolve(name + "-report.png"));
+        picture(window, session, folder.resolve(name + "-report.png"));
         EventThread.run(window::close);
         node.removeNode();
     }
@@ -133,14 +138,17 @@ public final class RehearsalGallery {
         return null;
     }
 
-    /** Puts the probe 45 mm beside the entry and turns it so that entry and target lie in its plane. */
+    /**
+     * Puts the probe 40 mm beside the entry, along the intercostal space, and turns it so that entry and target lie in
+     * its plane.
+     */
     private static void holdProbe(Session session, RehearsalController rehearsal) {
         List<Surface> surfaces = session.scene().orElseThrow().surfaces();
         Frame rest = session.scene().orElseThrow().newFrame().get();
         double[] entry = rehearsal.entrySelection().entry().orElseThrow();
         double[] target = rehearsal.study().orElseThrow().target().restMm();
         ScannedSkin skin = new ScannedSkin(surfaces);
-        double[] place = skin.nearestPoint(new double[] {entry[0], entry[1] - 25, entry[2] + 30});
+        double[] place = skin.nearestPoint(new double[] {entry[0], entry[1] - 35, entry[2] - 20});
         double best = Double.POSITIVE_INFINITY;
         ProbePose.Angles chosen = ProbePose.Angles.ZERO;
         for (double rotation = -180; rotation < 180; rotation += 3) {
@@ -163,7 +171,10 @@ public final class RehearsalGallery {
         EventThread.until("the stage", holds);
     }
 
-    private static void picture(PhrenicWindow window, Path file) {
+    /** The scene rests meanwhile, so that a view that the processor draws is sharp. */
+    private static void picture(PhrenicWindow window, Session session, Path file) throws InterruptedException {
+        EventThread.run(session::togglePlay);
+        Thread.sleep(SHARPENED_MS);
         EventThread.run(() -> {
             java.awt.image.BufferedImage image = new java.awt.image.BufferedImage(
                     window.frame().getRootPane().getWidth(),
@@ -176,5 +187,6 @@ public final class RehearsalGallery {
                 throw new java.io.UncheckedIOException(e);
             }
         });
+        EventThread.run(session::togglePlay);
     }
 }
