@@ -33,10 +33,11 @@ final class LungPlausibility {
                 .toList();
         Optional<TriangleMesh> right = lung(lungs, Side.RIGHT);
         Optional<TriangleMesh> left = lung(lungs, Side.LEFT);
+        boolean complete = lungs.stream().allMatch(PatientStructure::isComplete);
         if (right.isPresent() && left.isPresent()) {
-            compare(right.get(), left.get(), findings);
+            compare(right.get(), left.get(), complete, findings);
         }
-        if (lungs.stream().allMatch(PatientStructure::isComplete)) {
+        if (complete) {
             right.ifPresent(mesh -> size("right", mesh, findings));
             left.ifPresent(mesh -> size("left", mesh, findings));
             PatientBody.merged(lungs.stream().map(PatientStructure::structure))
@@ -50,7 +51,8 @@ final class LungPlausibility {
                 lungs.stream().map(PatientStructure::structure).filter(s -> s.side() == side));
     }
 
-    private static void compare(TriangleMesh right, TriangleMesh left, List<String> findings) {
+    /** Lungs that the scan truncates are compared by their places alone. */
+    private static void compare(TriangleMesh right, TriangleMesh left, boolean complete, List<String> findings) {
         double[] r = right.bounds();
         double[] l = left.bounds();
         double rightMl = volumeMl(right);
@@ -59,7 +61,7 @@ final class LungPlausibility {
         if (r[0] + r[3] > l[0] + l[3]) {
             findings.add("the right lung lies on the left of the left one: labels are exchanged, or the volume states"
                     + " its axes wrongly (mirrored), see --axes");
-        } else if (leftMl > MAX_LEFT * rightMl) {
+        } else if (complete && leftMl > MAX_LEFT * rightMl) {
             findings.add(String.format(
                     Locale.ROOT,
                     "the left lung is larger than the right (%.0f and %.0f ml): the volume may state its axes wrongly"

@@ -10,7 +10,7 @@ import org.phrenic.mesh.IntList;
 
 /**
  * The ribs of a volume as connected parts of the union of all rib labels. Parts that lie end to end under one label are
- * one rib.
+ * one rib: pieces of a broken rib, or what an end of the volume leaves of a rib that passes through it.
  */
 final class RibComponents {
     /** Parts smaller than this share of the median part are fragments. */
@@ -34,6 +34,8 @@ final class RibComponents {
         final TreeMap<Integer, Integer> segments = new TreeMap<>();
         /** Which of the directions about the body's long axis the rib covers. */
         final boolean[] angles = new boolean[ANGLES];
+        /** Ends of the volume that the rib reaches, as {@link Segmentation#ends}. */
+        int ends;
 
         double[] centre = new double[3];
 
@@ -63,6 +65,7 @@ final class RibComponents {
             Rib rib = byComponent.computeIfAbsent(runs.component(run), component -> new Rib());
             for (int v = runs.from(run); v < runs.to(run); v++) {
                 rib.voxels.add(v);
+                rib.ends |= s.ends(v);
                 rib.segments.merge(s.segmentAt(v), 1, Integer::sum);
             }
         }
@@ -105,7 +108,7 @@ final class RibComponents {
         }
     }
 
-    /** Joins parts of one label alone that lie end to end: pieces of one broken rib. */
+    /** Joins parts of one label alone that lie end to end: near to each other, or at one end of the volume. */
     private void joinPieces(double middle) {
         for (int i = 0; i < ribs.size(); i++) {
             for (int j = ribs.size() - 1; j > i; j--) {
@@ -114,7 +117,8 @@ final class RibComponents {
                 int label = a.dominantSegment();
                 boolean pure = a.share(label) > 1 - SUBSTANTIAL && b.share(label) > 1 - SUBSTANTIAL;
                 boolean sameSide = a.centre[0] < middle == b.centre[0] < middle;
-                if (pure && sameSide && commonAngle(a, b) <= MAX_COMMON_ANGLE && gap(a, b) < NEAR_MM) {
+                boolean inLine = pure && sameSide && commonAngle(a, b) <= MAX_COMMON_ANGLE;
+                if (inLine && ((a.ends & b.ends) != 0 || gap(a, b) < NEAR_MM)) {
                     append(a, b);
                     ribs.remove(j);
                 }
@@ -142,12 +146,14 @@ final class RibComponents {
         for (int i = 0; i < b.voxels.size(); i++) {
             a.voxels.add(b.voxels.get(i));
         }
+        a.ends |= b.ends;
         b.segments.forEach((segment, count) -> a.segments.merge(segment, count, Integer::sum));
         for (int bin = 0; bin < ANGLES; bin++) {
             a.angles[bin] |= b.angles[bin];
         }
     }
 
+    /** Share of the shorter part's directions that two parts have in common, but for one in which both may end. */
     private static double commonAngle(Rib a, Rib b) {
         int common = 0;
         int ofA = 0;
@@ -157,7 +163,7 @@ final class RibComponents {
             ofA += a.angles[bin] ? 1 : 0;
             ofB += b.angles[bin] ? 1 : 0;
         }
-        return common / (double) Math.min(ofA, ofB);
+        return Math.max(0, common - 1) / (double) Math.min(ofA, ofB);
     }
 
     /** The ribs, without fragments. */

@@ -199,6 +199,18 @@ public final class Segmentation {
         return voxels[voxel] & MAX_SEGMENTS;
     }
 
+    /** The ends of the volume at which a voxel lies, one bit each: first column, row and slice, then last ones. */
+    int ends(int voxel) {
+        int[] index = {voxel % columns, voxel / columns % rows, voxel / columns / rows};
+        int[] last = {columns - 1, rows - 1, slices - 1};
+        int ends = 0;
+        for (int direction = 0; direction < 3; direction++) {
+            ends |= atEnd[direction] && index[direction] == 0 ? 1 << direction : 0;
+            ends |= atEnd[3 + direction] && index[direction] == last[direction] ? 8 << direction : 0;
+        }
+        return ends;
+    }
+
     /** Bounding box of a segment: first column, row and slice, then last column, row and slice. */
     int[] box(int segment) {
         return boxes()[segment];

@@ -64,6 +64,42 @@ class SegmentationRepairTest {
         assertThat(s.labels("rib_07_L")).containsExactly(CageVoxels.rib(7, false), CageVoxels.rib(8, false));
     }
 
+    /** The upper end takes the middle of a rib, whose two parts keep its number. */
+    @Test
+    void whatTheEndOfTheScanLeavesOfARibIsOneRib() {
+        CageVoxels cage = new CageVoxels().withVertebrae(4);
+        int last = CageVoxels.SLICES - 1;
+        for (int step = 0; step <= 200; step++) {
+            double angle = Math.PI * step / 200;
+            double z = last - 12 + 20 * StrictMath.sin(angle);
+            if (z < last - 0.7) {
+                double x = 38.5 - 36 * StrictMath.sin(angle);
+                cage.ball(x, 30 + 22 * StrictMath.cos(angle), z, 1.6, CageVoxels.rib(4, true));
+            }
+        }
+        cage.withRibs(5);
+        Segmentation s = cage.segmentation(CageVoxels.table(false));
+        int divided = pieces(s).get("rib_04_R");
+        assertThat(divided).isEqualTo(2);
+        TreeMap<String, Integer> truth = counts(s);
+        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(counts(s)).isEqualTo(truth);
+    }
+
+    /** Of a rib the scan shows two small pieces that meet in one direction from the body's axis. */
+    @Test
+    void twoSmallPiecesEndToEndAreOneRib() {
+        CageVoxels cage = new CageVoxels().withRibs(5).withVertebrae(4);
+        for (int step = 0; step <= 40; step++) {
+            double t = step / 40.0;
+            cage.ball(22 + 4 * t, 15 - 4.5 * t, 100, 1.6, CageVoxels.rib(4, true));
+            cage.ball(22.5 + 5.5 * t, 6.9 - 2.9 * t, 100, 1.6, CageVoxels.rib(4, true));
+        }
+        Segmentation s = cage.segmentation(CageVoxels.table(false));
+        assertThat(pieces(s).get("rib_04_R")).isEqualTo(2);
+        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+    }
+
     @Test
     void ribsUnderOneLabelAreNumberedByTheirVertebrae() {
         Segmentation s = new CageVoxels().withRibs(5).withVertebrae(5).segmentation(CageVoxels.table(true));
