@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.patient.ExpectedStructures;
@@ -38,6 +39,12 @@ public final class BodyCompletion {
             StructureKind.LUNG,
             StructureKind.LIVER);
 
+    /**
+     * Least volume of what the scan shows of a lung or liver that it cuts off, over the template's: a smaller piece
+     * says nothing of where the rest lies.
+     */
+    private static final double LEAST_SHARE = 0.03;
+
     private final PatientBody body;
     private final List<Structure> rest;
     private final List<Structure> template = new ArrayList<>();
@@ -51,9 +58,20 @@ public final class BodyCompletion {
         for (PatientStructure s : body.structures()) {
             if (seen.stream().noneMatch(other -> isSame(other.structure(), s.structure()))) {
                 seen.add(s);
-                merged(rest, s.structure()).ifPresent(mesh -> shared.add(shared(s, mesh)));
+                merged(rest, s.structure())
+                        .map(mesh -> shared(s, mesh))
+                        .filter(BodyCompletion::tells)
+                        .ifPresent(shared::add);
             }
         }
+    }
+
+    /** Whether what the scan shows of a structure is enough to fit the template to it. */
+    private static boolean tells(SharedStructure s) {
+        boolean organ = s.kind() == StructureKind.LUNG || s.kind() == StructureKind.LIVER;
+        return !organ
+                || s.isComplete()
+                || MeshMeasure.signedVolume(s.scan()) >= LEAST_SHARE * MeshMeasure.signedVolume(s.template());
     }
 
     /** The structure of the scan, with all its parts as one surface, and its counterpart. */

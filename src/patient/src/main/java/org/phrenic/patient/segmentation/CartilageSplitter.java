@@ -1,6 +1,7 @@
 package org.phrenic.patient.segmentation;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -40,9 +41,10 @@ public final class CartilageSplitter {
         }
         VoxelRegion region = new VoxelRegion(segmentation, all);
         byte[] marks = new byte[region.cells()];
+        BitSet specks = specks(segmentation, markOfSegment);
         for (int cell = 0; cell < marks.length; cell++) {
             if (region.isMember(cell)) {
-                marks[cell] = firstNearby(segmentation, markOfSegment, region.voxel(cell));
+                marks[cell] = firstNearby(segmentation, markOfSegment, specks, region.voxel(cell));
             }
         }
         region.growRegions(marks);
@@ -69,6 +71,19 @@ public final class CartilageSplitter {
                         "%s: %.0f %% of it left out, no rib of the scan leads to it",
                         LabelTable.COSTAL_CARTILAGES,
                         100.0 * lost / total));
+    }
+
+    /** Voxels of pieces of ribs that are too small to lead to a cartilage. */
+    private static BitSet specks(Segmentation segmentation, byte[] markOfSegment) {
+        BitSet specks = new BitSet();
+        VoxelRuns runs = VoxelRuns.ofSegments(segmentation);
+        for (int run = 0; run < runs.count(); run++) {
+            if (markOfSegment[segmentation.segmentAt(runs.from(run))] > 0
+                    && runs.size(runs.component(run)) < SegmentationRepair.SPECK_VOXELS) {
+                specks.set(runs.from(run), runs.to(run));
+            }
+        }
+        return specks;
     }
 
     /** Marks the pieces that no path connects to a rib with the nearest rib that has no cartilage yet. */
@@ -120,7 +135,7 @@ public final class CartilageSplitter {
     }
 
     /** Mark of the first rib found within the gap of a voxel; 0 if there is none. */
-    private static byte firstNearby(Segmentation segmentation, byte[] markOfSegment, int voxel) {
+    private static byte firstNearby(Segmentation segmentation, byte[] markOfSegment, BitSet specks, int voxel) {
         int i = voxel % segmentation.columns;
         int j = voxel / segmentation.columns % segmentation.rows;
         int k = voxel / segmentation.columns / segmentation.rows;
@@ -128,8 +143,8 @@ public final class CartilageSplitter {
         for (int z = Math.max(0, k - GAP); z <= Math.min(segmentation.slices - 1, k + GAP); z++) {
             for (int y = Math.max(0, j - GAP); y <= Math.min(segmentation.rows - 1, j + GAP); y++) {
                 for (int x = Math.max(0, i - GAP); x <= Math.min(segmentation.columns - 1, i + GAP); x++) {
-                    int segment = segmentation.segmentAt(x + segmentation.columns * (y + segmentation.rows * z));
-                    byte mark = markOfSegment[segment];
+                    int near = x + segmentation.columns * (y + segmentation.rows * z);
+                    byte mark = specks.get(near) ? 0 : markOfSegment[segmentation.segmentAt(near)];
                     first = mark > 0 && (first == 0 || mark < first) ? mark : first;
                 }
             }

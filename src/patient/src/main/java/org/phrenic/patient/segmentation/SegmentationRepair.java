@@ -22,7 +22,9 @@ public final class SegmentationRepair {
     /** Pieces of an organ below this share of its voxels are specks. */
     private static final double ORGAN_SPECK = 0.002;
 
-    private static final int SPECK_VOXELS = 10;
+    /** Number of voxels below which a piece of any structure is a speck. */
+    static final int SPECK_VOXELS = 10;
+
     /** Largest gap that is bridged between the pieces of a rib, and of another bone, mm. */
     private static final double RIB_GAP_MM = 20;
 
@@ -61,6 +63,10 @@ public final class SegmentationRepair {
         SegmentationRepair repair = new SegmentationRepair(s);
         repair.fill();
         repair.join();
+        if (repair.specks > 0) {
+            // Where specks lay within a structure.
+            HoleFilling.fill(s);
+        }
         return repair.notes;
     }
 
@@ -128,13 +134,18 @@ public final class SegmentationRepair {
     private void sort(int segment, Map<Integer, Integer> sizes, boolean[] kept, Map<Integer, List<int[]>> pieces) {
         String name = s.names().get(segment - 1);
         boolean bone = isBone(name);
-        if (sizes.size() < 2
-                || !(bone || kind(name).filter(StructureKind::isNamed).isPresent())) {
+        boolean organ = kind(name)
+                .filter(k -> k.isNamed() || k == StructureKind.LUNG || k == StructureKind.LIVER)
+                .isPresent();
+        if (sizes.size() < 2 || !(bone || organ)) {
             return;
         }
         int total = sizes.values().stream().mapToInt(Integer::intValue).sum();
         int largest = sizes.values().stream().mapToInt(Integer::intValue).max().orElseThrow();
-        double least = Math.min(largest, Math.max(SPECK_VOXELS, (bone ? BONE_SPECK : ORGAN_SPECK) * total));
+        // A structure of specks alone is none.
+        double least = largest < SPECK_VOXELS
+                ? SPECK_VOXELS
+                : Math.min(largest, Math.max(SPECK_VOXELS, (bone ? BONE_SPECK : ORGAN_SPECK) * total));
         int small = 0;
         for (var component : sizes.entrySet()) {
             if (component.getValue() < least) {

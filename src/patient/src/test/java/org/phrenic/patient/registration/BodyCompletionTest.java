@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -88,6 +89,43 @@ class BodyCompletionTest {
         // Ribs 7 and 8 are next to bones of the scan; T1 is 180 mm above the highest of them.
         assertThat(headError(body, patient, "rib_07_R")).isLessThan(4);
         assertThat(headError(body, patient, "rib_01_L")).isLessThan(20);
+    }
+
+    /** The right side is scanned, and of the left lung a piece of 0.6 % of its volume before the heart. */
+    @Test
+    void aPieceOfALungDoesNotSayWhereTheLungLies() {
+        Thorax patient = thorax("adult-female");
+        List<PatientStructure> seen = new ArrayList<>();
+        for (Structure s : patient.structures()) {
+            boolean bone = s.kind() == StructureKind.RIB || s.kind() == StructureKind.VERTEBRA;
+            if ((bone && s.side() != Side.LEFT) || (s.kind() == StructureKind.LUNG && s.side() == Side.RIGHT)) {
+                seen.add(scanned(s, ""));
+            }
+        }
+        Structure left = patient.find("lung_L").orElseThrow();
+        double[] box = left.mesh().bounds();
+        double[] p = left.mesh().positions().clone();
+        for (int i = 0; i < p.length; i += 3) {
+            p[i] = box[0] + 0.1 * (p[i] - box[0]);
+            p[i + 1] = box[1] + 0.25 * (p[i + 1] - box[1]);
+            p[i + 2] = 0.45 * box[2] + 0.55 * box[5] + 0.25 * (p[i + 2] - box[2]);
+        }
+        List<PatientStructure> withPiece = new ArrayList<>(seen);
+        withPiece.add(scanned(left.withMesh(left.mesh().withPositions(p)), "L"));
+        double off = lungError(seen, patient);
+        assertThat(off).isLessThan(12);
+        assertThat(lungError(withPiece, patient)).isLessThan(off + 0.5);
+    }
+
+    /** Mean distance of the completed left lung from the patient's, mm. */
+    private static double lungError(List<PatientStructure> seen, Thorax patient) {
+        PatientBody scan = new PatientBody("patient", seen, ExpectedStructures.missing(seen), List.of());
+        PatientBody body = BodyCompletion.complete(scan, thorax("adult-male"));
+        return SurfaceComparison.of(
+                        body.structure("lung_L").orElseThrow().structure().mesh(),
+                        patient.find("lung_L").orElseThrow().mesh())
+                .byArea()
+                .mean();
     }
 
     private static double headError(PatientBody body, Thorax truth, String name) {

@@ -154,4 +154,40 @@ class SegmentationRepairTest {
                 .as(String.format(Locale.ROOT, "volume of %s to that of the whole bone", name))
                 .isCloseTo(1, within(0.12)));
     }
+
+    /**
+     * Single voxels of wrong labels all over the volume: of bones they are left out, and alone they are no structure.
+     */
+    @Test
+    void specksAreLeftOutAndWhatIsNothingElseIsNoStructure() {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(2);
+        TreeMap<String, Integer> truth = repaired(cage.segmentation(CageVoxels.table(false)));
+        Random random = new Random(3);
+        for (int n = 0; n < 3000; n++) {
+            int v = random.nextInt(cage.labels.length);
+            boolean nothing = n % 2 == 0;
+            cage.labels[v] = (byte) (nothing ? CageVoxels.vertebra(1) : CageVoxels.rib(1 + n % 12, n % 4 == 1));
+        }
+        TreeMap<String, Integer> mended = repaired(cage.segmentation(CageVoxels.table(false)));
+        assertThat(mended.keySet()).isEqualTo(truth.keySet());
+        mended.forEach((name, voxels) ->
+                assertThat(voxels / (double) truth.get(name)).as(name).isCloseTo(1, within(0.03)));
+    }
+
+    /** A voxel with another rib's label in the middle of a cartilage gives no part of it to that rib. */
+    @Test
+    void aSpeckOfARibHasNoCartilage() {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        int cartilage = 117;
+        for (int step = 0; step <= 60; step++) {
+            cage.ball(39 + step / 6.0, 8, 124 - 8 * 6 - 12, 1.6, cartilage);
+        }
+        cage.labels[44 + CageVoxels.COLUMNS * (8 + CageVoxels.ROWS * 64)] = (byte) CageVoxels.rib(3, false);
+        TreeMap<Integer, String> structures =
+                new TreeMap<>(CageVoxels.table(false).structures());
+        structures.put(cartilage, LabelTable.COSTAL_CARTILAGES);
+        Segmentation s = cage.segmentation(new LabelTable(structures));
+        CartilageSplitter.split(s);
+        assertThat(counts(s)).containsKey("costal_cartilage_06_R").doesNotContainKey("costal_cartilage_03_L");
+    }
 }
