@@ -42,6 +42,9 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
     private static final double MOST_OUTSIDE_PERCENT = 25;
 
     private static final double FARTHEST_OUTSIDE_MM = 60;
+    /** Share of organ vertices on the wrong side beyond which a sheet is refused. */
+    private static final double MOST_THROUGH_PERCENT = 15;
+
     private static final double LEAST_DOME_MM = 20;
     /** Reach of a ray from the thoracic face within which a lung shows that the sheet is not apposed, mm. */
     private static final double APPOSED_REACH_MM = 40;
@@ -161,7 +164,7 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
             double[] apposed = apposedDistances();
             add("apposed_to_wall_mean_mm", "apposed part to the wall, mean", mean(apposed), "mm", 5);
             add("apposed_to_wall_percentile_95_mm", "apposed part to the wall, 95 %", percentile95(apposed), "mm", 10);
-            addOrgans();
+            double through = addOrgans();
             MeshQuality quality = MeshQuality.of(sheet);
             add("self_intersections", "self-intersections", SelfIntersections.count(sheet), "", 0);
             measures.add(new Measure(
@@ -174,33 +177,31 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
             measures.add(new Measure(
                     "smallest_angle_deg", "smallest angle", quality.smallestAngleDeg(), "degrees", 5, false));
             add("edge_ratio", "longest over shortest edge", quality.edgeRatio(), "", 10);
-            return new SheetQuality(measures, refusal(share, greatest(outside)));
+            return new SheetQuality(measures, refusal(share, greatest(outside), through));
         }
 
         private void add(String key, String what, double value, String unit, double limit) {
             measures.add(new Measure(key, what, value, unit, limit, true));
         }
 
-        private void addOrgans() {
+        /** Adds the measures of organs; returns the share of their vertices on the wrong side, per cent. */
+        private double addOrgans() {
             List<Structure> above = Stream.concat(
                             body.structuresOf(StructureKind.LUNG).stream(), ContactingOrgans.heart(body).stream())
                     .toList();
             OrganSides thoracic = new OrganSides(diaphragm, true, above);
             OrganSides abdominal = new OrganSides(diaphragm, false, ContactingOrgans.abdominal(body));
-            add(
-                    "organ_vertices_through_percent",
-                    "organ vertices more than 3 mm through",
-                    100.0
-                            * (thoracic.count() + abdominal.count())
-                            / Math.max(1, thoracic.vertices() + abdominal.vertices()),
-                    "%",
-                    0);
+            double share = 100.0
+                    * (thoracic.count() + abdominal.count())
+                    / Math.max(1, thoracic.vertices() + abdominal.vertices());
+            add("organ_vertices_through_percent", "organ vertices more than 3 mm through", share, "%", 0);
             add(
                     "organs_through_maximum_mm",
                     "organs through the sheet, greatest",
                     Math.max(thoracic.greatestMm(), abdominal.greatestMm()),
                     "mm",
                     OrganSides.THROUGH_MM);
+            return share;
         }
 
         /** Distances of the border of the thoracic face, which lies on the wall, from the nearest site of insertion. */
@@ -244,7 +245,7 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
                     .toArray();
         }
 
-        private Optional<String> refusal(double outsidePercent, double farthest) {
+        private Optional<String> refusal(double outsidePercent, double farthest, double throughPercent) {
             MeshTopology topology = diaphragm.topology();
             if (!topology.isClosed() || !topology.isManifold()) {
                 return Optional.of("the diaphragm is not a closed surface, expected a sheet of two faces");
@@ -256,6 +257,13 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
                                 + " lungs of the scan do not belong together",
                         farthest,
                         outsidePercent));
+            }
+            if (throughPercent > MOST_THROUGH_PERCENT) {
+                return Optional.of(String.format(
+                        Locale.ROOT,
+                        "%.0f %% of the vertices of lungs and organs lie on the wrong side of the diaphragm; the scan shows"
+                                + " too little of them, or bones and organs do not belong together",
+                        throughPercent));
             }
             double margin = IntStream.range(0, sheet.vertexCount())
                     .filter(diaphragm::isInserted)

@@ -26,6 +26,8 @@ final class RibNumbering {
     private static final double VOTE = 0.5;
     /** Share of a rib's voxels nearest to the spine that make its vertebral end. */
     private static final double END_SHARE = 0.03;
+    /** Distance of the medial ends of ribs from the median plane, mm. */
+    private static final double BESIDE_MM = 15;
 
     private final Segmentation s;
     private final int common;
@@ -68,11 +70,11 @@ final class RibNumbering {
                 ? "ribs"
                 : "label " + s.labels(s.names().get(divided.orElseThrow() - 1)).get(0) + " holds parts of two ribs";
         findVertebrae();
-        double middle = components.ribs().stream()
-                .mapToDouble(rib -> rib.centre[0])
-                .average()
-                .orElseThrow(() -> new BadInputException(found + ": found no rib, expected some"));
         List<RibComponents.Rib> ribs = components.ribs();
+        if (ribs.isEmpty()) {
+            throw new BadInputException(found + ": found no rib, expected some");
+        }
+        double middle = middle(ribs);
         String[] nameOf = new String[ribs.size()];
         List<String> numbered = new ArrayList<>();
         int stray = 0;
@@ -80,8 +82,7 @@ final class RibNumbering {
             List<Integer> onSide = new ArrayList<>();
             double[] endZ = new double[ribs.size()];
             for (int i = 0; i < ribs.size(); i++) {
-                // The x axis points to the patient's left.
-                if (ribs.get(i).centre[0] < middle == (side == Side.RIGHT)) {
+                if (side(ribs.get(i), middle) == side) {
                     onSide.add(i);
                     endZ[i] = endHeight(ribs.get(i), middle);
                 }
@@ -98,6 +99,42 @@ final class RibNumbering {
         return found + ": the " + numbered.size() + " connected ribs are numbered from top to bottom"
                 + (hasVertebrae() ? " by their vertebrae" : "")
                 + (stray > 0 ? "; " + stray + " parts of ribs away from their label's rib are left out" : "");
+    }
+
+    /**
+     * Where the median plane lies, mm: half way between the medial ends of right and left ribs, or beside those of one
+     * side. Ribs under one label are taken to be of both sides.
+     */
+    private double middle(List<RibComponents.Rib> ribs) {
+        double right = Double.NEGATIVE_INFINITY;
+        double left = Double.POSITIVE_INFINITY;
+        double sum = 0;
+        for (RibComponents.Rib rib : ribs) {
+            sum += rib.centre[0] / ribs.size();
+            Optional<Side> side = labelledSide(rib);
+            for (int i = 0; side.isPresent() && i < rib.voxels.size(); i++) {
+                // The x axis points to the patient's left.
+                double x = s.coordinate(rib.voxels.get(i), 0);
+                right = side.get() == Side.RIGHT ? Math.max(right, x) : right;
+                left = side.get() == Side.LEFT ? Math.min(left, x) : left;
+            }
+        }
+        if (Double.isInfinite(right) && Double.isInfinite(left)) {
+            return sum;
+        }
+        return Double.isInfinite(left)
+                ? right + BESIDE_MM
+                : Double.isInfinite(right) ? left - BESIDE_MM : 0.5 * (right + left);
+    }
+
+    private Optional<Side> labelledSide(RibComponents.Rib rib) {
+        return StructureName.parse(s.names().get(rib.dominantSegment() - 1))
+                .map(StructureName::side)
+                .filter(side -> side == Side.RIGHT || side == Side.LEFT);
+    }
+
+    private Side side(RibComponents.Rib rib, double middle) {
+        return labelledSide(rib).orElse(rib.centre[0] < middle ? Side.RIGHT : Side.LEFT);
     }
 
     /**

@@ -86,6 +86,31 @@ class SegmentationRepairTest {
         assertThat(counts(s)).isEqualTo(truth);
     }
 
+    /**
+     * A scan of the right side with floating ribs, in which the anterior halves of ribs 7 to 9 carry the next number.
+     */
+    @Test
+    void ribsOfOneSideAreNumberedOnTheirSide() {
+        CageVoxels cage = new CageVoxels().withRibs(1);
+        for (int v = 0; v < cage.labels.length; v++) {
+            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            boolean floating = label >= CageVoxels.rib(11, true) && v / CageVoxels.COLUMNS % CageVoxels.ROWS < 19;
+            if (label < CageVoxels.rib(1, true) || floating) {
+                cage.labels[v] = 0;
+            }
+        }
+        TreeMap<String, Integer> truth = repaired(cage.segmentation(CageVoxels.table(false)));
+        assertThat(truth).hasSize(12);
+        for (int v = 0; v < cage.labels.length; v++) {
+            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            boolean slips = label >= CageVoxels.rib(7, true) && label < CageVoxels.rib(10, true);
+            if (slips && v / CageVoxels.COLUMNS % CageVoxels.ROWS < 30) {
+                cage.labels[v]++;
+            }
+        }
+        assertThat(repaired(cage.segmentation(CageVoxels.table(false)))).isEqualTo(truth);
+    }
+
     /** Of a rib the scan shows two small pieces that meet in one direction from the body's axis. */
     @Test
     void twoSmallPiecesEndToEndAreOneRib() {
