@@ -45,6 +45,9 @@ public final class BodyCompletion {
      */
     private static final double LEAST_SHARE = 0.03;
 
+    /** The same where a side of the scan cuts it: a slab beside the midline does not show how low the lung reaches. */
+    private static final double LEAST_SHARE_AT_SIDE = 0.15;
+
     private final PatientBody body;
     private final List<Structure> rest;
     private final List<Structure> template = new ArrayList<>();
@@ -69,9 +72,11 @@ public final class BodyCompletion {
     /** Whether what the scan shows of a structure is enough to fit the template to it. */
     private static boolean tells(SharedStructure s) {
         boolean organ = s.kind() == StructureKind.LUNG || s.kind() == StructureKind.LIVER;
+        boolean atSide = s.cutAt().contains("L") || s.cutAt().contains("R");
+        double least = atSide ? LEAST_SHARE_AT_SIDE : LEAST_SHARE;
         return !organ
                 || s.isComplete()
-                || MeshMeasure.signedVolume(s.scan()) >= LEAST_SHARE * MeshMeasure.signedVolume(s.template());
+                || MeshMeasure.signedVolume(s.scan()) >= least * MeshMeasure.signedVolume(s.template());
     }
 
     /** The structure of the scan, with all its parts as one surface, and its counterpart. */
