@@ -33,6 +33,12 @@ public final class SlidingContact implements SeparableConstraint {
      */
     public static final double MAX_RETURN_SPEED = 100;
 
+    /**
+     * Largest correction speed of a node in adhering contact, mm/s. Ordinary corrections are slower. Where the wall has
+     * an edge, the plane next to a sliding node may lie tens of millimetres away at the next refresh.
+     */
+    public static final double MAX_ADHERING_SPEED = 2000;
+
     /** Nodes times 3 in internal order, and their indices in the caller's list. */
     private final int[] node;
 
@@ -68,7 +74,7 @@ public final class SlidingContact implements SeparableConstraint {
     private SlidingContact(
             NodeLayout layout, int[] callerNodes, ContactSurface surface, double refreshInterval, boolean adhering) {
         this.adhering = adhering;
-        maxReturnSpeed = adhering ? Double.POSITIVE_INFINITY : MAX_RETURN_SPEED;
+        maxReturnSpeed = adhering ? MAX_ADHERING_SPEED : MAX_RETURN_SPEED;
         listed = layout.inMemoryOrder(callerNodes);
         node = Arrays.stream(listed)
                 .map(i -> 3 * layout.internal(callerNodes[i]))

@@ -69,6 +69,24 @@ class SlidingContactTest {
         assertThat(system.positions()[2]).isCloseTo(0.1 - 2.5 - 500 * H * 0.1 / 2, within(1e-9));
     }
 
+    /**
+     * A wall with an edge: the plane of an adhering node lies 30 mm away at once. The node comes to it within steps.
+     */
+    @Test
+    void anAdheringNodeFollowsAJumpOfItsPlaneAtALimitedSpeed() {
+        ParticleSystem system = SampleSystems.oneNode(0.1);
+        system.add(SlidingContact.adhering(system.layout(), new int[] {0}, new SampleSystems.Ceiling(30, 0), 0.01));
+        Integrator integrator = IntegratorKind.VERLET.create(system);
+        double largest = SlidingContact.MAX_ADHERING_SPEED * H;
+        for (int i = 0; i < 15; i++) {
+            integrator.step(i * H, H);
+            assertThat(system.positions()[2]).isCloseTo((i + 1) * largest, within(1e-9));
+            assertThat(system.velocities()[2]).isZero();
+        }
+        integrator.step(15 * H, H);
+        assertThat(system.positions()[2]).isCloseTo(30, within(1e-9));
+    }
+
     /** Beyond the wall but on its way back: it is put on the wall and keeps its speed; the wall does not hold it. */
     @Test
     void nodeOnItsWayBackKeepsItsSpeed() {
