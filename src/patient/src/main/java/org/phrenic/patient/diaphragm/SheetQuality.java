@@ -261,8 +261,8 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
             if (throughPercent > MOST_THROUGH_PERCENT) {
                 return Optional.of(String.format(
                         Locale.ROOT,
-                        "%.0f %% of the vertices of lungs and organs lie on the wrong side of the diaphragm; the scan shows"
-                                + " too little of them, or bones and organs do not belong together",
+                        "%.0f %% of the vertices of lungs and organs lie on the wrong side of the diaphragm; the scan"
+                                + " shows too little of them, or bones and organs do not belong together",
                         throughPercent));
             }
             double margin = IntStream.range(0, sheet.vertexCount())
