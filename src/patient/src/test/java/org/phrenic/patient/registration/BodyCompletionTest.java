@@ -110,11 +110,9 @@ class BodyCompletionTest {
             p[i + 1] = box[1] + 0.25 * (p[i + 1] - box[1]);
             p[i + 2] = 0.45 * box[2] + 0.55 * box[5] + 0.25 * (p[i + 2] - box[2]);
         }
-        List<PatientStructure> withPiece = new ArrayList<>(seen);
-        withPiece.add(scanned(left.withMesh(left.mesh().withPositions(p)), "L"));
-        double off = lungError(seen, patient);
-        assertThat(off).isLessThan(12);
-        assertThat(lungError(withPiece, patient)).isLessThan(off + 0.5);
+        seen.add(scanned(left.withMesh(left.mesh().withPositions(p)), "L"));
+        // 1.1 mm without the piece; 5.2 mm where the lung is fitted to the piece.
+        assertThat(lungError(seen, patient)).isLessThan(2);
     }
 
     /** Mean distance of the completed left lung from the patient's, mm. */
