@@ -113,10 +113,10 @@ public final class LiveRehearsal implements StepListener {
     /** While a needle by hand is in no body and nothing is asked of it, a frame changes nothing but what is shown. */
     @Override
     public boolean needsFrame() {
-        return isAtWork() || System.nanoTime() - describedNs > IDLE_NS;
+        return isNeedleInUse() || System.nanoTime() - describedNs > IDLE_NS;
     }
 
-    private boolean isAtWork() {
+    private boolean isNeedleInUse() {
         return needle == null
                 || player != null
                 || needle.shaft().isPlaced()
@@ -145,8 +145,8 @@ public final class LiveRehearsal implements StepListener {
     @Override
     public boolean passes(double nowS, RespiratoryPhase doing, int breath) {
         synchronized (stepLock) {
-            // The frame at work is described, however late it is.
-            if (isAtWork() || !maySeeFrameLater()) {
+            // The state is published from the frame at work, however late that is.
+            if (isNeedleInUse() || !maySeeFrameLater()) {
                 return false;
             }
             takeNote(nowS, doing, breath);

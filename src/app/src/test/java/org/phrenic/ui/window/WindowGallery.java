@@ -1,11 +1,9 @@
 package org.phrenic.ui.window;
 
 import java.awt.Component;
-import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.prefs.Preferences;
-import javax.imageio.ImageIO;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JTextField;
@@ -77,22 +75,8 @@ public final class WindowGallery {
             }
         });
         waitFor(window, setting.endsWith("deep") ? DEEP_S : QUIET_S);
-        // A view that the processor draws becomes sharp when the scene rests.
-        SwingUtilities.invokeAndWait(window.session()::togglePlay);
-        Thread.sleep(1500);
-        SwingUtilities.invokeAndWait(() -> {
-            BufferedImage image = new BufferedImage(
-                    window.frame().getRootPane().getWidth(),
-                    window.frame().getRootPane().getHeight(),
-                    BufferedImage.TYPE_INT_RGB);
-            window.frame().getRootPane().paint(image.createGraphics());
-            try {
-                ImageIO.write(image, "png", folder.resolve(name + ".png").toFile());
-            } catch (java.io.IOException e) {
-                throw new java.io.UncheckedIOException(e);
-            }
-            window.close();
-        });
+        WindowHarness.writeAtRest(window, folder.resolve(name + ".png"));
+        SwingUtilities.invokeAndWait(window::close);
         node.removeNode();
     }
 

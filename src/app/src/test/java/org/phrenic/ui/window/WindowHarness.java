@@ -35,6 +35,7 @@ import javax.swing.SwingUtilities;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.live.RunHistory;
 import org.phrenic.simulation.observe.Observation;
+import org.phrenic.ui.session.EventThread;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.WindowPreferences;
 
@@ -44,6 +45,9 @@ import org.phrenic.ui.session.WindowPreferences;
  */
 public final class WindowHarness implements AutoCloseable {
     private static final long PATIENCE_MS = 60_000;
+    /** Time in which the view of a scene at rest becomes sharp. */
+    private static final long SHARPENED_MS = 1500;
+
     private static final Path PICTURES = Path.of("target", "screenshots");
 
     private final Preferences node;
@@ -296,7 +300,14 @@ public final class WindowHarness implements AutoCloseable {
 
     /** Paints the window into a picture that can be looked at afterwards. */
     public BufferedImage screenshot(String name) throws IOException {
-        BufferedImage picture = onEdt(() -> {
+        BufferedImage picture = painted(window);
+        Files.createDirectories(PICTURES);
+        ImageIO.write(picture, "png", PICTURES.resolve(name + ".png").toFile());
+        return picture;
+    }
+
+    private static BufferedImage painted(PhrenicWindow window) {
+        return onEdt(() -> {
             BufferedImage image = new BufferedImage(
                     window.frame().getRootPane().getWidth(),
                     window.frame().getRootPane().getHeight(),
@@ -304,9 +315,14 @@ public final class WindowHarness implements AutoCloseable {
             window.frame().getRootPane().paint(image.createGraphics());
             return image;
         });
-        Files.createDirectories(PICTURES);
-        ImageIO.write(picture, "png", PICTURES.resolve(name + ".png").toFile());
-        return picture;
+    }
+
+    /** Writes a picture of a window whose scene rests meanwhile, so that a view that the processor draws is sharp. */
+    public static void writeAtRest(PhrenicWindow window, Path file) throws IOException, InterruptedException {
+        EventThread.run(window.session()::togglePlay);
+        Thread.sleep(SHARPENED_MS);
+        ImageIO.write(painted(window), "png", file.toFile());
+        EventThread.run(window.session()::togglePlay);
     }
 
     /** Times that events took on the event dispatch thread since the window was there, ms, longest last. */

@@ -76,10 +76,9 @@ public final class CartilageSplitter {
     /** Voxels of pieces of ribs that are too small to lead to a cartilage. */
     private static BitSet specks(Segmentation segmentation, byte[] markOfSegment) {
         BitSet specks = new BitSet();
-        VoxelRuns runs = VoxelRuns.ofSegments(segmentation);
+        VoxelRuns runs = new VoxelRuns(segmentation, markOfSegment, false);
         for (int run = 0; run < runs.count(); run++) {
-            if (markOfSegment[segmentation.segmentAt(runs.from(run))] > 0
-                    && runs.size(runs.component(run)) < SegmentationRepair.SPECK_VOXELS) {
+            if (runs.size(runs.component(run)) < SegmentationRepair.SPECK_VOXELS) {
                 specks.set(runs.from(run), runs.to(run));
             }
         }

@@ -63,9 +63,9 @@ final class RibComponents {
         TreeMap<Integer, Rib> byComponent = new TreeMap<>();
         for (int run = 0; run < runs.count(); run++) {
             Rib rib = byComponent.computeIfAbsent(runs.component(run), component -> new Rib());
+            rib.ends |= s.ends(runs.from(run)) | s.ends(runs.to(run) - 1);
             for (int v = runs.from(run); v < runs.to(run); v++) {
                 rib.voxels.add(v);
-                rib.ends |= s.ends(v);
                 rib.segments.merge(s.segmentAt(v), 1, Integer::sum);
             }
         }

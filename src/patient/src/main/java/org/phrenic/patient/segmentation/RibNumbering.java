@@ -6,7 +6,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.TreeMap;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
@@ -106,25 +109,27 @@ final class RibNumbering {
      * side. Ribs under one label are taken to be of both sides.
      */
     private double middle(List<RibComponents.Rib> ribs) {
-        double right = Double.NEGATIVE_INFINITY;
-        double left = Double.POSITIVE_INFINITY;
-        double sum = 0;
-        for (RibComponents.Rib rib : ribs) {
-            sum += rib.centre[0] / ribs.size();
-            Optional<Side> side = labelledSide(rib);
-            for (int i = 0; side.isPresent() && i < rib.voxels.size(); i++) {
-                // The x axis points to the patient's left.
-                double x = s.coordinate(rib.voxels.get(i), 0);
-                right = side.get() == Side.RIGHT ? Math.max(right, x) : right;
-                left = side.get() == Side.LEFT ? Math.min(left, x) : left;
-            }
+        // The x axis points to the patient's left.
+        OptionalDouble right = across(ribs, Side.RIGHT).max();
+        OptionalDouble left = across(ribs, Side.LEFT).min();
+        if (right.isPresent() && left.isPresent()) {
+            return 0.5 * (right.getAsDouble() + left.getAsDouble());
         }
-        if (Double.isInfinite(right) && Double.isInfinite(left)) {
-            return sum;
+        if (right.isPresent()) {
+            return right.getAsDouble() + BESIDE_MM;
         }
-        return Double.isInfinite(left)
-                ? right + BESIDE_MM
-                : Double.isInfinite(right) ? left - BESIDE_MM : 0.5 * (right + left);
+        if (left.isPresent()) {
+            return left.getAsDouble() - BESIDE_MM;
+        }
+        return ribs.stream().mapToDouble(rib -> rib.centre[0]).average().orElseThrow();
+    }
+
+    /** x of all voxels of the ribs whose label names a side, mm. */
+    private DoubleStream across(List<RibComponents.Rib> ribs, Side side) {
+        return ribs.stream()
+                .filter(rib -> labelledSide(rib).filter(side::equals).isPresent())
+                .flatMapToDouble(rib ->
+                        IntStream.range(0, rib.voxels.size()).mapToDouble(i -> s.coordinate(rib.voxels.get(i), 0)));
     }
 
     private Optional<Side> labelledSide(RibComponents.Rib rib) {

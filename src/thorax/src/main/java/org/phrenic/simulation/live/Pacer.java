@@ -86,7 +86,7 @@ final class Pacer {
     /** Starts the measurement. */
     void start(long steps, double nowS) {
         resetReference(nowS);
-        measuredNs = clock.getAsLong();
+        measuredNs = requested.wallNs;
         measuredSteps = steps;
         measuredS = nowS;
         meanRealtime = Double.isInfinite(speed) ? 0 : speed;

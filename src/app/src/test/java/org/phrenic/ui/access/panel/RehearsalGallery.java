@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.BooleanSupplier;
-import javax.imageio.ImageIO;
 import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
 import org.phrenic.access.plan.Aids;
@@ -23,6 +22,7 @@ import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.WindowPreferences;
 import org.phrenic.ui.session.Workspace;
 import org.phrenic.ui.window.PhrenicWindow;
+import org.phrenic.ui.window.WindowHarness;
 
 /**
  * Leaves pictures of liver access being rehearsed, light and dark, large and small. {@code light-small-in} is
@@ -31,9 +31,6 @@ import org.phrenic.ui.window.PhrenicWindow;
  */
 public final class RehearsalGallery {
     private static final String RESOLUTION = "resolution=" + System.getProperty("gallery.resolution", "medium");
-
-    /** Time in which the view of a scene at rest becomes sharp. */
-    private static final int SHARPENED_MS = 1500;
 
     private RehearsalGallery() {}
 
@@ -80,29 +77,29 @@ public final class RehearsalGallery {
         until(() -> rehearsal.entrySelection().advice().isPresent()
                 && rehearsal.state().get().hasNeedle());
         Thread.sleep(1500);
-        picture(window, session, folder.resolve(name + "-entry.png"));
+        WindowHarness.writeAtRest(window, folder.resolve(name + "-entry.png"));
         EventThread.run(rehearsal.needle()::aimAtTarget);
         until(() -> !rehearsal.state().get().aimedByHand());
         EventThread.run(() -> holdProbe(session, rehearsal));
         until(() -> rehearsal.state().get().probe().isPresent());
         Thread.sleep(2500);
-        picture(window, session, folder.resolve(name + "-probe.png"));
+        WindowHarness.writeAtRest(window, folder.resolve(name + "-probe.png"));
         // In the pause the liver hardly pulls at the needle.
         until(() -> session.live().status().phaseLabel().equals("expiration"));
         until(() -> session.live().status().phaseLabel().equals("pause"));
         EventThread.run(() -> rehearsal.needle().moveTo(58));
         until(() -> rehearsal.state().get().depthMm() > 57);
-        picture(window, session, folder.resolve(name + "-in.png"));
+        WindowHarness.writeAtRest(window, folder.resolve(name + "-in.png"));
         EventThread.run(() -> rehearsal.setAids(Aids.PICTURES));
         Thread.sleep(2500);
-        picture(window, session, folder.resolve(name + "-pictures.png"));
+        WindowHarness.writeAtRest(window, folder.resolve(name + "-pictures.png"));
         EventThread.run(() -> {
             rehearsal.setAids(Aids.SECTIONS);
             rehearsal.pictures().setXrayOn(true);
             tab(window, "X-ray");
         });
         Thread.sleep(3000);
-        picture(window, session, folder.resolve(name + "-xray.png"));
+        WindowHarness.writeAtRest(window, folder.resolve(name + "-xray.png"));
         EventThread.run(() -> {
             rehearsal.setAids(Aids.SEE_THROUGH);
             rehearsal.pictures().setXrayOn(false);
@@ -115,7 +112,7 @@ public final class RehearsalGallery {
         EventThread.run(() -> rehearsal.needle().moveTo(0));
         until(() -> !window.docks().attempts().attempts().isEmpty());
         Thread.sleep(1500);
-        picture(window, session, folder.resolve(name + "-report.png"));
+        WindowHarness.writeAtRest(window, folder.resolve(name + "-report.png"));
         EventThread.run(window::close);
         node.removeNode();
     }
@@ -169,24 +166,5 @@ public final class RehearsalGallery {
 
     private static void until(BooleanSupplier holds) {
         EventThread.until("the stage", holds);
-    }
-
-    /** The scene rests meanwhile, so that a view that the processor draws is sharp. */
-    private static void picture(PhrenicWindow window, Session session, Path file) throws InterruptedException {
-        EventThread.run(session::togglePlay);
-        Thread.sleep(SHARPENED_MS);
-        EventThread.run(() -> {
-            java.awt.image.BufferedImage image = new java.awt.image.BufferedImage(
-                    window.frame().getRootPane().getWidth(),
-                    window.frame().getRootPane().getHeight(),
-                    java.awt.image.BufferedImage.TYPE_INT_RGB);
-            window.frame().getRootPane().paint(image.createGraphics());
-            try {
-                ImageIO.write(image, "png", file.toFile());
-            } catch (java.io.IOException e) {
-                throw new java.io.UncheckedIOException(e);
-            }
-        });
-        EventThread.run(session::togglePlay);
     }
 }
