@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.Random;
+import java.util.SplittableRandom;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.file.BadInputException;
@@ -52,19 +52,10 @@ public record KnownBreath(String body, List<String> hidden, Optional<FitResult> 
         List<String> hidden = List.of();
         try {
             Thorax thorax = body.thorax().get();
-            Random random = new Random(seed);
-            double activation = between(random, 0.4, 0.75);
-            double rotation = between(random, 0.5, 1.3);
-            double sides = between(random, 0.8, 1.3);
-            double front = between(random, 0.7, 1.4);
             GroundTruth truth = null;
             String diverged = "";
             for (int attempt = 0; attempt < DRIVES.length && truth == null; attempt++) {
-                hidden = List.of(
-                        setting("muscle_activation", DRIVES[attempt] * activation),
-                        setting("rib_rotation", DRIVES[attempt] * rotation),
-                        setting("left_over_right", sides),
-                        setting("front_over_back", front));
+                hidden = hiddenSettings(seed, DRIVES[attempt]);
                 try {
                     truth = GroundTruth.of(thorax, settings(base), hidden, lungs(), NOISE_MM, seed);
                 } catch (DivergenceException e) {
@@ -98,8 +89,14 @@ public record KnownBreath(String body, List<String> hidden, Optional<FitResult> 
         return list;
     }
 
-    private static double between(Random random, double low, double high) {
-        return low + (high - low) * random.nextDouble();
+    /** Settings of a known breath; seeds that follow each other give settings that are independent. */
+    static List<String> hiddenSettings(long seed, double drive) {
+        SplittableRandom random = new SplittableRandom(seed);
+        return List.of(
+                setting("muscle_activation", drive * random.nextDouble(0.4, 0.75)),
+                setting("rib_rotation", drive * random.nextDouble(0.5, 1.3)),
+                setting("left_over_right", random.nextDouble(0.8, 1.3)),
+                setting("front_over_back", random.nextDouble(0.7, 1.4)));
     }
 
     private static String setting(String key, double value) {
