@@ -7,10 +7,14 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.stream.IntStream;
+import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.surface.AmbientOcclusion;
+import org.phrenic.scene.surface.CoarseTriangles;
 import org.phrenic.scene.surface.Markers;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Overlay;
@@ -29,6 +33,8 @@ final class GpuScene {
     private double time;
     private int nodesHash;
     private String uploadedField = "";
+    private Optional<CompletableFuture<List<int[]>>> coarse = Optional.empty();
+    private boolean coarseSet;
 
     GpuScene(GL3 gl, GlResources resources, List<Surface> scene, List<Overlay> over) {
         this.resources = resources;
@@ -86,6 +92,32 @@ final class GpuScene {
             }
         }
         return any;
+    }
+
+    /**
+     * Whether surfaces can be drawn with fewer triangles. The first call begins to compute these on another thread;
+     * they are there some pictures later.
+     */
+    boolean hasCoarse(GL3 gl) {
+        if (coarse.isEmpty()) {
+            List<TriangleMesh> meshes =
+                    surfaces.stream().map(SurfaceBuffers::outward).toList();
+            coarse = Optional.of(CompletableFuture.supplyAsync(
+                    () -> meshes.stream().map(CoarseTriangles::of).toList()));
+        }
+        if (!coarseSet && coarse.get().isDone() && !coarse.get().isCompletedExceptionally()) {
+            List<int[]> fewer = coarse.get().join();
+            for (int i = 0; i < fewer.size(); i++) {
+                surfaces.get(i).setCoarse(gl, fewer.get(i));
+            }
+            coarseSet = true;
+        }
+        return coarseSet;
+    }
+
+    /** Waits until fewer triangles have been computed, if that has begun. */
+    void awaitCoarse() {
+        coarse.ifPresent(CompletableFuture::join);
     }
 
     void setPoses(Map<String, float[]> poses) {

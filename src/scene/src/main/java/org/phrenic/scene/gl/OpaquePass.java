@@ -84,7 +84,7 @@ final class OpaquePass {
     }
 
     /** All that the picture of still surfaces depends on. */
-    private static List<?> view(List<SurfaceBuffers> still, ViewTransform transform, SceneStyle style) {
+    private List<?> view(List<SurfaceBuffers> still, ViewTransform transform, SceneStyle style) {
         List<Object> looks = new ArrayList<>();
         for (SurfaceBuffers s : still) {
             String name = s.surface().name();
@@ -93,6 +93,6 @@ final class OpaquePass {
             looks.add(look.packedRgb());
             looks.add(style.showsField(name) ? new Object() : name.equals(style.highlighted()));
         }
-        return List.of(transform, style.background(), looks);
+        return List.of(transform, style.background(), faces.isCoarse(), looks);
     }
 }

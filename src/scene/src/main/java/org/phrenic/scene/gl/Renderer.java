@@ -83,6 +83,7 @@ public final class Renderer {
         resize(gl, tile, scale, samples < 2 ? 0 : samples);
         scene.update(gl, frame, style, fieldValues, fieldVersion);
         scene.setPoses(poses);
+        faces.setCoarse(scale < 1 && scene.hasCoarse(gl));
         listener.done(gl, "upload");
         ViewTransform transform = ViewTransform.of(camera, tile, scale);
         gl.glDepthMask(true);
@@ -289,6 +290,11 @@ public final class Renderer {
 
     public int liveObjects() {
         return resources.liveCount() + (targets == null ? 0 : targets.liveCount());
+    }
+
+    /** Waits until the triangles of coarser pictures have been computed, if one has been drawn. */
+    void awaitCoarse() {
+        scene.awaitCoarse();
     }
 
     void setPassListener(PassListener told) {

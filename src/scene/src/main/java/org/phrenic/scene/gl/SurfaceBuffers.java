@@ -11,6 +11,7 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.surface.AmbientOcclusion;
+import org.phrenic.scene.surface.CoarseTriangles;
 import org.phrenic.scene.surface.FieldValues;
 import org.phrenic.scene.surface.VertexAttributes;
 import org.phrenic.scene.surface.VertexNormals;
@@ -39,8 +40,10 @@ final class SurfaceBuffers {
     private final int vertexArray;
     private final int positionBuffer;
     private final int normalBuffer;
+    private final int[] triangles;
     private final int triangleBuffer;
-    private final int triangleCount;
+    private int coarseBuffer;
+    private int coarseCount;
     private final int[] edges;
     private final boolean closed;
     private int restArray;
@@ -57,7 +60,7 @@ final class SurfaceBuffers {
         this.surface = surface;
         this.index = index;
         TriangleMesh mesh = surface.rest();
-        int[] triangles = orientedOutward(mesh);
+        triangles = orientedOutward(mesh);
         normals = new VertexNormals(triangles, mesh.vertexCount());
         float[] rest = restPositions();
         positions = Buffers.newDirectFloatBuffer(rest);
@@ -78,7 +81,6 @@ final class SurfaceBuffers {
         resources.createBuffer(gl, GL3.GL_ARRAY_BUFFER, attributes, GL3.GL_STATIC_DRAW);
         attribute(gl, ATTRIBUTES, 4, GL3.GL_UNSIGNED_BYTE, true);
         triangleBuffer = elements(gl, triangles);
-        triangleCount = triangles.length / 3;
     }
 
     private float[] restPositions() {
@@ -175,11 +177,25 @@ final class SurfaceBuffers {
         return closed;
     }
 
-    void draw(GL3 gl) {
+    /** The surface at rest, with outward triangles. */
+    TriangleMesh outward() {
+        return new TriangleMesh(surface.rest().positions(), triangles);
+    }
+
+    /** Receives the triangles that are drawn on demand in place of all ({@link CoarseTriangles}). */
+    void setCoarse(GL3 gl, int[] fewer) {
         gl.glBindVertexArray(vertexArray);
-        gl.glBindBuffer(GL3.GL_ELEMENT_ARRAY_BUFFER, triangleBuffer);
-        gl.glDrawElements(GL3.GL_TRIANGLES, 3 * triangleCount, GL3.GL_UNSIGNED_INT, 0);
-        resources.countDraw(triangleCount);
+        coarseBuffer = elements(gl, fewer);
+        coarseCount = fewer.length / 3;
+    }
+
+    /** Draws all triangles, or those of {@link #setCoarse}. */
+    void draw(GL3 gl, boolean coarse) {
+        int count = coarse ? coarseCount : triangles.length / 3;
+        gl.glBindVertexArray(vertexArray);
+        gl.glBindBuffer(GL3.GL_ELEMENT_ARRAY_BUFFER, coarse ? coarseBuffer : triangleBuffer);
+        gl.glDrawElements(GL3.GL_TRIANGLES, 3 * count, GL3.GL_UNSIGNED_INT, 0);
+        resources.countDraw(count);
     }
 
     /** Draws the edges at the current or the rest positions. */

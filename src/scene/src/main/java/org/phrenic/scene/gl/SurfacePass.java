@@ -58,8 +58,19 @@ final class SurfacePass {
     private final Map<Set<Feature>, ShaderProgram> programs = new HashMap<>();
     private final Map<ColourMap, Integer> colourMapTextures = new EnumMap<>(ColourMap.class);
 
+    private boolean coarse;
+
     SurfacePass(GlResources resources) {
         this.resources = resources;
+    }
+
+    /** Draws fewer triangles of each surface that shows no field from now on, or all. */
+    void setCoarse(boolean fewer) {
+        coarse = fewer;
+    }
+
+    boolean isCoarse() {
+        return coarse;
     }
 
     void draw(GL3 gl, SurfaceBuffers buffers, ViewTransform transform, SceneStyle style, Faces faces) {
@@ -102,7 +113,8 @@ final class SurfacePass {
             program.set(gl, "firstLayer", layer.first() ? 1f : 0f);
         }
         setCulling(gl, faces);
-        buffers.draw(gl);
+        // Values are known at all vertices.
+        buffers.draw(gl, coarse && !features.contains(Feature.FIELD));
     }
 
     private static Set<Feature> features(Surface surface, Appearance look, SceneStyle style, Faces faces) {

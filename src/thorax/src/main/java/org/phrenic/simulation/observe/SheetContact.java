@@ -111,8 +111,9 @@ public final class SheetContact {
     /**
      * An organ on one side of the sheet. Its points are searched in clusters: no sheet lies between the first of a
      * cluster and a point that is nearer to it than the sheet is. Such a point lies on the same side, and is searched
-     * only if a fold of the sheet may be as near to it as {@value #FOLD_REACH_MM} mm. A point that, since it was last
-     * searched, has moved together with the sheet by less than it was too far away is not searched again.
+     * only if a fold of the sheet may be as near to it as {@value #FOLD_REACH_MM} mm. The same holds from frame to
+     * frame: a point that lay on its side when it was last searched, and since then has moved together with the sheet
+     * by less than it was away from it, less {@value #FOLD_REACH_MM} mm, still does and is not searched again.
      */
     public final class Organ {
         private final boolean above;
@@ -123,6 +124,8 @@ public final class SheetContact {
         private final double[] searchedAt;
         /** Least distance of each point from the sheet when last searched, plus the sheet's travel until then, mm. */
         private final double[] leastMm;
+        /** Whether each point certainly lay on the organ's side when last searched. */
+        private final boolean[] onSide;
         /** Whether the point that was last searched lay beyond the face of the organ's side. */
         private boolean beyond;
 
@@ -134,6 +137,7 @@ public final class SheetContact {
             searchedAt = rest.clone();
             leastMm = new double[nearest.length];
             Arrays.fill(leastMm, Double.NEGATIVE_INFINITY);
+            onSide = new boolean[nearest.length];
         }
 
         /** Moves the points that lie beyond the face of the organ's side; three numbers a point, changed in place. */
@@ -154,7 +158,7 @@ public final class SheetContact {
                     double dy = points[m + 1] - y;
                     double dz = points[m + 2] - z;
                     double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
-                    if (distance + FOLD_REACH_MM > free && !isAtFace(points, m)) {
+                    if (distance + FOLD_REACH_MM > free && !isStillOnSide(points, m) && !isAtFace(points, m)) {
                         pushBack(points, m, distance < free ? PLEAT_REACH_MM : REACH_MM);
                     }
                 }
@@ -180,6 +184,11 @@ public final class SheetContact {
             return free > 0 && squaredDistance(points, k, searchedAt, k) < free * free;
         }
 
+        /** Whether a point cannot have crossed the sheet, nor come near to a fold of it, since it was last searched. */
+        private boolean isStillOnSide(double[] points, int k) {
+            return onSide[k / 3] && isBeyondReach(points, k, FOLD_REACH_MM);
+        }
+
         /**
          * Whether a point lies so near to a triangle of its own face that it is not moved even if it is beyond; tells
          * of no point that it is farther.
@@ -194,6 +203,9 @@ public final class SheetContact {
 
         /** Moves a point if it lies beyond; returns up to which distance all points lie on the organ's side, mm. */
         private double freeDistance(double[] points, int k) {
+            if (isStillOnSide(points, k)) {
+                return leastMm[k / 3] - travelMm - Math.sqrt(squaredDistance(points, k, searchedAt, k));
+            }
             if (!pushBack(points, k, CLUSTER_REACH_MM)) {
                 return CLUSTER_REACH_MM;
             }
@@ -215,6 +227,7 @@ public final class SheetContact {
             System.arraycopy(points, k, searchedAt, k, 3);
             leastMm[k / 3] = travelMm + (found ? Math.sqrt(hit.distanceSquared) : reachMm + AHEAD_MM);
             beyond = near && isBeyond(points, k, above);
+            onSide[k / 3] = near && !beyond && !isOnBorder();
             if (beyond
                     && hit.distanceSquared <= REACH_MM * REACH_MM
                     && sheet.closest(x, y, z, REACH_MM, -1, above ? thoracicFace : abdominalFace, onFace)) {

@@ -184,6 +184,45 @@ class SheetContactTest {
         assertYieldsAsAlone(contact, points, false);
     }
 
+    /** The sheet goes down by 20 mm in 40 frames and is pleated meanwhile; points follow it by half. */
+    @Test
+    void pointsOfASeriesOfFramesYieldAsTheyDoInOneAlone() {
+        DiaphragmPart part = simulation.scene().diaphragm();
+        double[] rest = simulation.scene().restPositions();
+        double[] sheet = part.diaphragm.sheet().positions();
+        Random random = new Random(11);
+        double[] at = new double[3 * 2000];
+        for (int k = 0; k < at.length; k += 3) {
+            int near = 3 * random.nextInt(sheet.length / 3);
+            for (int axis = 0; axis < 3; axis++) {
+                at[k + axis] = sheet[near + axis] + 12 * random.nextGaussian();
+            }
+        }
+        SheetContact series = new SheetContact(part);
+        series.update(rest);
+        for (boolean above : new boolean[] {true, false}) {
+            SheetContact.Organ organ = series.organ(at, above);
+            for (int frame = 0; frame <= 40; frame++) {
+                double share = frame / 40.0;
+                double[] nodes = rest.clone();
+                double[] points = at.clone();
+                for (int k = 0; k < nodes.length; k += 3) {
+                    nodes[k + 2] -= share * (LOWERED_MM - 3 * Math.sin(2 * Math.PI * nodes[k] / 30));
+                }
+                for (int k = 2; k < points.length; k += 3) {
+                    points[k] -= share * LOWERED_MM / 2;
+                }
+                series.update(nodes);
+                SheetContact alone = new SheetContact(part);
+                alone.update(nodes);
+                double[] expected = points.clone();
+                alone.organ(at, above).pushBack(expected);
+                organ.pushBack(points);
+                assertThat(points).as("frame %d", frame).containsExactly(expected);
+            }
+        }
+    }
+
     private static void assertYieldsAsAlone(SheetContact contact, double[] points, boolean above) {
         double[] together = points.clone();
         SheetContact.Organ organ = contact.organ(points, above);
