@@ -30,7 +30,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class ReferenceHashTest {
     private static final Pattern HASH = Pattern.compile("\"state_sha256\"\\s*:\\s*\"([0-9a-f]{64})\"");
     private static final Path SHARED = Path.of("..", "shared");
-    private static final String PLAN_HASH = "3af463669e7007409be5cd04340a503be42db661677d88be3f91a4d7c56523b6";
+    private static final String PLAN_HASH = "6d9b40e1010f2fe116f34aba7b60ceb4b8048454dfb259091316e162df586609";
 
     record ReferenceScene(String name, String options, String hash) {
         @Override

@@ -22,6 +22,11 @@ public final class MovingChestWall {
     public static final double MAX_SPACING_MM = LAYER_MM / 2;
 
     private static final int SMOOTHINGS = 2;
+    /**
+     * Least distance from the line of a place that has a wall, mm. Nearer to it the radius depends on a direction that
+     * a small motion turns, and the crura in front of the spine are not apposed to the chest wall.
+     */
+    private static final double LEAST_RADIUS_MM = 25;
 
     private final double centreX;
     private final double centreY;
@@ -119,6 +124,13 @@ public final class MovingChestWall {
         double x = px - centreX;
         double y = py - centreY;
         return radiusAt(diamondAngle(x, y), (pz - bottom) / LAYER_MM) - Math.sqrt(x * x + y * y);
+    }
+
+    /** Whether a place is far enough from the vertical line through the middle of the chest for contact. */
+    public boolean isAwayFromAxis(double px, double py) {
+        double x = px - centreX;
+        double y = py - centreY;
+        return x * x + y * y >= LEAST_RADIUS_MM * LEAST_RADIUS_MM;
     }
 
     /** Radially outward component of a unit vector at a point, -1 to 1. */

@@ -270,14 +270,15 @@ public final class DiaphragmPart {
 
     /**
      * Vertices of the sheet in contact with the chest wall: the thoracic face of the muscle, and the abdominal face in
-     * the zone of apposition. The abdominal face is included because a strut keeps its length but does not stop the two
-     * faces from passing through each other.
+     * the zone of apposition, but for the crura in the middle of the chest, which no chest wall is near. The abdominal
+     * face is included because a strut keeps its length but does not stop the two faces from passing through each
+     * other.
      */
     public int[] slidingVertices(MovingChestWall wall) {
         TriangleMesh s = diaphragm.sheet();
         return IntStream.range(0, s.vertexCount())
-                .filter(i ->
-                        isFreeMuscle(i) && (diaphragm.isThoracic(i) || wall.depth(s.x(i), s.y(i), s.z(i)) < APPOSED_MM))
+                .filter(i -> isFreeMuscle(i) && wall.isAwayFromAxis(s.x(i), s.y(i)))
+                .filter(i -> diaphragm.isThoracic(i) || wall.depth(s.x(i), s.y(i), s.z(i)) < APPOSED_MM)
                 .toArray();
     }
 

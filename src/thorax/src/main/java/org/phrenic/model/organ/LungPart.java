@@ -98,6 +98,7 @@ public final class LungPart {
                         ? Math.sqrt(onFace.distanceSquared)
                         : FADE_MM;
                 boolean costal = wall != null
+                        && wall.isAwayFromAxis(mesh.x(i), mesh.y(i))
                         && wall.depth(mesh.x(i), mesh.y(i), mesh.z(i)) < PLEURAL_MM
                         && wall.outwardComponent(mesh.x(i), mesh.y(i), normals[3 * i], normals[3 * i + 1]) > LATERAL;
                 if (costal) {
