@@ -33,6 +33,21 @@ class ThreadChooserTest {
     }
 
     @Test
+    void allThreadsThatKeepPaceAreUsedWhereOneIsALittleTooSlow() {
+        assertThat(watch(100, 0.965, 1.0)).isGreaterThan(0.9);
+        assertThat(watch(100, 0.965, 1.0)).isEqualTo(1);
+    }
+
+    @Test
+    void oneThreadThatFallsBehindTimeAndAgainIsLeft() {
+        for (int i = 0; i < 20 && !chooser.allThreads(); i++) {
+            boolean behind = i % 4 == 0;
+            chooser.measured(behind ? 0.95 : 1, behind);
+        }
+        assertThat(chooser.allThreads()).isTrue();
+    }
+
+    @Test
     void aBusyMachineWhereTwoThreadsHinderEachOtherIsLeftAlone() {
         assertThat(watch(1000, 0.8, 0.2)).isLessThan(0.05);
     }
