@@ -32,7 +32,6 @@ final class ThreadChooser {
     private int triedFor;
     private double usualRate;
     private double triedRate;
-    private boolean caughtUp;
 
     /** Whether all threads are used. */
     boolean allThreads() {
@@ -57,9 +56,8 @@ final class ThreadChooser {
         if (trying) {
             triedFor++;
             triedRate = triedFor > 1 ? Math.max(triedRate, rate) : 0;
-            caughtUp = triedFor > 1 && !behind;
             if (triedFor >= TRIAL) {
-                endTrial();
+                endTrial(behind);
             }
         } else if (behind) {
             onPaceFor = 0;
@@ -74,10 +72,10 @@ final class ThreadChooser {
         }
     }
 
-    private void endTrial() {
+    private void endTrial(boolean behind) {
         trying = false;
         behindFor = 0;
-        if ((allThreads && caughtUp) || triedRate >= GAIN * usualRate) {
+        if ((allThreads && !behind) || triedRate >= GAIN * usualRate) {
             wait = FIRST_WAIT;
         } else {
             allThreads = !allThreads;

@@ -116,15 +116,7 @@ class SheetContactTest {
     void aPointYieldsAsItDoesAlone() {
         SheetContact contact = new SheetContact(simulation.scene().diaphragm());
         contact.update(lowered);
-        Random random = new Random(5);
-        double[] sheet = simulation.scene().diaphragm().diaphragm.sheet().positions();
-        double[] points = new double[3 * 3000];
-        for (int k = 0; k < points.length; k += 3) {
-            int near = 3 * random.nextInt(sheet.length / 3);
-            for (int axis = 0; axis < 3; axis++) {
-                points[k + axis] = sheet[near + axis] + 12 * random.nextGaussian();
-            }
-        }
+        double[] points = aroundTheSheet(3000, 5);
         assertYieldsAsAlone(contact, points, false);
         assertYieldsAsAlone(contact, points, true);
     }
@@ -189,15 +181,7 @@ class SheetContactTest {
     void pointsOfASeriesOfFramesYieldAsTheyDoInOneAlone() {
         DiaphragmPart part = simulation.scene().diaphragm();
         double[] rest = simulation.scene().restPositions();
-        double[] sheet = part.diaphragm.sheet().positions();
-        Random random = new Random(11);
-        double[] at = new double[3 * 2000];
-        for (int k = 0; k < at.length; k += 3) {
-            int near = 3 * random.nextInt(sheet.length / 3);
-            for (int axis = 0; axis < 3; axis++) {
-                at[k + axis] = sheet[near + axis] + 12 * random.nextGaussian();
-            }
-        }
+        double[] at = aroundTheSheet(2000, 11);
         SheetContact series = new SheetContact(part);
         series.update(rest);
         for (boolean above : new boolean[] {true, false}) {
@@ -221,6 +205,19 @@ class SheetContactTest {
                 assertThat(points).as("frame %d", frame).containsExactly(expected);
             }
         }
+    }
+
+    private static double[] aroundTheSheet(int count, long seed) {
+        double[] sheet = simulation.scene().diaphragm().diaphragm.sheet().positions();
+        Random random = new Random(seed);
+        double[] points = new double[3 * count];
+        for (int k = 0; k < points.length; k += 3) {
+            int near = 3 * random.nextInt(sheet.length / 3);
+            for (int axis = 0; axis < 3; axis++) {
+                points[k + axis] = sheet[near + axis] + 12 * random.nextGaussian();
+            }
+        }
+        return points;
     }
 
     private static void assertYieldsAsAlone(SheetContact contact, double[] points, boolean above) {
