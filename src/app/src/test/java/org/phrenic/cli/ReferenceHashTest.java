@@ -30,7 +30,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class ReferenceHashTest {
     private static final Pattern HASH = Pattern.compile("\"state_sha256\"\\s*:\\s*\"([0-9a-f]{64})\"");
     private static final Path SHARED = Path.of("..", "shared");
-    private static final String PLAN_HASH = "6d9b40e1010f2fe116f34aba7b60ceb4b8048454dfb259091316e162df586609";
+    private static final String PLAN_HASH = "35edab69d7ed459a4a636f4ebb58c73f3ebeb9c6ca87be887eb9127054a7bdd9";
 
     record ReferenceScene(String name, String options, String hash) {
         @Override

@@ -60,7 +60,7 @@ public final class HarmonicField {
             isFixed[fixed[k]] = true;
             u[fixed[k]] = given[k];
         }
-        double[] weights = cotangentWeights(mesh, topology);
+        double[] weights = limitedWeights(mesh, topology);
         solve(topology, weights, isFixed, u);
         return new HarmonicField(mesh, u);
     }
@@ -102,36 +102,12 @@ public final class HarmonicField {
         }
     }
 
-    private static double[] cotangentWeights(TriangleMesh mesh, MeshTopology topology) {
-        double[] weights = new double[topology.edgeCount()];
-        double[] n = new double[3];
-        for (int i = 0; i < mesh.triangleCount(); i++) {
-            addCotangents(mesh, i, topology.edgeOfSide(), n, weights);
-        }
+    private static double[] limitedWeights(TriangleMesh mesh, MeshTopology topology) {
+        double[] weights = CotangentWeights.of(mesh, topology);
         for (int e = 0; e < weights.length; e++) {
             weights[e] = Math.max(MIN_WEIGHT, Math.min(MAX_WEIGHT, weights[e]));
         }
         return weights;
-    }
-
-    private static void addCotangents(TriangleMesh mesh, int triangle, int[] edges, double[] n, double[] weights) {
-        double twiceArea = MeshMeasure.triangleCrossProduct(mesh, triangle, n);
-        double[] p = mesh.positions();
-        int[] t = mesh.triangles();
-        int at = 3 * triangle;
-        for (int corner = 0; corner < 3; corner++) {
-            int edge = edges[at + (corner + 1) % 3];
-            if (edge < 0 || twiceArea == 0) {
-                continue;
-            }
-            int a = 3 * t[at + corner];
-            int b = 3 * t[at + (corner + 1) % 3];
-            int c = 3 * t[at + (corner + 2) % 3];
-            double dot = (p[b] - p[a]) * (p[c] - p[a])
-                    + (p[b + 1] - p[a + 1]) * (p[c + 1] - p[a + 1])
-                    + (p[b + 2] - p[a + 2]) * (p[c + 2] - p[a + 2]);
-            weights[edge] += 0.5 * dot / twiceArea;
-        }
     }
 
     /** Solves for the free entries of u in place; the given u is the initial guess. */

@@ -1,7 +1,5 @@
 package org.phrenic.anatomy;
 
-import java.util.Arrays;
-import org.phrenic.engine.math.ArgSort;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
@@ -26,40 +24,84 @@ final class CentralTendon {
      */
     private static final double MIN_HEIGHT_SHARE = 0.65;
 
+    /** Weight of the height relative to the leaflets' radii, whose slopes are then alike. */
+    private static final double HEIGHT_WEIGHT = 4;
+
+    private static final int BISECTIONS = 50;
+
     private CentralTendon() {}
 
     /**
-     * Marks the vertices of the tendon.
+     * A field on the vertices that is negative in the tendon. Its zero line is the tendon's border, which crosses edges
+     * where the linear interpolation of the field is 0, so the area within it does not depend on where vertices lie.
      *
      * @param sheet closed sheet, LPS, mm
      * @param share fraction of the sheet's area, 0 to 1
      */
-    static boolean[] of(TriangleMesh sheet, double share) {
+    static double[] field(TriangleMesh sheet, double share) {
         double[] box = sheet.bounds();
         double[] normals = MeshMeasure.vertexNormals(sheet);
-        double[] areas = MeshMeasure.vertexAreas(sheet);
         int n = sheet.vertexCount();
-        double[] level = new double[n];
-        long[] key = new long[n];
+        double[] radius = new double[n];
+        double[] roof = new double[n];
+        double most = 0;
         for (int i = 0; i < n; i++) {
             double u = (sheet.x(i) - 0.5 * (box[0] + box[3])) / (0.5 * (box[3] - box[0]));
             double v = (sheet.y(i) - 0.5 * (box[1] + box[4])) / (0.5 * (box[4] - box[1]));
-            boolean upper = sheet.z(i) > box[2] + MIN_HEIGHT_SHARE * (box[5] - box[2]);
-            level[i] = upper && Math.abs(normals[3 * i + 2]) > MIN_ROOF_COSINE
-                    ? leafletLevel(u, v)
-                    : Double.POSITIVE_INFINITY;
-            // The bit patterns of non-negative doubles sort as their values.
-            key[i] = Double.doubleToRawLongBits(level[i]);
+            double height = (sheet.z(i) - box[2]) / (box[5] - box[2]);
+            radius[i] = Math.sqrt(leafletLevel(u, v));
+            roof[i] = Math.max(
+                    HEIGHT_WEIGHT * (MIN_HEIGHT_SHARE - height), MIN_ROOF_COSINE - Math.abs(normals[3 * i + 2]));
+            most = Math.max(most, radius[i]);
         }
-        int[] order = ArgSort.of(key);
-        double wanted = share * Arrays.stream(areas).sum();
-        boolean[] tendon = new boolean[n];
+        double[] areas = new double[sheet.triangleCount()];
+        double[] normal = new double[3];
+        double wanted = 0;
+        for (int t = 0; t < areas.length; t++) {
+            areas[t] = 0.5 * MeshMeasure.triangleCrossProduct(sheet, t, normal);
+            wanted += share * areas[t];
+        }
+        double low = 0;
+        double high = most;
+        double[] field = new double[n];
+        for (int i = 0; i < BISECTIONS; i++) {
+            double middle = 0.5 * (low + high);
+            if (areaWithin(sheet, areas, fill(field, radius, roof, middle)) < wanted) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        return fill(field, radius, roof, high);
+    }
+
+    private static double[] fill(double[] field, double[] radius, double[] roof, double limit) {
+        for (int i = 0; i < field.length; i++) {
+            field[i] = Math.max(radius[i] - limit, roof[i]);
+        }
+        return field;
+    }
+
+    /** Area in which a field, linear in each triangle, is negative. */
+    private static double areaWithin(TriangleMesh sheet, double[] areas, double[] field) {
+        int[] corner = sheet.triangles();
         double sum = 0;
-        for (int i = 0; i < n && sum < wanted && level[order[i]] < Double.POSITIVE_INFINITY; i++) {
-            tendon[order[i]] = true;
-            sum += areas[order[i]];
+        for (int t = 0; t < areas.length; t++) {
+            double a = field[corner[3 * t]];
+            double b = field[corner[3 * t + 1]];
+            double c = field[corner[3 * t + 2]];
+            double least = Math.min(a, Math.min(b, c));
+            double greatest = Math.max(a, Math.max(b, c));
+            if (greatest < 0) {
+                sum += areas[t];
+            } else if (least < 0) {
+                double middle = a + b + c - least - greatest;
+                sum += middle < 0
+                        ? areas[t] * (1 - greatest * greatest / ((greatest - least) * (greatest - middle)))
+                        : areas[t] * least * least / ((middle - least) * (greatest - least));
+            }
         }
-        return tendon;
+        return sum;
     }
 
     private static double leafletLevel(double u, double v) {

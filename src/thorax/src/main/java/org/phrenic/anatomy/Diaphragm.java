@@ -31,6 +31,9 @@ public final class Diaphragm {
     private final MeshTopology topology;
     private final DiaphragmFaces faces;
     private final boolean[] inserted;
+    /** Negative at vertices of the tendon. */
+    private final double[] tendonField;
+
     private final boolean[] tendon;
     private final double[] distance;
     private final double[] fibre;
@@ -41,14 +44,18 @@ public final class Diaphragm {
             DiaphragmFaces faces,
             boolean[] inserted,
             double[] distance,
-            boolean[] tendon,
+            double[] tendonField,
             ComputedArrays computed) {
         this.sheet = sheet;
         this.topology = topology;
         this.faces = faces;
         this.inserted = inserted;
         this.distance = distance;
-        this.tendon = tendon;
+        this.tendonField = tendonField;
+        tendon = new boolean[tendonField.length];
+        for (int i = 0; i < tendon.length; i++) {
+            tendon[i] = tendonField[i] < 0;
+        }
         this.fibre = computed.get("fibres", sheet.triangles().length, this::computeFibreDirections);
     }
 
@@ -63,7 +70,7 @@ public final class Diaphragm {
         DiaphragmFaces faces = new DiaphragmFaces(sheet, topology);
         boolean[] inserted = outerBorder(topology, faces);
         double[] distance = distancesFromInsertion(sheet, topology, inserted);
-        boolean[] tendon = CentralTendon.of(sheet, TENDON_SHARE);
+        double[] tendon = CentralTendon.field(sheet, TENDON_SHARE);
         return new Diaphragm(sheet, topology, faces, inserted, distance, tendon, computed);
     }
 
@@ -72,10 +79,8 @@ public final class Diaphragm {
         MeshTopology topology = new MeshTopology(sheet);
         DiaphragmFaces faces = new DiaphragmFaces(sheet, topology);
         boolean[] inserted = outerBorder(topology, faces);
-        boolean[] tendon = new boolean[sheet.vertexCount()];
-        for (int i = 0; i < tendon.length; i++) {
-            tendon[i] = sheet.z(i) > height;
-        }
+        double[] tendon = new double[sheet.vertexCount()];
+        Arrays.setAll(tendon, i -> height - sheet.z(i));
         double[] distance = distancesFromInsertion(sheet, topology, inserted);
         return new Diaphragm(sheet, topology, faces, inserted, distance, tendon, ComputedArrays.none());
     }
@@ -161,6 +166,16 @@ public final class Diaphragm {
 
     public boolean isTendon(int vertex) {
         return tendon[vertex];
+    }
+
+    /** Part of an edge, between two vertices, that lies within the border of the tendon, 0 to 1. */
+    public double tendonShare(int a, int b) {
+        if (tendon[a] == tendon[b]) {
+            return tendon[a] ? 1 : 0;
+        }
+        double inside = tendon[a] ? tendonField[a] : tendonField[b];
+        double outside = tendon[a] ? tendonField[b] : tendonField[a];
+        return inside / (inside - outside);
     }
 
     /** Geodesic distance along the sheet from the insertion, mm. */

@@ -75,6 +75,40 @@ class DiaphragmTest {
         }
     }
 
+    /** The border crosses edges, so the tendon has its share of the area whatever the triangles' size. */
+    @Test
+    void theBorderOfTheTendonEnclosesItsShareOnEveryMesh() {
+        for (int rings : new int[] {8, 12, 20}) {
+            Diaphragm d = Diaphragm.withTrefoilTendon(DomeSheet.adult(rings));
+            TriangleMesh sheet = d.sheet();
+            int[] t = sheet.triangles();
+            double inside = 0;
+            for (int i = 0; i < sheet.triangleCount(); i++) {
+                double area = 0.5 * MeshMeasure.triangleCrossProduct(sheet, i, new double[3]);
+                inside += area * shareInside(d, t[3 * i], t[3 * i + 1], t[3 * i + 2]);
+            }
+            assertThat(inside / MeshMeasure.area(sheet)).isCloseTo(Diaphragm.TENDON_SHARE, within(1e-6));
+        }
+    }
+
+    /** Share of a triangle within a straight border, from where it crosses the edges. */
+    private static double shareInside(Diaphragm d, int... corner) {
+        int inside = 0;
+        for (int c : corner) {
+            inside += d.isTendon(c) ? 1 : 0;
+        }
+        if (inside == 0 || inside == 3) {
+            return inside / 3;
+        }
+        int odd = 0;
+        while (d.isTendon(corner[odd]) != (inside == 1)) {
+            odd++;
+        }
+        double one = d.tendonShare(corner[odd], corner[(odd + 1) % 3]);
+        double other = d.tendonShare(corner[odd], corner[(odd + 2) % 3]);
+        return inside == 1 ? one * other : 1 - (1 - one) * (1 - other);
+    }
+
     @Test
     void bothFacesOfTheTendonLieOverEachOther() {
         double[] areas = MeshMeasure.vertexAreas(male.sheet());

@@ -33,7 +33,7 @@ class HeldDeepBreathTest {
                 sum += d * d;
                 max = Math.max(max, d);
             }
-            assertThat(Math.sqrt(3 * sum / after.length)).as("rms, mm").isLessThan(0.03);
+            assertThat(Math.sqrt(3 * sum / after.length)).as("rms, mm").isLessThan(0.05);
             assertThat(max).as("greatest, mm").isLessThan(0.4);
         }
     }

@@ -17,9 +17,7 @@ import org.phrenic.mesh.Vectors;
 final class DiaphragmSheet {
     private static final double PIVOT_Z = 20;
     private static final int SWEEPS = 20;
-    private static final double SHARP_COSINE = 0.87;
     private static final double CRURA_HALF_BREADTH_MM = 60;
-    private static final int SOFTENING_PASSES = 8;
     private static final double TENDON_EDGE_MM = 8;
 
     private final VirtualThoraxParameters.Diaphragm measures;
@@ -61,16 +59,19 @@ final class DiaphragmSheet {
             p[v] = Vectors.of(middle.x(v), middle.y(v), middle.z(v));
             normals[v] = shape.normal(p[v]);
         }
+        double edge = TwoFacedSheet.meanEdge(middle);
+        double sharpCosine = StrictMath.cos(edge / measures.cruralRadiusMm());
         double[] share = new double[n];
         for (int c = 0; c < face.length; c++) {
             int a = face[c];
             int b = face[c % 3 == 2 ? c - 2 : c + 1];
-            if (Math.abs(p[a][0]) < CRURA_HALF_BREADTH_MM && Vectors.dot(normals[a], normals[b]) < SHARP_COSINE) {
+            if (Math.abs(p[a][0]) < CRURA_HALF_BREADTH_MM && Vectors.dot(normals[a], normals[b]) < sharpCosine) {
                 share[a] = a < firstRim ? 0.5 : 0;
                 share[b] = b < firstRim ? 0.5 : 0;
             }
         }
-        for (int pass = 0; pass < SOFTENING_PASSES; pass++) {
+        int passes = TwoFacedSheet.passesOver(measures.cruralSmoothingMm(), edge);
+        for (int pass = 0; pass < passes; pass++) {
             double[][] sums = new double[n][3];
             int[] count = new int[n];
             for (int c = 0; c < face.length; c++) {
@@ -106,7 +107,7 @@ final class DiaphragmSheet {
             rim[2 * (v - firstRim)] = v;
             rim[2 * (v - firstRim) + 1] = v + 1 < n ? v + 1 : firstRim;
         }
-        return TwoFacedSheet.of(middle, normals, thickness, rim);
+        return TwoFacedSheet.of(middle, normals, measures.normalSmoothingMm(), thickness, rim);
     }
 
     /**

@@ -165,6 +165,10 @@ public record VirtualThoraxParameters(
      * @param muscleMm thickness of the muscular part
      * @param tendonMm thickness of the central tendon
      * @param tendonAreaCm2 area of the central tendon
+     * @param normalSmoothingMm length over which normals are averaged before the faces are offset from the middle
+     *     surface
+     * @param cruralRadiusMm radius of curvature below which the sheet is smoothed near the crura
+     * @param cruralSmoothingMm length over which it is smoothed there
      * @param rim points of the line of insertion: azimuth in degrees (0 back, positive left) and height z, from -180 to
      *     180
      */
@@ -183,6 +187,9 @@ public record VirtualThoraxParameters(
             double muscleMm,
             double tendonMm,
             double tendonAreaCm2,
+            double normalSmoothingMm,
+            double cruralRadiusMm,
+            double cruralSmoothingMm,
             @Key(count = 2) List<ImmutableDoubleArray> rim) {
         public Diaphragm {
             requireRising("rim", rim);

@@ -17,7 +17,7 @@ public final class Muscle extends ScenePart {
             .onOff(true);
     public static final Parameter MUSCLE_ACTIVATION = Parameter.named("muscle_activation", "Muscle activation")
             .range(0, 0.8)
-            .initial(0.71)
+            .initial(0.66)
             .group(Group.MUSCLE)
             .switchedBy(MUSCLE)
             .fitted(0.1, 0.8, 1)

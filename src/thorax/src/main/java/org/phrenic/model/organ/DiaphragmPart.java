@@ -8,6 +8,7 @@ import org.phrenic.anatomy.OpposingVertices;
 import org.phrenic.anatomy.cage.MovingChestWall;
 import org.phrenic.engine.constraint.NonInversionPairs;
 import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.mesh.CotangentWeights;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
@@ -27,20 +28,17 @@ public final class DiaphragmPart {
     private static final double REACH_MM = 20;
 
     private static final int STRUTS = 2;
-    /** Share by which free muscle widens across its fibres while it shortens along them by one minus this. */
-    private static final double ACROSS = 0.125;
+    /** Limits of the number of equilateral triangles that an edge counts for; slivers would pass them. */
+    private static final double LEAST_TRIANGLES = 0.4;
+
+    private static final double MOST_TRIANGLES = 8;
+    /** Inset of the abdominal face from the wall, as a share of the thickness: at rest it is free. */
+    private static final double INSET_SHARE = 0.97;
 
     private static final double MIDLINE_MM = 20;
     private static final double FRONT_MM = 50;
     /** Distance from the wall at rest, mm, within which the abdominal face belongs to the zone of apposition. */
     private static final double APPOSED_MM = 15;
-    /** Inset of the abdominal face from the wall, mm: slightly more than half of the sheet's 2 to 5 mm. */
-    private static final double BEHIND_MM = 1.8;
-    /**
-     * Relative strut stiffness. A strut resists the pressure on one node's area and shear between the faces; a softer
-     * one lets shear depend on the edge length, a stiffer one would shorten the stable step.
-     */
-    private static final double STRUT_STIFFNESS = 0.75;
     /**
      * Stiffness per unit of area of the tissue at the origin of the crura. It yields 1 to 2 mm to a muscle stress of
      * some kPa in a sheet of some mm.
@@ -66,16 +64,17 @@ public final class DiaphragmPart {
      */
     public final double[] cruralStiffnesses;
 
+    private final SheetStruts struts;
     private final FaceOrder faceOrder;
     /**
-     * For each edge of the sheet: contractile share along the fibres (0 in the tendon), position from right (0) to left
-     * (1) across the midline, and from back (0) to front (1).
+     * For each edge of the sheet, then each strut: contractile share along the fibres (0 in the tendon), position from
+     * right (0) to left (1) across the midline, and from back (0) to front (1).
      */
     private double[] fibreShare;
 
     private double[] leftShare;
     private double[] frontShare;
-    /** For each edge of the sheet: part of its length in the tendon, 0, 1/2 or 1. */
+    /** For each edge of the sheet: part of its length in the tendon, 0 to 1. */
     private double[] tendonShare;
 
     /**
@@ -118,14 +117,10 @@ public final class DiaphragmPart {
         cruralStiffnesses = IntStream.of(crural)
                 .mapToDouble(i -> CRURAL_KPA_PER_MM * origin[i] * areas[i])
                 .toArray();
-        addEdges(parts.sheetSprings, from);
         OpposingVertices across = OpposingVertices.of(diaphragm, REACH_MM);
-        if (from.struts) {
-            double[] p = sheet.positions();
-            for (OpposingVertices.Pair pair : across.nearestPairs(STRUTS)) {
-                parts.sheetSprings.addEdge(p, firstNode, pair.a(), pair.b(), law.edgeStiffness(2, STRUT_STIFFNESS), 0);
-            }
-        }
+        List<OpposingVertices.Pair> crossing = from.struts ? across.nearestPairs(STRUTS) : List.of();
+        struts = new SheetStruts(diaphragm, crossing, law.edgeStiffness(2, 1));
+        addSprings(parts.sheetSprings, from, crossing);
         links = across.greedyMatching(diaphragm::isTendon, from.linksPerNode);
         faceOrder = new FaceOrder(diaphragm, from.struts ? across.greedyMatching(i -> isFreeMuscle(i), 1) : List.of());
     }
@@ -148,35 +143,60 @@ public final class DiaphragmPart {
         return !diaphragm.isTendon(vertex) && !diaphragm.isInserted(vertex);
     }
 
-    private void addEdges(SpringList springs, Tissue from) {
-        TriangleMesh sheet = diaphragm.sheet();
+    private void addSprings(SpringList springs, Tissue from, List<OpposingVertices.Pair> across) {
         MeshTopology topology = diaphragm.topology();
-        double[] p = sheet.positions();
-        double[] fibre = diaphragm.fibreDirections();
-        double[] box = sheet.bounds();
-        double middle = 0.5 * (box[0] + box[3]);
-        double middleY = 0.5 * (box[1] + box[4]);
-        fibreShare = new double[topology.edgeCount()];
-        leftShare = new double[topology.edgeCount()];
-        frontShare = new double[topology.edgeCount()];
-        tendonShare = new double[topology.edgeCount()];
-        for (int e = 0; e < topology.edgeCount(); e++) {
+        double[] p = diaphragm.sheet().positions();
+        double[] box = diaphragm.sheet().bounds();
+        int edges = topology.edgeCount();
+        fibreShare = new double[edges + across.size()];
+        leftShare = new double[edges + across.size()];
+        frontShare = new double[edges + across.size()];
+        tendonShare = new double[edges];
+        MuscleStrain strain = new MuscleStrain(diaphragm);
+        for (int e = 0; e < edges; e++) {
             int a = topology.edges()[2 * e];
             int b = topology.edges()[2 * e + 1];
-            tendonShare[e] = tendonShare(a, b, from.struts);
-            int one = topology.face(e, 0);
-            int other = topology.face(e, 1);
-            int sides = (one >= 0 ? 1 : 0) + (other >= 0 ? 1 : 0);
-            double share = (one >= 0 ? alongFibre(p, a, b, fibre, one) : 0)
-                    + (other >= 0 ? alongFibre(p, a, b, fibre, other) : 0);
-            double origin = 0.5 * (cruralShare[a] + cruralShare[b]);
-            fibreShare[e] = share / sides * (1 - tendonShare[e]) * (1 - origin);
-            leftShare[e] = smoothShare(0.5 * (sheet.x(a) + sheet.x(b)) - middle, MIDLINE_MM);
-            frontShare[e] = smoothShare(middleY - 0.5 * (sheet.y(a) + sheet.y(b)), FRONT_MM);
-            double stiffness = from.law.edgeStiffness(sides, inSeries(tendonShare[e], from.tendonRatio));
-            double contractile = contractileShare(e, from.leftOverRight, from.frontOverBack);
-            springs.addEdge(p, firstNode, a, b, stiffness, contractile);
+            double share = diaphragm.tendonShare(a, b);
+            tendonShare[e] = from.struts || share == 1 ? share : 0;
+            placeSpring(e, box, a, b, strain.alongEdge(e) * (1 - tendonShare[e]));
         }
+        double[] stiffness = edgeStiffnesses(from);
+        double[] carried = struts.carriedShares(topology, stiffness);
+        for (int e = 0; e < edges; e++) {
+            int a = topology.edges()[2 * e];
+            int b = topology.edges()[2 * e + 1];
+            double rest = 1 - 0.5 * (carried[a] + carried[b]);
+            double contractile = contractileShare(e, from.leftOverRight, from.frontOverBack);
+            springs.addEdge(p, firstNode, a, b, rest * stiffness[e], contractile);
+        }
+        for (int i = 0; i < across.size(); i++) {
+            OpposingVertices.Pair pair = across.get(i);
+            placeSpring(edges + i, box, pair.a(), pair.b(), strain.alongStrut(pair.a(), pair.b()));
+            double contractile = contractileShare(edges + i, from.leftOverRight, from.frontOverBack);
+            springs.addEdge(p, firstNode, pair.a(), pair.b(), struts.stiffness(pair), contractile);
+        }
+    }
+
+    /** Stiffness of each edge of the sheet if edges alone carried it, N/m. */
+    private double[] edgeStiffnesses(Tissue from) {
+        double[] weights = CotangentWeights.of(diaphragm.sheet(), diaphragm.topology());
+        double[] stiffness = new double[weights.length];
+        for (int e = 0; e < stiffness.length; e++) {
+            double triangles = Math.max(LEAST_TRIANGLES, Math.min(MOST_TRIANGLES, 2 * Math.sqrt(3) * weights[e]));
+            stiffness[e] = from.law.edgeStiffness(triangles, inSeries(tendonShare[e], from.tendonRatio));
+        }
+        return stiffness;
+    }
+
+    /** Sets the contractile share of a spring, less where it lies in the crura, and where it lies in the sheet. */
+    private void placeSpring(int spring, double[] box, int a, int b, double share) {
+        TriangleMesh sheet = diaphragm.sheet();
+        double origin = 0.5 * (cruralShare[a] + cruralShare[b]);
+        fibreShare[spring] = share * (1 - origin);
+        double middle = 0.5 * (box[0] + box[3]);
+        double middleY = 0.5 * (box[1] + box[4]);
+        leftShare[spring] = smoothShare(0.5 * (sheet.x(a) + sheet.x(b)) - middle, MIDLINE_MM);
+        frontShare[spring] = smoothShare(middleY - 0.5 * (sheet.y(a) + sheet.y(b)), FRONT_MM);
     }
 
     /**
@@ -207,22 +227,13 @@ public final class DiaphragmPart {
                 .toArray();
     }
 
-    /** Share of the activation that shortens an edge of the sheet. Edges are in the order of their springs. */
-    public double contractileShare(int edge, double leftOverRight, double frontOverBack) {
-        return edge < fibreShare.length
-                ? fibreShare[edge]
-                        * driveShare(leftShare[edge], leftOverRight)
-                        * driveShare(frontShare[edge], frontOverBack)
+    /** Share of the activation that shortens a spring of the sheet: its edges, then its struts. */
+    public double contractileShare(int spring, double leftOverRight, double frontOverBack) {
+        return spring < fibreShare.length
+                ? fibreShare[spring]
+                        * driveShare(leftShare[spring], leftOverRight)
+                        * driveShare(frontShare[spring], frontOverBack)
                 : 0;
-    }
-
-    /**
-     * Part of the length of an edge that lies in the tendon. The area of the tendon is that of its vertices' cells, so
-     * its border crosses edges in the middle.
-     */
-    private double tendonShare(int a, int b, boolean physical) {
-        int ends = (diaphragm.isTendon(a) ? 1 : 0) + (diaphragm.isTendon(b) ? 1 : 0);
-        return ends == 2 ? 1 : physical ? 0.5 * ends : 0;
     }
 
     /** Stiffness relative to muscle of an edge whose part in the tendon is in series with its part in muscle. */
@@ -241,24 +252,7 @@ public final class DiaphragmPart {
 
     /** Contractile share along the fibres of each edge of the sheet, 0 in the tendon. */
     public double[] fibreShares() {
-        return fibreShare;
-    }
-
-    /**
-     * cos² θ - 1/8 with θ the angle between an edge and the fibres of a triangle; 0 in the tendon. The edges of a
-     * triangle that shorten by this share deform it alike in every direction of the mesh: by 7/8 along the fibres and
-     * -1/8 across. Held at their length, they pull across the fibres with 1/5 of the force along them.
-     */
-    static double alongFibre(double[] p, int a, int b, double[] fibre, int triangle) {
-        double dot = 0;
-        double squared = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            double d = p[3 * b + axis] - p[3 * a + axis];
-            dot += d * fibre[3 * triangle + axis];
-            squared += d * d;
-        }
-        boolean muscle = fibre[3 * triangle] != 0 || fibre[3 * triangle + 1] != 0 || fibre[3 * triangle + 2] != 0;
-        return muscle ? dot * dot / squared - ACROSS : 0;
+        return Arrays.copyOf(fibreShare, tendonShare.length);
     }
 
     /** Vertices of the sheet that are attached to bone. */
@@ -284,7 +278,7 @@ public final class DiaphragmPart {
 
     /** Inset from the wall at which contact stops a vertex, mm. */
     public double wallInset(int vertex) {
-        return diaphragm.isThoracic(vertex) ? 0 : BEHIND_MM;
+        return diaphragm.isThoracic(vertex) ? 0 : INSET_SHARE * struts.thickness(vertex);
     }
 
     /** Constraint that keeps the thoracic face outside the abdominal face in muscle. */

@@ -17,11 +17,14 @@ import org.phrenic.mesh.TriangleMesh;
 public interface TissueLaw {
 
     /**
-     * Stiffness of an edge shared by {@code triangles} triangles of a tissue, N/m.
+     * Stiffness of an edge shared by {@code triangles} triangles of a tissue, N/m. Between triangles that are not
+     * equilateral an edge counts for √3 (cot α + cot β) triangles, α and β the opposite angles: 3/4 E h cot α for each.
+     * Then Σ k l² (cos 2φ, sin 2φ) over the edges of a triangle, φ their directions, is 0, and a sheet of long
+     * triangles is no stiffer along them than across.
      *
      * @param relative stiffness of the tissue as a multiple of relaxed muscle's
      */
-    double edgeStiffness(int triangles, double relative);
+    double edgeStiffness(double triangles, double relative);
 
     /**
      * Masses of the vertices of a surface, kg. Mass scales with the relative stiffness, so that all tissue has the same
@@ -45,7 +48,7 @@ public interface TissueLaw {
     static TissueLaw membrane(double sheetStiffness, double areaDensity) {
         return new TissueLaw() {
             @Override
-            public double edgeStiffness(int triangles, double relative) {
+            public double edgeStiffness(double triangles, double relative) {
                 return triangles * Math.sqrt(3) / 4 * relative * sheetStiffness / 2;
             }
 
@@ -77,7 +80,7 @@ public interface TissueLaw {
     static TissueLaw uniform(double stiffness, double mass) {
         return new TissueLaw() {
             @Override
-            public double edgeStiffness(int triangles, double relative) {
+            public double edgeStiffness(double triangles, double relative) {
                 return relative * stiffness;
             }
 

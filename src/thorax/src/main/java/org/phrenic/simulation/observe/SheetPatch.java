@@ -12,10 +12,14 @@ import org.phrenic.model.organ.DiaphragmPart;
  * half the depth of the sheet.
  */
 public final class SheetPatch {
-    private static final double RADIUS_MM = 15;
+    /** Radius at which a vertex no longer counts, mm: as broad as a disc of 15 mm, by the root mean square distance. */
+    private static final double RADIUS_MM = 21;
+
     private static final double ROOF = 0.3;
 
     private final int[] nodes;
+    /** Share of each node in the mean. */
+    private final double[] weights;
 
     /**
      * @param part the diaphragm in its scene
@@ -44,14 +48,36 @@ public final class SheetPatch {
                     .orElse(new int[0]);
         }
         nodes = IntStream.of(near).map(i -> part.firstNode + i).toArray();
+        weights = weights(sheet, normals, near, x, y);
+    }
+
+    /** Shares that fall smoothly to 0 at the border, by the area that each vertex stands for in the plan view. */
+    private static double[] weights(TriangleMesh sheet, double[] normals, int[] vertices, double x, double y) {
+        if (vertices.length == 1) {
+            return new double[] {1};
+        }
+        double[] areas = MeshMeasure.vertexAreas(sheet);
+        double[] weights = new double[vertices.length];
+        double sum = 0;
+        for (int i = 0; i < weights.length; i++) {
+            int v = vertices[i];
+            double distance = Math.hypot(sheet.x(v) - x, sheet.y(v) - y) / RADIUS_MM;
+            double inside = 1 - distance * distance;
+            weights[i] = areas[v] * normals[3 * v + 2] * inside * inside;
+            sum += weights[i];
+        }
+        for (int i = 0; i < weights.length; i++) {
+            weights[i] /= sum;
+        }
+        return weights;
     }
 
     /** Mean displacement along an axis (0 left, 1 posterior, 2 superior), mm. */
     public double displacement(double[] rest, double[] now, int axis) {
         double sum = 0;
-        for (int node : nodes) {
-            sum += now[3 * node + axis] - rest[3 * node + axis];
+        for (int i = 0; i < nodes.length; i++) {
+            sum += weights[i] * (now[3 * nodes[i] + axis] - rest[3 * nodes[i] + axis]);
         }
-        return nodes.length == 0 ? 0 : sum / nodes.length;
+        return sum;
     }
 }

@@ -11,7 +11,10 @@ import org.phrenic.mesh.Vectors;
  * vertex i + n/2 is its partner on the other face.
  */
 public final class TwoFacedSheet {
-    private static final int NORMAL_PASSES = 6;
+    /** Length over which normals are averaged, mm. */
+    private static final double NORMAL_LENGTH_MM = 6.5;
+
+    private static final int LEAST_PASSES = 5;
 
     private TwoFacedSheet() {}
 
@@ -24,7 +27,7 @@ public final class TwoFacedSheet {
     public static TriangleMesh of(TriangleMesh middle, double thicknessMm) {
         double[] thickness = new double[middle.vertexCount()];
         Arrays.fill(thickness, thicknessMm);
-        return of(middle, MeshMeasure.vertexNormals(middle), thickness, rim(middle));
+        return of(middle, MeshMeasure.vertexNormals(middle), NORMAL_LENGTH_MM, thickness, rim(middle));
     }
 
     /**
@@ -33,13 +36,15 @@ public final class TwoFacedSheet {
      * @param middle open surface with one border
      * @param normals unit normal of each vertex, three numbers each; they are averaged over neighbours, so that the
      *     inner face does not fold where the sheet bends
+     * @param smoothing length over which normals are averaged, mm
      * @param thickness thickness at each vertex, mm
      * @param rim edges of the border, two vertices each, against the direction of their triangles
      */
-    public static TriangleMesh of(TriangleMesh middle, double[] normals, double[] thickness, int[] rim) {
+    public static TriangleMesh of(
+            TriangleMesh middle, double[] normals, double smoothing, double[] thickness, int[] rim) {
         int n = middle.vertexCount();
         double[] positions = new double[6 * n];
-        double[][] smooth = smoothNormals(middle, normals);
+        double[][] smooth = smoothNormals(middle, normals, smoothing);
         for (int v = 0; v < n; v++) {
             double[] p = Vectors.of(middle.x(v), middle.y(v), middle.z(v));
             double half = thickness[v] / 2;
@@ -81,14 +86,31 @@ public final class TwoFacedSheet {
         return Arrays.copyOf(rim, count);
     }
 
-    private static double[][] smoothNormals(TriangleMesh middle, double[] given) {
+    /**
+     * Number of passes that average over a length, at least 5: on a coarse mesh fewer leave folds. Each pass moves half
+     * of the weight by one edge.
+     *
+     * @param length root mean square distance over which values are averaged, mm
+     * @param edge mean edge length, mm
+     */
+    public static int passesOver(double length, double edge) {
+        return (int) Math.max(LEAST_PASSES, Math.round(2 * length * length / (edge * edge)));
+    }
+
+    /** Mean edge length of a surface, mm. */
+    public static double meanEdge(TriangleMesh mesh) {
+        return MeshMeasure.edgeLengthSummary(mesh, new MeshTopology(mesh)).mean();
+    }
+
+    private static double[][] smoothNormals(TriangleMesh middle, double[] given, double length) {
         int n = middle.vertexCount();
         double[][] normals = new double[n][];
         for (int v = 0; v < n; v++) {
             normals[v] = Arrays.copyOfRange(given, 3 * v, 3 * v + 3);
         }
         int[] face = middle.triangles();
-        for (int pass = 0; pass < NORMAL_PASSES; pass++) {
+        int passes = passesOver(length, meanEdge(middle));
+        for (int pass = 0; pass < passes; pass++) {
             double[][] sums = new double[n][3];
             for (int t = 0; t < face.length; t += 3) {
                 for (int k = 0; k < 3; k++) {
