@@ -34,7 +34,6 @@ public final class Diaphragm {
     /** Negative at vertices of the tendon. */
     private final double[] tendonField;
 
-    private final boolean[] tendon;
     private final double[] distance;
     private final double[] fibre;
 
@@ -52,10 +51,6 @@ public final class Diaphragm {
         this.inserted = inserted;
         this.distance = distance;
         this.tendonField = tendonField;
-        tendon = new boolean[tendonField.length];
-        for (int i = 0; i < tendon.length; i++) {
-            tendon[i] = tendonField[i] < 0;
-        }
         this.fibre = computed.get("fibres", sheet.triangles().length, this::computeFibreDirections);
     }
 
@@ -125,13 +120,14 @@ public final class Diaphragm {
     /** Unit fibre direction of each triangle; zero in the tendon. */
     private double[] computeFibreDirections() {
         int[] held = IntStream.range(0, inserted.length)
-                .filter(i -> inserted[i] || tendon[i])
+                .filter(i -> inserted[i] || isTendon(i))
                 .toArray();
         double[] out = new double[sheet.triangles().length];
         if (held.length == 0) {
             return out;
         }
-        double[] given = IntStream.of(held).mapToDouble(i -> tendon[i] ? 1 : 0).toArray();
+        double[] given =
+                IntStream.of(held).mapToDouble(i -> isTendon(i) ? 1 : 0).toArray();
         double[] gradient = HarmonicField.solve(sheet, topology, held, given).gradients();
         for (int t = 0; t < sheet.triangleCount(); t++) {
             double length = Math.sqrt(gradient[3 * t] * gradient[3 * t]
@@ -165,16 +161,16 @@ public final class Diaphragm {
     }
 
     public boolean isTendon(int vertex) {
-        return tendon[vertex];
+        return tendonField[vertex] < 0;
     }
 
     /** Part of an edge, between two vertices, that lies within the border of the tendon, 0 to 1. */
     public double tendonShare(int a, int b) {
-        if (tendon[a] == tendon[b]) {
-            return tendon[a] ? 1 : 0;
+        if (isTendon(a) == isTendon(b)) {
+            return isTendon(a) ? 1 : 0;
         }
-        double inside = tendon[a] ? tendonField[a] : tendonField[b];
-        double outside = tendon[a] ? tendonField[b] : tendonField[a];
+        double inside = Math.min(tendonField[a], tendonField[b]);
+        double outside = Math.max(tendonField[a], tendonField[b]);
         return inside / (inside - outside);
     }
 
@@ -193,7 +189,7 @@ public final class Diaphragm {
     /** True if all corners of a triangle are tendon. */
     public boolean isTendonTriangle(int triangle) {
         int[] t = sheet.triangles();
-        return tendon[t[3 * triangle]] && tendon[t[3 * triangle + 1]] && tendon[t[3 * triangle + 2]];
+        return isTendon(t[3 * triangle]) && isTendon(t[3 * triangle + 1]) && isTendon(t[3 * triangle + 2]);
     }
 
     /** True if at least two corners of a triangle lie on the thoracic face. */

@@ -6,6 +6,7 @@ import org.phrenic.anatomy.virtual.shape.RootFinder;
 import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.anatomy.virtual.shape.SurfaceRelaxation;
 import org.phrenic.anatomy.virtual.shape.TwoFacedSheet;
+import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 
@@ -59,7 +60,7 @@ final class DiaphragmSheet {
             p[v] = Vectors.of(middle.x(v), middle.y(v), middle.z(v));
             normals[v] = shape.normal(p[v]);
         }
-        double edge = TwoFacedSheet.meanEdge(middle);
+        double edge = MeshQuality.of(middle).meanEdgeMm();
         double sharpCosine = StrictMath.cos(edge / measures.cruralRadiusMm());
         double[] share = new double[n];
         for (int c = 0; c < face.length; c++) {

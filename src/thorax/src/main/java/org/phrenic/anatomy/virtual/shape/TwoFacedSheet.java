@@ -2,6 +2,7 @@ package org.phrenic.anatomy.virtual.shape;
 
 import java.util.Arrays;
 import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
@@ -97,11 +98,6 @@ public final class TwoFacedSheet {
         return (int) Math.max(LEAST_PASSES, Math.round(2 * length * length / (edge * edge)));
     }
 
-    /** Mean edge length of a surface, mm. */
-    public static double meanEdge(TriangleMesh mesh) {
-        return MeshMeasure.edgeLengthSummary(mesh, new MeshTopology(mesh)).mean();
-    }
-
     private static double[][] smoothNormals(TriangleMesh middle, double[] given, double length) {
         int n = middle.vertexCount();
         double[][] normals = new double[n][];
@@ -109,7 +105,7 @@ public final class TwoFacedSheet {
             normals[v] = Arrays.copyOfRange(given, 3 * v, 3 * v + 3);
         }
         int[] face = middle.triangles();
-        int passes = passesOver(length, meanEdge(middle));
+        int passes = passesOver(length, MeshQuality.of(middle).meanEdgeMm());
         for (int pass = 0; pass < passes; pass++) {
             double[][] sums = new double[n][3];
             for (int t = 0; t < face.length; t += 3) {
