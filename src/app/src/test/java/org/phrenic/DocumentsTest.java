@@ -34,6 +34,9 @@ class DocumentsTest {
     private static final Pattern ARTIFACT_ROW = Pattern.compile("(?m)^\\| `([^`]+)` \\| ([^ |]+) \\|");
     private static final Pattern PROPERTY = Pattern.compile("\\$\\{(.*)}");
 
+    /** A method in the text, such as {@code `checkpoint()`}. */
+    private static final Pattern METHOD = Pattern.compile("`(?:\\w+\\.)*([a-z]\\w+)\\([^`]*\\)`");
+
     private static final Path README = Path.of("README.md");
     private static final Path MAP = Path.of("docs/README.md");
 
@@ -114,6 +117,31 @@ class DocumentsTest {
                 .allSatisfy(document -> assertThat(Files.readString(document))
                         .contains("\n- With: phrenic ")
                         .containsPattern("\n- Commit [0-9a-f]{8}"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("documents")
+    void everyMethodThatIsNamedIsThereToBeCalled(Path document) throws IOException {
+        List<String> named = METHOD.matcher(Files.readString(document))
+                .results()
+                .map(match -> match.group(1))
+                .distinct()
+                .toList();
+        assertThat(named).allSatisfy(name -> assertThat(declares(name)).as(name).isTrue());
+    }
+
+    private static boolean declares(String method) throws IOException {
+        Pattern declared = Pattern.compile("[\\w>\\]] " + method + "\\(");
+        try (Stream<Path> files = Files.walk(Path.of("src"))) {
+            List<Path> sources =
+                    files.filter(p -> p.toString().endsWith(".java")).toList();
+            for (Path source : sources) {
+                if (declared.matcher(Files.readString(source)).find()) {
+                    return true;
+                }
+            }
+            return false;
+        }
     }
 
     @Test

@@ -1,6 +1,7 @@
 package org.phrenic.access.plan;
 
 import java.util.Random;
+import java.util.SplittableRandom;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.attempt.AttemptRecord;
 import org.phrenic.access.attempt.NeedleAngles;
@@ -93,7 +94,8 @@ public final class RobotOperator {
 
     /** Makes an attempt; the same seed gives the same. The errors of the hand are the same in free and held breath. */
     public AttemptRecord attempt(long seed) {
-        Random random = new Random(seed);
+        // The first numbers of generators with neighbouring seeds are alike; a mixed seed has no neighbour.
+        Random random = new Random(new SplittableRandom(seed).nextLong());
         timeS = 0;
         breath.begin(random.nextLong());
         NeedleInsertion needle = new NeedleInsertion(anatomy, access.target(), plan.needle(), plan.avoided());

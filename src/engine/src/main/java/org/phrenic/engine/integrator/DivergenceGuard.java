@@ -41,6 +41,9 @@ final class DivergenceGuard {
     private final double[] checkpointV;
     private final boolean[] good;
     private long checkpointStep;
+    /** First step whose state may replace the checkpoint. */
+    private long replaceableFrom;
+
     private double bound;
     private final Workers.Task scan = this::scan;
     /** Reference positions for displacement, mm; empty without a bound. */
@@ -96,12 +99,17 @@ final class DivergenceGuard {
     /** Restarts at step 0 with the current state as checkpoint. */
     void restart() {
         measuredFrom = 0;
-        checkpoint(0);
+        checkpoint(0, 0);
     }
 
-    /** Saves the current state as checkpoint, unless it has diverged. */
-    void checkpoint(long step) {
+    /**
+     * Saves the current state as checkpoint, unless it has diverged.
+     *
+     * @param kept number of steps in which no automatic checkpoint replaces it
+     */
+    void checkpoint(long step, long kept) {
         if (isGood()) {
+            replaceableFrom = step + Math.max(kept, STEPS_BETWEEN_SNAPSHOTS);
             System.arraycopy(system.positions(), 0, checkpointX, 0, checkpointX.length);
             System.arraycopy(system.velocities(), 0, checkpointV, 0, checkpointV.length);
             checkpointStep = step;
@@ -126,11 +134,11 @@ final class DivergenceGuard {
             measuredFrom = checkpointStep + STEPS_TO_TURN_ROUND;
             return name(confined[outside]) + " is outside " + boxName;
         }
-        if (step - checkpointStep >= STEPS_BETWEEN_SNAPSHOTS
+        if (step >= replaceableFrom
                 && isWithin(CALM_SPEED)
                 && isNear(CALM_REACH * maxDisplacement)
                 && firstOutside(CALM_MARGIN_MM) < 0) {
-            checkpoint(step);
+            checkpoint(step, 0);
         }
         return null;
     }

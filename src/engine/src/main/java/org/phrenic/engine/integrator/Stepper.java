@@ -20,6 +20,12 @@ public final class Stepper {
     /** Maximum number of substeps a step. With more, the program would appear to hang. */
     public static final int MAX_SUBSTEPS = 10_000;
 
+    /**
+     * Simulated time after {@link #checkpoint} in which no later state replaces it, s. Within it a change shows what it
+     * does to tissue: 0.2 s of its ramp, and ten times as much.
+     */
+    private static final double TRIAL_S = 2;
+
     /** Largest refinement factor against chatter, relative to the substeps that the limit requires. */
     private static final int MAX_REFINEMENT = 16;
 
@@ -35,11 +41,17 @@ public final class Stepper {
     private int refinement = 1;
 
     private String substepRefinementReason = "";
+    /** Substeps at the last {@link #checkpoint}. */
+    private Splitting atCheckpoint = new Splitting(-1, 1, 1, "");
+
     private long steps;
     /** Start of the segment with the current dt: its first step, and the simulated time there, s. */
     private long segmentStep;
 
     private double segmentTime;
+
+    /** How steps are split from a step on. */
+    private record Splitting(long step, int substeps, int refinement, String reason) {}
 
     /**
      * @param integrator the scheme, on its system
@@ -72,7 +84,7 @@ public final class Stepper {
 
     /**
      * Changes scheme and time step. The number of substeps satisfies both limits. The current state becomes the
-     * checkpoint.
+     * checkpoint, as by {@link #checkpoint}.
      *
      * @param next the scheme, on the same system
      * @param nextDt time step, s, more than 0
@@ -84,7 +96,6 @@ public final class Stepper {
         int most = Math.max(split(next.kind(), nextDt, here), split(next.kind(), nextDt, ahead));
         double h = nextDt / most;
         int apart = Math.max(splitApart(next.kind(), h, here), splitApart(next.kind(), h, ahead));
-        guard.checkpoint(steps);
         if (nextDt != dt) {
             segmentTime = time();
             segmentStep = steps;
@@ -95,6 +106,7 @@ public final class Stepper {
         limit = ahead.largestStep(next.kind()) < here.largestStep(next.kind()) ? ahead : here;
         substeps = most;
         stepApart(apart);
+        checkpoint();
     }
 
     /**
@@ -126,9 +138,17 @@ public final class Stepper {
         guard.nameNodes(names);
     }
 
-    /** Saves the current state as checkpoint. */
+    /**
+     * Saves the current state as checkpoint, before a change. For 2 s of simulated time no later state replaces it, so
+     * that a divergence is followed by a state that the change has not deformed.
+     */
     public void checkpoint() {
-        guard.checkpoint(steps);
+        guard.checkpoint(steps, trialSteps());
+        atCheckpoint = new Splitting(steps, substeps, refinement, substepRefinementReason);
+    }
+
+    private long trialSteps() {
+        return (long) Math.ceil(TRIAL_S / dt);
     }
 
     /** Number of substeps under a limit; throws if the step is refused. */
@@ -178,6 +198,7 @@ public final class Stepper {
         segmentTime = 0;
         integrator = first;
         apply(measured);
+        atCheckpoint = new Splitting(-1, 1, 1, "");
         guard.restart();
     }
 
@@ -196,7 +217,7 @@ public final class Stepper {
     public void step() {
         if (steps == 0) {
             // Changes since construction belong to the initial state.
-            guard.checkpoint(0);
+            guard.checkpoint(0, atCheckpoint.step == 0 ? trialSteps() : 0);
         }
         double h = dt / substeps;
         int chattering = -1;
@@ -213,9 +234,22 @@ public final class Stepper {
         if (cause != null) {
             long failed = steps;
             steps = guard.restore();
+            restoreSplitting();
             integrator.reset();
             watch.reset();
             throw new DivergenceException(segmentTime + (failed - segmentStep) * dt, time(), cause);
+        }
+    }
+
+    /**
+     * After a return to the checkpoint of a change, restores the substeps there: the run goes on as one that never left
+     * it.
+     */
+    private void restoreSplitting() {
+        if (atCheckpoint.step == steps) {
+            substeps = atCheckpoint.substeps;
+            refinement = atCheckpoint.refinement;
+            substepRefinementReason = atCheckpoint.reason;
         }
     }
 

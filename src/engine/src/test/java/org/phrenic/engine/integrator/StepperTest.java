@@ -171,6 +171,28 @@ class StepperTest {
         }
     }
 
+    /** A change may ruin a state long before a node is fast: for 2 s the state before the change is the one kept. */
+    @Test
+    void theStateBeforeAChangeIsKeptForTwoSeconds() {
+        ParticleSystem system = SampleSystems.oneNode(1);
+        Stepper stepper = stepper(system, 0.001, StepPolicy.SUBSTEP);
+        long[] ruined = {1000, 2299, 2400};
+        long[] backTo = {300, 300, 2300};
+        while (stepper.steps() < 300) {
+            stepper.step();
+        }
+        stepper.checkpoint();
+        for (int c = 0; c < ruined.length; c++) {
+            while (stepper.steps() < ruined[c]) {
+                stepper.step();
+            }
+            system.velocities()[2] = Double.NaN;
+            assertThatThrownBy(stepper::step).isInstanceOf(DivergenceException.class);
+            assertThat(stepper.steps()).isEqualTo(backTo[c]);
+            assertThat(system.velocities()[2]).isZero();
+        }
+    }
+
     @Test
     void noticesInTheSameStepWhatIsPutIn() {
         for (boolean position : new boolean[] {true, false}) {
@@ -245,11 +267,31 @@ class StepperTest {
             stepper.step();
         }
         // ω goes from 40 to 66.7 1/s: at a step of 0.03 s just beyond the limit, it grows by 5 % a step. What had grown
-        // until it was noticed
-        // swings on, but grows no more.
+        // until it was noticed swings on, but grows no more.
         assertThat(Math.abs(system.positions()[0])).isLessThan(100);
         assertThat(stepper.substeps()).isEqualTo(2);
         assertThat(stepper.substepRefinementReason()).isEqualTo("node 0 turns round in every substep");
+    }
+
+    /** From there a run goes on as one that never left it, so its substeps are those that it had there. */
+    @Test
+    void aReturnToTheStateBeforeAChangeRestoresItsSubsteps() {
+        ParticleSystem system = stiffening();
+        Stepper stepper = stepper(system, 0.03, StepPolicy.SUBSTEP);
+        while (stepper.time() < 1) {
+            stepper.step();
+        }
+        long changed = stepper.steps();
+        stepper.checkpoint();
+        while (stepper.substeps() == 1) {
+            stepper.step();
+        }
+        assertThat(stepper.time()).isLessThan(3);
+        system.velocities()[0] = Double.NaN;
+        assertThatThrownBy(stepper::step).isInstanceOf(DivergenceException.class);
+        assertThat(stepper.steps()).isEqualTo(changed);
+        assertThat(stepper.substeps()).isEqualTo(1);
+        assertThat(stepper.substepRefinementReason()).isEmpty();
     }
 
     @Test

@@ -259,7 +259,7 @@ class LiveRunTest {
                 "area_density_kg_per_m2=3",
                 "greatest_pressure_kpa=20",
                 "damping_rate_per_s=0",
-                "muscle_stiffness_n_per_m=100");
+                "muscle_stiffness_n_per_m=30");
         String sentence = next(divergences);
         assertThat(sentence).contains("diverged").contains("the last change was muscle_stiffness_n_per_m");
         assertThat(run.isPlaying()).isFalse();
