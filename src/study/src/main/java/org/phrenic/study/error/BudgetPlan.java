@@ -31,9 +31,10 @@ public record BudgetPlan(
     private static final double INSPIRATION_SHARE = 0.6;
 
     /**
-     * The diaphragm's vertices at medium resolution, and meshes with edges 1.5 times as long, 1.5 and 1.5² as short.
+     * The diaphragm's vertices at medium resolution, and meshes with edges up to 1.5 times as long and 1.5² times as
+     * short. Each has edges √1.5 times as long as the next, so there are enough to tell convergence from scatter.
      */
-    private static final List<Integer> SHEET_VERTICES = List.of(3870, 8705, 19_586, 44_068);
+    private static final List<Integer> SHEET_VERTICES = List.of(3870, 5803, 8705, 13_058, 19_586, 29_379, 44_068);
 
     /** A body and its name in reports. */
     public record Body(String name, String anatomy) {}

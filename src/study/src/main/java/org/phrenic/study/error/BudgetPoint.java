@@ -11,8 +11,8 @@ import java.util.Optional;
  * @param row the setting's measurement of the error in time
  * @param timePercent rms distance from the reference, and the reference's uncertainty
  * @param resolved whether that distance is at least three times the reference's uncertainty
- * @param spacePercent difference of the excursion from that extrapolated to edge length 0, or from that on the finest
- *     mesh if no order of convergence is observed; NaN if not measured
+ * @param spacePercent difference of the excursion from that extrapolated to edge length 0, or from the mean of those on
+ *     the three finest meshes if no order of convergence is observed; NaN if not measured
  * @param extrapolated whether an order of convergence in space is observed
  * @param equilibriumPercent largest rms distance from equilibrium at the phases; NaN if not measured
  */
@@ -24,6 +24,8 @@ public record BudgetPoint(
         boolean extrapolated,
         double equilibriumPercent) {
     private static final double RESOLVED = 3;
+    /** Number of meshes of the mean that stands for the limit without an order. */
+    private static final int FINEST = 3;
 
     /** Sum of the parts, per cent. */
     public double wholePercent() {
@@ -60,14 +62,19 @@ public record BudgetPoint(
 
     /** Convergence of the excursion of a body's breath in space, if at least three meshes were measured. */
     static Optional<RichardsonFit> convergence(BudgetTable table, String body, String breath) {
-        List<BudgetRow> meshes = meshes(table, body, breath).stream()
-                .filter(m -> !Double.isNaN(m.excursionMm()))
-                .toList();
-        return meshes.size() < 3
+        List<BudgetRow> meshes = measured(table, body, breath);
+        return meshes.size() < FINEST
                 ? Optional.empty()
                 : Optional.of(RichardsonFit.of(
                         meshes.stream().mapToDouble(BudgetRow::edgeMm).toArray(),
                         meshes.stream().mapToDouble(BudgetRow::excursionMm).toArray()));
+    }
+
+    /** Of the measurements on meshes of different edge lengths, those that did not diverge. */
+    private static List<BudgetRow> measured(BudgetTable table, String body, String breath) {
+        return meshes(table, body, breath).stream()
+                .filter(m -> !Double.isNaN(m.excursionMm()))
+                .toList();
     }
 
     /** Measurements on meshes of different edge lengths, coarsest first. */
@@ -80,14 +87,18 @@ public record BudgetPoint(
 
     private static double space(BudgetTable table, BudgetRow row) {
         return convergence(table, row.body(), row.breath())
-                .map(fit -> fit.hasOrder() ? fit.limit() : finest(table, row).excursionMm())
+                .map(fit -> fit.hasOrder() ? fit.limit() : finest(table, row.body(), row.breath()))
                 .map(limit -> 100 * Math.abs(usual(table, row).excursionMm() - limit) / Math.abs(limit))
                 .orElse(Double.NaN);
     }
 
-    private static BudgetRow finest(BudgetTable table, BudgetRow row) {
-        List<BudgetRow> meshes = meshes(table, row.body(), row.breath());
-        return meshes.get(meshes.size() - 1);
+    /** Mean excursion on the finest meshes, mm: it scatters less than that on one. */
+    static double finest(BudgetTable table, String body, String breath) {
+        List<BudgetRow> meshes = measured(table, body, breath);
+        return meshes.subList(meshes.size() - FINEST, meshes.size()).stream()
+                .mapToDouble(BudgetRow::excursionMm)
+                .average()
+                .orElseThrow();
     }
 
     /** The default's measurement on the same mesh. */

@@ -101,7 +101,8 @@ public final class BudgetReport {
         page.paragraph("How each part is measured is described in error.md of the documentation. The parts of the"
                 + " whole are added. \"Unresolved\": the error in time is below three times the uncertainty of its"
                 + " reference; the sum of both is given. \"No order\": the excursions do not converge as a power of"
-                + " the edge length; the part in space is the distance from the finest mesh, and no bound.");
+                + " the edge length by more than three times their scatter from mesh to mesh; the part in space is the"
+                + " distance from the mean of the three finest meshes.");
         if (!points.isEmpty()) {
             page.section("The defaults");
             page.table("", COLUMNS, cells(true));
@@ -154,14 +155,14 @@ public final class BudgetReport {
                             "extrapolated",
                             "0",
                             format("%.3f", fit.limit()),
-                            order(fit.order()),
-                            format("%.3f%s", fit.deviation(), fit.isMonotone() ? "" : ", not monotone"))));
+                            order(fit),
+                            Double.isNaN(fit.scatter()) ? "" : format("%.3f", fit.scatter()))));
         }
         if (!rows.isEmpty()) {
             page.section("Error in space");
             page.paragraph("The sheet with lungs and sternum that do not move it, time step in proportion to the edge"
                     + " length; excursion of the domes by the diaphragm's number of vertices, and the fit"
-                    + " limit + c edge^order.");
+                    + " limit + c edge^order. The scatter is the standard deviation about the fit.");
             page.table(
                     "",
                     List.of(
@@ -171,15 +172,13 @@ public final class BudgetReport {
                             Column.number("edge, mm"),
                             Column.number("excursion, mm"),
                             Column.number("order"),
-                            Column.number("rms of the fit, mm")),
+                            Column.number("scatter, mm")),
                     rows);
         }
     }
 
-    private static String order(double order) {
-        return order < RichardsonFit.MIN_ORDER + RichardsonFit.MARGIN
-                ? "none"
-                : order > RichardsonFit.MAX_ORDER - RichardsonFit.MARGIN ? "above 4" : format("%.2f", order);
+    private static String order(RichardsonFit fit) {
+        return fit.hasOrder() ? format("%.2f", fit.order()) : "none";
     }
 
     private void addEquilibrium(ReportDocument page) {

@@ -6,16 +6,24 @@ package org.phrenic.study.error;
  * order is found by a golden-section search of the remaining sum of squares between {@value #MIN_ORDER} and
  * {@value #MAX_ORDER} (Roache 1994, doi 10.1115/1.2910291).
  *
+ * <p>A quantity may also scatter from mesh to mesh, as a sheet that folds does. An order is observed if the quantity on
+ * the coarsest mesh differs from the limit by at least {@value #RESOLVED} times the scatter.
+ *
  * @param limit extrapolated to edge length 0
  * @param order observed order of convergence; one of the bounds if the quantity does not converge as a power
- * @param deviation rms deviation of the quantity from the fit, in its unit
- * @param isMonotone whether the quantity changes in one direction, by less at each refinement
+ * @param scatter standard deviation of the quantity about the fit, in its unit: the root of the remaining sum of
+ *     squares over the number of meshes less the three that the fit takes; NaN with three meshes
+ * @param change from the limit to the coarsest mesh
  */
-public record RichardsonFit(double limit, double order, double deviation, boolean isMonotone) {
+public record RichardsonFit(double limit, double order, double scatter, double change) {
     /** Lower bound of the order. */
     public static final double MIN_ORDER = 0.3;
     /** Upper bound of the order. */
     public static final double MAX_ORDER = 4;
+    /** A change below so many times the scatter is not told from it. */
+    static final double RESOLVED = 3;
+
+    private static final int PARAMETERS = 3;
 
     private static final double GOLDEN = 0.5 * (Math.sqrt(5) - 1);
     private static final int ITERATIONS = 60;
@@ -47,22 +55,18 @@ public record RichardsonFit(double limit, double order, double deviation, boolea
         }
         double order = 0.5 * (low + high);
         double[] line = line(edges, values, order);
-        return new RichardsonFit(line[0], order, Math.sqrt(line[2] / edges.length), isMonotone(values));
+        int free = edges.length - PARAMETERS;
+        double scatter = free > 0 ? Math.sqrt(line[2] / free) : Double.NaN;
+        return new RichardsonFit(line[0], order, scatter, line[1]);
     }
 
-    /** Whether an order of convergence is observed: the quantity converges, as a power between the bounds. */
+    /**
+     * Whether an order of convergence is observed: the quantity converges as a power between the bounds, by more than
+     * its scatter.
+     */
     public boolean hasOrder() {
-        return isMonotone && order > MIN_ORDER + MARGIN && order < MAX_ORDER - MARGIN;
-    }
-
-    private static boolean isMonotone(double[] values) {
-        boolean monotone = true;
-        for (int i = 2; i < values.length; i++) {
-            double before = values[i - 1] - values[i - 2];
-            double step = values[i] - values[i - 1];
-            monotone &= step * before >= 0 && Math.abs(step) <= Math.abs(before);
-        }
-        return monotone;
+        boolean resolved = Double.isNaN(scatter) || Math.abs(change) > RESOLVED * scatter;
+        return resolved && order > MIN_ORDER + MARGIN && order < MAX_ORDER - MARGIN;
     }
 
     /** Limit, slope and sum of squares of the regression of the values over {@code h^order}. */

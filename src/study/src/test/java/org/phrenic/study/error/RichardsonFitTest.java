@@ -20,18 +20,39 @@ class RichardsonFitTest {
             RichardsonFit fit = RichardsonFit.of(EDGES, values(15, -0.2, order));
             assertThat(fit.order()).isCloseTo(order, within(1e-4));
             assertThat(fit.limit()).isCloseTo(15, within(1e-3));
-            assertThat(fit.deviation()).isLessThan(1e-4);
-            assertThat(fit.isMonotone()).isTrue();
+            assertThat(fit.scatter()).isLessThan(2e-4);
+            assertThat(fit.change()).isCloseTo(-0.2 * Math.pow(EDGES[0], order), within(2e-3));
+            assertThat(fit.hasOrder()).isTrue();
         }
     }
 
     @Test
-    void valuesThatDoNotSettleHaveNoOrderAndAreNotMonotone() {
+    void valuesThatDoNotSettleOrMoreThanConvergeScatterHaveNoOrder() {
         RichardsonFit growing = RichardsonFit.of(EDGES, new double[] {15, 14.9, 14.7, 14.3});
         assertThat(growing.order()).isCloseTo(RichardsonFit.MIN_ORDER, within(1e-3));
-        assertThat(growing.isMonotone()).isFalse();
-        assertThat(RichardsonFit.of(EDGES, new double[] {15, 14, 15, 14.5}).isMonotone())
+        assertThat(growing.hasOrder()).isFalse();
+        assertThat(RichardsonFit.of(EDGES, new double[] {15, 14, 15, 14.5}).hasOrder())
                 .isFalse();
+    }
+
+    @Test
+    void convergenceIsToldFromScatter() {
+        double[] edges = new double[7];
+        double[] little = new double[7];
+        double[] much = new double[7];
+        // Deviations that are orthogonal to a straight line: they leave the fit of order 1 as it is.
+        double[] deviations = {1, -2, 1, 0, -1, 2, -1};
+        for (int i = 0; i < edges.length; i++) {
+            edges[i] = 10 - i;
+            little[i] = 50 - 0.1 * edges[i] + 0.02 * deviations[i];
+            much[i] = 50 - 0.1 * edges[i] + 0.3 * deviations[i];
+        }
+        RichardsonFit fit = RichardsonFit.of(edges, little);
+        assertThat(fit.hasOrder()).isTrue();
+        assertThat(fit.limit()).isCloseTo(50, within(0.2));
+        // The root of the sum of squares 12 · 0.02² over 7 - 3 meshes.
+        assertThat(fit.scatter()).isCloseTo(0.02 * Math.sqrt(3), within(0.005));
+        assertThat(RichardsonFit.of(edges, much).hasOrder()).isFalse();
     }
 
     @Test
