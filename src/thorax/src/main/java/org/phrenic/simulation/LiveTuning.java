@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.integrator.Integrator;
@@ -30,6 +32,8 @@ import org.phrenic.scenario.ScheduledChange;
  */
 final class LiveTuning {
     private static final String UNDO = "undo";
+    /** Changes of the same settings in shorter intervals are one, such as the drag of a slider, s. */
+    private static final double SAME_DRAG_S = 1;
 
     private final Scenario start;
     private final Scene scene;
@@ -155,9 +159,9 @@ final class LiveTuning {
     }
 
     /**
-     * Assignments that undo the changes of the last step that has any. If those were themselves an undo, which did not
-     * help, the changes of the step before are undone as well, and so on to the start. Empty if there is nothing to
-     * undo.
+     * Assignments that undo the changes of the last step that has any, and those of the same settings shortly before.
+     * If they were themselves an undo, which did not help, the changes of the step before are undone as well, and so on
+     * to the start. Empty if there is nothing to undo.
      */
     List<Assignment> undoAssignments() {
         if (log.isEmpty()) {
@@ -165,14 +169,11 @@ final class LiveTuning {
         }
         boolean again = UNDO.equals(log.get(log.size() - 1).assignment().origin());
         long before = again ? undoneTo : Long.MAX_VALUE;
-        long cut = log.stream()
-                .mapToLong(ScheduledChange::step)
-                .filter(step -> step < before)
-                .max()
-                .orElse(-1);
-        if (cut < 0) {
+        long last = lastChangedStep(before);
+        if (last < 0) {
             return List.of();
         }
+        long cut = startOfDrag(last);
         undoneTo = cut;
         Scenario then = start.with(log.stream()
                 .filter(c -> c.step() < cut)
@@ -184,6 +185,35 @@ final class LiveTuning {
                 .distinct()
                 .map(setting -> new Assignment(UNDO, setting, then.get(setting)))
                 .toList();
+    }
+
+    /** The last step before a step that has changes; -1 if none has. */
+    private long lastChangedStep(long before) {
+        return log.stream()
+                .mapToLong(ScheduledChange::step)
+                .filter(step -> step < before)
+                .max()
+                .orElse(-1);
+    }
+
+    /** First step of the changes of the same settings that lead to those of a step. */
+    private long startOfDrag(long last) {
+        long first = last;
+        long earlier = lastChangedStep(first);
+        while (earlier >= 0
+                && (first - earlier) * stepper.dt() < SAME_DRAG_S
+                && changedAt(earlier).equals(changedAt(last))) {
+            first = earlier;
+            earlier = lastChangedStep(first);
+        }
+        return first;
+    }
+
+    private Set<Setting<?>> changedAt(long step) {
+        return log.stream()
+                .filter(c -> c.step() == step && !UNDO.equals(c.assignment().origin()))
+                .map(c -> c.assignment().setting())
+                .collect(Collectors.toSet());
     }
 
     /**

@@ -270,6 +270,28 @@ class LiveChangeTest {
         }
     }
 
+    /** A slider sends many values while it is dragged; none of those on its way is a setting to go back to. */
+    @Test
+    void theDragOfASliderIsTakenBackAsOne() {
+        Scenario start = Runs.scenario(Runs.sheetAlone());
+        try (Simulation simulation = Simulation.of(start, Runs.male())) {
+            simulation.change(Assignment.parse("depth=2"));
+            steps(simulation, 3);
+            for (String stiffness : List.of("290", "250", "200")) {
+                simulation.change(Assignment.parse("muscle_stiffness_n_per_m=" + stiffness));
+                steps(simulation, 3);
+            }
+            assertThat(simulation.undoLastChange()).isTrue();
+            assertThat(simulation.settings()).isEqualTo(start.with("depth=2"));
+            // Long after a change another of the same setting is one of its own.
+            simulation.change(Assignment.parse("depth=1.5"));
+            steps(simulation, (int) Math.ceil(1 / simulation.stepper().dt()));
+            simulation.change(Assignment.parse("depth=1"));
+            assertThat(simulation.undoLastChange()).isTrue();
+            assertThat(simulation.settings()).isEqualTo(start.with("depth=1.5"));
+        }
+    }
+
     @Test
     void timeIsTheSumOfStepCountsTimesTheirSteps() {
         try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone()), Runs.male())) {
