@@ -18,8 +18,9 @@ final class RibExtension {
     /** Length of the rib whose middle line is that of the stump, mm; from there it bends to that of the rib. */
     private static final double STRAIGHT_MM = 12;
 
+    /** Length of the scan's middle line, from its posterior end, onto which vertices are projected, mm. */
     private static final double TAIL_MM = 60;
-    /** Path of the first section that an oblique or hollow end leaves whole; it becomes that of the head, mm. */
+    /** Distance of the first whole section from the end, which may be oblique or hollow; it becomes the head, mm. */
     private static final double SECTION_MM = 4;
     /** Tip of a head beyond its middle, mm. */
     private static final double TIP_MM = 2.5;

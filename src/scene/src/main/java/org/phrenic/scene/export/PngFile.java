@@ -6,6 +6,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Iterator;
+import java.util.Locale;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageWriteParam;
@@ -16,8 +17,8 @@ import org.phrenic.file.OutputException;
 
 /** Writes opaque PNG files atomically. */
 public final class PngFile {
-    /** Larger pictures use a lower compression level, for speed. */
-    private static final long MAX_COMPRESSED_PIXELS = 3_000_000;
+    /** Larger pictures have the usual compression level instead of the highest one, for speed. */
+    private static final long MOST_PIXELS = 3_000_000;
 
     private PngFile() {}
 
@@ -33,8 +34,9 @@ public final class PngFile {
             ImageWriter writer = writer("png");
             try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
                 ImageWriteParam parameters = writer.getDefaultWriteParam();
-                if (parameters.canWriteCompressed() && pixels <= MAX_COMPRESSED_PIXELS) {
+                if (parameters.canWriteCompressed() && pixels <= MOST_PIXELS) {
                     parameters.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+                    // The quality of a lossless format is its speed: 0 is the highest compression.
                     parameters.setCompressionQuality(0);
                 }
                 writer.setOutput(stream);
@@ -48,7 +50,7 @@ public final class PngFile {
     static ImageWriter writer(String format) throws IOException {
         Iterator<ImageWriter> writers = ImageIO.getImageWritersByFormatName(format);
         if (!writers.hasNext()) {
-            throw new IOException("this Java has no writer of " + format.toUpperCase(java.util.Locale.ROOT));
+            throw new IOException("this Java has no writer of " + format.toUpperCase(Locale.ROOT));
         }
         return writers.next();
     }

@@ -6,11 +6,12 @@ import org.phrenic.mesh.Vectors;
 
 /**
  * The spine T1 to L3 in the midsagittal plane. Its middle line is a kyphotic arc above the disc T12/L1 and a lordotic
- * arc below; bodies and discs are stacked along it. Levels run from 1 (T1) to 15 (L3).
+ * arc below; bodies and discs are stacked along it. Levels run from 1 (T1) to 15 (L3). A path is the arc length along
+ * the middle line above the disc T12/L1, mm; negative below it.
  */
 final class Spine {
     private final VirtualThoraxParameters.Spine measures;
-    /** Path from the disc T12/L1 up to the centre of each body, mm. */
+    /** Path of the centre of each body, mm. */
     private final double[] middle = new double[VirtualThoraxParameters.VERTEBRAE];
 
     private final double endLean;
@@ -55,7 +56,7 @@ final class Spine {
         return path >= 0 ? endLean - path / measures.kyphosisRadiusMm() : endLean + path / measures.lordosisRadiusMm();
     }
 
-    /** Point of the middle line at a path above the disc T12/L1 (mm). */
+    /** Point of the middle line at a path. */
     double[] centre(double path) {
         double radius = path >= 0 ? measures.kyphosisRadiusMm() : -measures.lordosisRadiusMm();
         double lean = lean(path);
