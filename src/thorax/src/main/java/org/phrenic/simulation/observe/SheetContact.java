@@ -17,7 +17,7 @@ import org.phrenic.model.organ.DiaphragmPart;
 public final class SheetContact {
     private static final double ALLOWED_MM = 2;
     /** Vertices farther beyond the sheet are left alone: the nearest point says nothing about them. */
-    private static final double REACH_MM = 25;
+    private static final double REACH_MM = 40;
     /** Distance up to which the first point of a cluster is searched for. */
     private static final double CLUSTER_REACH_MM = 60;
     /**

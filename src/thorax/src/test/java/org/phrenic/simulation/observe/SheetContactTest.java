@@ -59,6 +59,17 @@ class SheetContactTest {
         assertThat(atRest).containsExactly(-68, -16, 108);
     }
 
+    /** A spleen that stands still, while the sheet beside it leaves the wall in a deep breath, lies 30 mm beyond. */
+    @Test
+    void anOrganFarBeyondTheSheetYieldsAsWell() {
+        SheetContact contact = new SheetContact(simulation.scene().diaphragm());
+        contact.update(lowered);
+        double[] organ = {-68, -16, 128, -68, -16, 150};
+        contact.organ(organ, false).pushBack(organ);
+        assertThat(organ[2]).isCloseTo(97, within(2.0));
+        assertThat(organ[5]).as("too far for the nearest point to say anything").isEqualTo(150);
+    }
+
     /** The lowest row of the thoracic face, all of whose corners belong to triangles between the faces, has a side. */
     @Test
     void organsYieldBesideTheBorderAsWell() {
