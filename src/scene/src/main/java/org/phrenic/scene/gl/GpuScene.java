@@ -22,6 +22,8 @@ import org.phrenic.simulation.observe.Surface;
 
 /** GPU buffers of all surfaces and overlays of a scene. Uploads only what is visible and has changed. */
 final class GpuScene {
+    private static final System.Logger LOG = System.getLogger(GpuScene.class.getName());
+
     private final GlResources resources;
     private final List<SurfaceBuffers> surfaces;
     private final List<OverlayBuffers> overlays;
@@ -100,12 +102,10 @@ final class GpuScene {
      */
     boolean hasCoarse(GL3 gl) {
         if (coarse.isEmpty()) {
-            List<TriangleMesh> meshes =
-                    surfaces.stream().map(SurfaceBuffers::outward).toList();
             coarse = Optional.of(CompletableFuture.supplyAsync(
-                    () -> meshes.stream().map(CoarseTriangles::of).toList()));
+                    () -> surfaces.stream().map(GpuScene::fewerTriangles).toList()));
         }
-        if (!coarseSet && coarse.get().isDone() && !coarse.get().isCompletedExceptionally()) {
+        if (!coarseSet && coarse.get().isDone()) {
             List<int[]> fewer = coarse.get().join();
             for (int i = 0; i < fewer.size(); i++) {
                 surfaces.get(i).setCoarse(gl, fewer.get(i));
@@ -113,6 +113,18 @@ final class GpuScene {
             coarseSet = true;
         }
         return coarseSet;
+    }
+
+    /** A surface that cannot be decimated keeps all its triangles. */
+    private static int[] fewerTriangles(SurfaceBuffers surface) {
+        TriangleMesh mesh = surface.outward();
+        try {
+            return CoarseTriangles.of(mesh);
+        } catch (RuntimeException e) {
+            String text = surface.surface().name() + " is always drawn with all its triangles";
+            LOG.log(System.Logger.Level.WARNING, text, e);
+            return mesh.triangles();
+        }
     }
 
     /** Waits until fewer triangles have been computed, if that has begun. */
