@@ -6,8 +6,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.mesh.edit.Remesher;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Observation;
@@ -51,6 +54,16 @@ public final class Runs {
 
     public static Thorax male() {
         return VirtualThorax.ofPreset("adult-male", Resolution.LOW);
+    }
+
+    /** A body whose sheet is remeshed, so that its two faces are meshed apart. */
+    public static Thorax withRemeshedSheet(Thorax body, int vertices) {
+        List<Structure> structures = body.structures().stream()
+                .map(s -> s.kind() == StructureKind.DIAPHRAGM
+                        ? s.withMesh(Remesher.toVertexCount(s.mesh(), vertices))
+                        : s)
+                .toList();
+        return new Thorax(body.name(), structures, body.notes());
     }
 
     public static Scenario scenario(String... assignments) {

@@ -10,10 +10,13 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.DiaphragmSide;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.math.Triangles;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.model.organ.DiaphragmPart;
+import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.Runs;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
 
@@ -75,7 +78,10 @@ class SheetContactTest {
     void organsYieldBesideTheBorderAsWell() {
         Scenario scenario =
                 Scenario.defaults().with("resolution=low").with("lungs=off").with("anatomy=virtual/adult-female");
-        try (Simulation female = Simulation.of(scenario, SimulationRun.loadThorax(scenario))) {
+        Thorax remeshed = Runs.withRemeshedSheet(
+                SimulationRun.loadThorax(scenario),
+                OrganSettings.budget(scenario).diaphragmVertices());
+        try (Simulation female = Simulation.of(scenario, remeshed)) {
             DiaphragmPart part = female.scene().diaphragm();
             double[] nodes = female.scene().restPositions();
             int[] t = part.diaphragm.sheet().triangles();
