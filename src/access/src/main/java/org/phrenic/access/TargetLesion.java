@@ -2,7 +2,6 @@ package org.phrenic.access;
 
 import java.util.Locale;
 import java.util.Random;
-import java.util.SplittableRandom;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
@@ -89,8 +88,7 @@ public record TargetLesion(double[] restMm, double diameterMm) {
      * @param diameterMm NaN for a random diameter
      */
     public static TargetLesion random(MovingAnatomy scene, long seed, double diameterMm) {
-        // The first numbers of generators with neighbouring seeds are alike; a mixed seed has no neighbour.
-        Random random = new Random(new SplittableRandom(seed).nextLong());
+        Random random = SeededRandom.of(seed);
         double diameter = diameterMm;
         while (Double.isNaN(diameter)) {
             double drawn = MEAN_MM + SD_MM * random.nextGaussian();

@@ -72,7 +72,7 @@ final class LiveTuning {
         assignments.forEach(Assignment::requireLive);
         long step = stepper.steps();
         double now = stepper.time();
-        Scenario before = lastChangedStep() == step ? settingsBefore : settings;
+        Scenario before = lastChangedStep(Long.MAX_VALUE) == step ? settingsBefore : settings;
         Map<Setting<?>, Assignment> changes = new LinkedHashMap<>();
         log.stream().filter(c -> c.step() == step).forEach(c -> putLast(changes, c.assignment()));
         assignments.forEach(a -> putLast(changes, a));
@@ -109,10 +109,6 @@ final class LiveTuning {
 
     private static boolean hasEffect(Map<Setting<?>, Assignment> changes, Effect effect) {
         return changes.keySet().stream().anyMatch(setting -> setting.effect() == effect);
-    }
-
-    private long lastChangedStep() {
-        return log.isEmpty() ? -1 : log.get(log.size() - 1).step();
     }
 
     /** Sets integrator and substeps for the tissue before and after the change. */

@@ -1,8 +1,8 @@
 package org.phrenic.access.plan;
 
 import java.util.Random;
-import java.util.SplittableRandom;
 import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.SeededRandom;
 import org.phrenic.access.attempt.AttemptRecord;
 import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.attempt.NeedleInsertion;
@@ -94,8 +94,7 @@ public final class RobotOperator {
 
     /** Makes an attempt; the same seed gives the same. The errors of the hand are the same in free and held breath. */
     public AttemptRecord attempt(long seed) {
-        // The first numbers of generators with neighbouring seeds are alike; a mixed seed has no neighbour.
-        Random random = new Random(new SplittableRandom(seed).nextLong());
+        Random random = SeededRandom.of(seed);
         timeS = 0;
         breath.begin(random.nextLong());
         NeedleInsertion needle = new NeedleInsertion(anatomy, access.target(), plan.needle(), plan.avoided());

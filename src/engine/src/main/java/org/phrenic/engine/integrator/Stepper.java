@@ -42,7 +42,7 @@ public final class Stepper {
 
     private String substepRefinementReason = "";
     /** Substeps at the last {@link #checkpoint}. */
-    private Splitting atCheckpoint = new Splitting(-1, 1, 1, "");
+    private Splitting atCheckpoint = Splitting.NONE;
 
     private long steps;
     /** Start of the segment with the current dt: its first step, and the simulated time there, s. */
@@ -51,7 +51,9 @@ public final class Stepper {
     private double segmentTime;
 
     /** How steps are split from a step on. */
-    private record Splitting(long step, int substeps, int refinement, String reason) {}
+    private record Splitting(long step, int substeps, int refinement, String reason) {
+        static final Splitting NONE = new Splitting(-1, 1, 1, "");
+    }
 
     /**
      * @param integrator the scheme, on its system
@@ -198,7 +200,7 @@ public final class Stepper {
         segmentTime = 0;
         integrator = first;
         apply(measured);
-        atCheckpoint = new Splitting(-1, 1, 1, "");
+        atCheckpoint = Splitting.NONE;
         guard.restart();
     }
 

@@ -23,7 +23,6 @@ public record BudgetPoint(
         double spacePercent,
         boolean extrapolated,
         double equilibriumPercent) {
-    private static final double RESOLVED = 3;
     /** Number of meshes of the mean that stands for the limit without an order. */
     private static final int FINEST = 3;
 
@@ -49,7 +48,7 @@ public record BudgetPoint(
                 points.add(new BudgetPoint(
                         row,
                         100 * (row.rmsMm() + row.uncertaintyMm()) / row.excursionMm(),
-                        row.rmsMm() >= RESOLVED * row.uncertaintyMm(),
+                        row.rmsMm() >= ErrorStudy.RESOLVED * row.uncertaintyMm(),
                         space(table, row),
                         convergence(table, row.body(), row.breath())
                                 .map(RichardsonFit::hasOrder)
@@ -63,7 +62,7 @@ public record BudgetPoint(
     /** Convergence of the excursion of a body's breath in space, if at least three meshes were measured. */
     static Optional<RichardsonFit> convergence(BudgetTable table, String body, String breath) {
         List<BudgetRow> meshes = measured(table, body, breath);
-        return meshes.size() < FINEST
+        return meshes.size() < RichardsonFit.LEAST_MESHES
                 ? Optional.empty()
                 : Optional.of(RichardsonFit.of(
                         meshes.stream().mapToDouble(BudgetRow::edgeMm).toArray(),
@@ -93,7 +92,7 @@ public record BudgetPoint(
     }
 
     /** Mean excursion on the finest meshes, mm: it scatters less than that on one. */
-    static double finest(BudgetTable table, String body, String breath) {
+    private static double finest(BudgetTable table, String body, String breath) {
         List<BudgetRow> meshes = measured(table, body, breath);
         return meshes.subList(meshes.size() - FINEST, meshes.size()).stream()
                 .mapToDouble(BudgetRow::excursionMm)

@@ -42,8 +42,8 @@ public record ErrorStudy(
         List<ErrorPoint> points,
         List<EquilibriumLag> equilibrium,
         List<String> skipped) {
-    /** Least ratio of an error to the reference's uncertainty. */
-    private static final double RESOLVED = 3;
+    /** Least ratio of an error to the uncertainty of what it is measured against. */
+    static final double RESOLVED = 3;
 
     /** Simulated time of a quick study, s: enough for the sheet to move. */
     private static final double QUICK_S = 0.2;

@@ -7,7 +7,7 @@ package org.phrenic.study.error;
  * {@value #MAX_ORDER} (Roache 1994, doi 10.1115/1.2910291).
  *
  * <p>A quantity may also scatter from mesh to mesh, as a sheet that folds does. An order is observed if the quantity on
- * the coarsest mesh differs from the limit by at least {@value #RESOLVED} times the scatter.
+ * the coarsest mesh differs from the limit by more than three times the scatter.
  *
  * @param limit extrapolated to edge length 0
  * @param order observed order of convergence; one of the bounds if the quantity does not converge as a power
@@ -20,15 +20,13 @@ public record RichardsonFit(double limit, double order, double scatter, double c
     public static final double MIN_ORDER = 0.3;
     /** Upper bound of the order. */
     public static final double MAX_ORDER = 4;
-    /** A change below so many times the scatter is not told from it. */
-    static final double RESOLVED = 3;
-
-    private static final int PARAMETERS = 3;
+    /** Least number of meshes: that of the parameters of the fit. */
+    static final int LEAST_MESHES = 3;
 
     private static final double GOLDEN = 0.5 * (Math.sqrt(5) - 1);
     private static final int ITERATIONS = 60;
     /** An order nearer to a bound is the bound. */
-    static final double MARGIN = 0.01;
+    private static final double MARGIN = 0.01;
 
     /**
      * Fits a quantity.
@@ -38,7 +36,7 @@ public record RichardsonFit(double limit, double order, double scatter, double c
      * @throws IllegalArgumentException with fewer than three meshes
      */
     public static RichardsonFit of(double[] edges, double[] values) {
-        if (edges.length < 3 || values.length != edges.length) {
+        if (edges.length < LEAST_MESHES || values.length != edges.length) {
             throw new IllegalArgumentException("found " + edges.length + " edge lengths and " + values.length
                     + " values, expected at least three of each");
         }
@@ -55,7 +53,7 @@ public record RichardsonFit(double limit, double order, double scatter, double c
         }
         double order = 0.5 * (low + high);
         double[] line = line(edges, values, order);
-        int free = edges.length - PARAMETERS;
+        int free = edges.length - LEAST_MESHES;
         double scatter = free > 0 ? Math.sqrt(line[2] / free) : Double.NaN;
         return new RichardsonFit(line[0], order, scatter, line[1]);
     }
@@ -65,7 +63,7 @@ public record RichardsonFit(double limit, double order, double scatter, double c
      * its scatter.
      */
     public boolean hasOrder() {
-        boolean resolved = Double.isNaN(scatter) || Math.abs(change) > RESOLVED * scatter;
+        boolean resolved = Double.isNaN(scatter) || Math.abs(change) > ErrorStudy.RESOLVED * scatter;
         return resolved && order > MIN_ORDER + MARGIN && order < MAX_ORDER - MARGIN;
     }
 

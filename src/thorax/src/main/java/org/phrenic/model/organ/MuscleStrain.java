@@ -33,9 +33,15 @@ final class MuscleStrain {
         double[] normal = new double[3];
         for (int t = 0; t < sheet.triangleCount(); t++) {
             double twice = MeshMeasure.triangleCrossProduct(sheet, t, normal);
-            for (int k = 3 * t; twice > 0 && k < 3 * t + 3; k++) {
+            if (twice == 0) {
+                continue;
+            }
+            double[] strain = strain(t, normal, twice);
+            for (int k = 3 * t; k < 3 * t + 3; k++) {
                 area[corners[k]] += twice;
-                addStrain(t, normal, twice, atVertex[corners[k]]);
+                for (int i = 0; i < ENTRIES.length; i++) {
+                    atVertex[corners[k]][i] += strain[i];
+                }
             }
         }
         for (int v = 0; v < area.length; v++) {
@@ -45,18 +51,17 @@ final class MuscleStrain {
         }
     }
 
-    /** Adds E of a triangle, times twice its area. */
-    private void addStrain(int triangle, double[] normal, double twice, double[] out) {
+    /** E of a triangle, times twice its area. */
+    private double[] strain(int triangle, double[] normal, double twice) {
         double[] fibre = diaphragm.fibreDirections();
-        if (!isMuscle(fibre, triangle)) {
-            return;
-        }
-        for (int i = 0; i < ENTRIES.length; i++) {
+        double[] out = new double[ENTRIES.length];
+        for (int i = 0; i < out.length && isMuscle(fibre, triangle); i++) {
             int row = ENTRIES[i][0];
             int column = ENTRIES[i][1];
             double plane = (row == column ? 1 : 0) - normal[row] * normal[column] / (twice * twice);
-            out[i] += twice * (fibre[3 * triangle + row] * fibre[3 * triangle + column] - ACROSS * plane);
+            out[i] = twice * (fibre[3 * triangle + row] * fibre[3 * triangle + column] - ACROSS * plane);
         }
+        return out;
     }
 
     private static boolean isMuscle(double[] fibre, int triangle) {

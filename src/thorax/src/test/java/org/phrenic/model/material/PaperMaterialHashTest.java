@@ -9,6 +9,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
@@ -61,11 +62,12 @@ class PaperMaterialHashTest {
                     .map(ScheduledChange::parse)
                     .toList());
         }
-        Thorax thorax = VirtualThorax.generate(measures(body, settings), OrganSettings.budget(scenario));
-        boolean remeshed = body.equals("adult-female") && settings.contains("low");
-        int vertices = OrganSettings.budget(scenario).diaphragmVertices();
-        try (Simulation simulation =
-                Simulation.of(scenario, remeshed ? Runs.withRemeshedSheet(thorax, vertices) : thorax)) {
+        MeshBudget budget = OrganSettings.budget(scenario);
+        Thorax thorax = VirtualThorax.generate(measures(body, settings), budget);
+        if (body.equals("adult-female") && settings.contains("low")) {
+            thorax = Runs.withRemeshedSheet(thorax, budget.diaphragmVertices());
+        }
+        try (Simulation simulation = Simulation.of(scenario, thorax)) {
             while (simulation.steps() < steps) {
                 simulation.step();
             }
