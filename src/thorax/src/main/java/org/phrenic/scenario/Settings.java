@@ -57,6 +57,7 @@ public final class Settings {
                             RigidTendon.LINKS_PER_NODE,
                             RigidTendon.TENDON,
                             Breathing.HOLD,
+                            Breathing.REPEAT,
                             RunSettings.STEPS,
                             RunSettings.CHANGES),
                     Materials.parameters().stream())

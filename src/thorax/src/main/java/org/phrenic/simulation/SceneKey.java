@@ -7,6 +7,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.ComputedArrays;
 import org.phrenic.file.Hashes;
 import org.phrenic.file.UserCache;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.parameter.Setting;
@@ -27,6 +28,7 @@ final class SceneKey {
             RunSettings.RECORD_EVERY,
             RunSettings.MESHES_EVERY,
             RunSettings.CHANGES,
+            Breathing.REPEAT,
             Numerics.THREADS);
 
     private SceneKey() {}

@@ -41,6 +41,7 @@ public final class Simulation implements AutoCloseable {
     private List<ScheduledChange> scheduled;
     private Scenario start;
     private LiveTuning tuning;
+    private BreathRepetition repetition;
     private int nextScheduled;
 
     private Simulation(
@@ -59,6 +60,7 @@ public final class Simulation implements AutoCloseable {
         start = scenario.withChanges(List.of());
         scene.tuning().settled();
         tuning = new LiveTuning(start, scene, stepper);
+        repetition = new BreathRepetition(start, scene, stepper);
     }
 
     /**
@@ -110,13 +112,29 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** Applies the changes that the scenario schedules for this step, then advances by one time step. */
+    /**
+     * Applies the changes that the scenario schedules for this step, then advances by one time step: by the record of a
+     * breath where {@link BreathRepetition} has one to repeat, else by the equations of motion.
+     */
     public void step() {
         if (nextScheduled < scheduled.size()) {
             makeScheduled();
         }
-        tuning.beforeStep();
-        stepper.step();
+        if (!repetition.step()) {
+            tuning.beforeStep();
+            stepper.step();
+            repetition.stepped();
+        }
+    }
+
+    /** Number of steps since the start that repeated the record of a breath. */
+    public long repeatedSteps() {
+        return repetition.repeatedSteps();
+    }
+
+    /** Whether steps repeat the record of a breath. */
+    public boolean isRepeating() {
+        return repetition.isRepeating();
     }
 
     private void makeScheduled() {
@@ -125,7 +143,7 @@ public final class Simulation implements AutoCloseable {
             now.add(scheduled.get(nextScheduled++).assignment());
         }
         if (!now.isEmpty()) {
-            tuning.apply(now);
+            change(now);
         }
     }
 
@@ -144,6 +162,7 @@ public final class Simulation implements AutoCloseable {
     /** Applies several live changes at once; exceptions as for {@link #change(Assignment)}. */
     public void change(List<Assignment> assignments) {
         tuning.apply(assignments);
+        repetition.changed(tuning.settings(), assignments);
     }
 
     /** Changes made since the start, in order. */
@@ -250,6 +269,7 @@ public final class Simulation implements AutoCloseable {
         system().invalidate();
         stepper.restart(start.integrator().create(system()), firstLimit);
         tuning = new LiveTuning(start, scene, stepper);
+        repetition = new BreathRepetition(start, scene, stepper);
     }
 
     /**
@@ -264,7 +284,7 @@ public final class Simulation implements AutoCloseable {
         if (back.isEmpty()) {
             return false;
         }
-        tuning.apply(back);
+        change(back);
         return true;
     }
 

@@ -11,6 +11,7 @@ import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.file.FolderLock;
 import org.phrenic.file.UserCache;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.scenario.RunSettings;
@@ -151,6 +152,9 @@ public final class SimulationRun {
         map.put("rigid_links", scene.activeLinks().map(l -> l.count()).orElse(0));
         map.put("attachments", scene.heldNodes().length);
         map.put("steps", stepper.steps());
+        if (simulation.settings().get(Breathing.REPEAT)) {
+            map.put("repeated_steps", simulation.repeatedSteps());
+        }
         map.put("substeps", stepper.substeps());
         if (stepper.system().layout().hasNodesApart()) {
             map.put("sternum_substeps", stepper.substeps() * stepper.stepsApart());

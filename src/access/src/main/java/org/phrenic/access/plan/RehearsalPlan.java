@@ -18,6 +18,7 @@ import org.phrenic.document.ShippedFile;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 
@@ -195,7 +196,10 @@ public record RehearsalPlan(
                 ? Scenario.read(file.toAbsolutePath().resolveSibling(yaml.text("scenario")))
                 : Scenario.defaults();
         YamlMap set = yaml.mapOrEmpty("set");
-        return base.with(set.keys().stream()
+        Scenario repeating = base.states(Breathing.REPEAT)
+                ? base
+                : base.with(List.of(Assignment.of(file.toString(), Breathing.REPEAT, true)));
+        return repeating.with(set.keys().stream()
                 .map(key -> Assignment.read(file + ": set " + key, key, set.text(key)))
                 .toList());
     }

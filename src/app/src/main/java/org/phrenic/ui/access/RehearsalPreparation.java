@@ -11,6 +11,8 @@ import org.phrenic.access.CycleRecorder;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.camera.PickResult;
 import org.phrenic.simulation.live.LiveScene;
@@ -83,6 +85,8 @@ final class RehearsalPreparation {
 
     private void recordBreath() {
         enter(RehearsalStage.RECORDING_BREATH);
+        // The needle does not move the body, so a steady breath need not be simulated again.
+        repeatSteadyBreath(true);
         rehearsal.recordedFraction = 0;
         // With other breathing than the exercise's the target stays, for practice.
         rehearsal.exercise =
@@ -108,6 +112,13 @@ final class RehearsalPreparation {
         rehearsal.fireState();
     }
 
+    /** Sets whether steady breaths are repeated from their record. */
+    void repeatSteadyBreath(boolean on) {
+        if (session.scenario().get(Breathing.REPEAT) != on) {
+            session.live().change(List.of(Assignment.of("rehearsal", Breathing.REPEAT, on)));
+        }
+    }
+
     private static void onEventThread(BooleanSupplier wanted, Runnable what) {
         SwingUtilities.invokeLater(() -> {
             if (wanted.getAsBoolean()) {
@@ -116,9 +127,13 @@ final class RehearsalPreparation {
         });
     }
 
-    /** Whether two scenarios are the same but for a breath hold. */
+    /** Whether two scenarios are the same but for a breath hold and the repetition of steady breaths. */
     private static boolean breatheAlike(Scenario one, Scenario other) {
-        return one.with("hold=false").equals(other.with("hold=false"));
+        return breathing(one).equals(breathing(other));
+    }
+
+    private static Scenario breathing(Scenario scenario) {
+        return scenario.with("hold=false", "repeat_breath=true");
     }
 
     /** Computes the map of the exercise's target, of the present one, or of one at random. */

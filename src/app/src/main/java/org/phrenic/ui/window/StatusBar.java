@@ -26,6 +26,9 @@ final class StatusBar extends JPanel {
 
     private static final String REALTIME_TIP = "Simulated time over real time";
 
+    private static final String PHASE_TIP =
+            "Phase of the breath; repeated: a steady breath is played from its record" + " until a setting changes";
+
     private final transient Map<String, JLabel> fields = new LinkedHashMap<>();
     private final JLabel pickedLabel = new JLabel(" ");
     private String meshes = "";
@@ -37,7 +40,7 @@ final class StatusBar extends JPanel {
         pickedLabel.getAccessibleContext().setAccessibleName("Structure and place pointed at");
         add(pickedLabel, "growx, wmin 0");
         addField("quality", QUALITY_TIP, "Medium, drawn at 0.70 sharpness");
-        addField("phase", "Phase of the breath", "inspiration");
+        addField("phase", PHASE_TIP, "inspiration, repeated");
         addField("time", "Simulated time", "t 0000.00 s");
         addField("step", "Steps since the start", "step 0 000 000");
         addField("dt", "Time step, and the substeps it is split into", "dt 10.000 ms / 10");
@@ -62,7 +65,7 @@ final class StatusBar extends JPanel {
     }
 
     void show(RunStatus s) {
-        set("phase", s.phaseLabel());
+        set("phase", s.phaseLabel() + (s.repeating() ? ", repeated" : ""));
         set("time", String.format(Locale.ROOT, "t %.2f s", s.timeS()));
         set("step", "step " + withThousands(s.step()));
         set("dt", "dt " + trimmed(1000 * s.dtS()) + " ms" + (s.substeps() > 1 ? " / " + s.substeps() : ""));

@@ -21,7 +21,7 @@ class StatusBarTest {
     }
 
     private static RunStatus status(boolean playing) {
-        return new RunStatus(800, 1, 0.00125, 1, 812, 1.015, playing, Optional.empty(), "inspiration");
+        return new RunStatus(800, 1, 0.00125, 1, 812, 1.015, playing, Optional.empty(), "inspiration", false);
     }
 
     @Test

@@ -244,6 +244,17 @@ public final class Stepper {
     }
 
     /**
+     * Counts a step by dt whose positions and velocities the caller has written into the system instead of having them
+     * computed by {@link #step}.
+     */
+    public void acceptStep() {
+        steps++;
+        integrator.system().invalidate();
+        integrator.reset();
+        watch.reset();
+    }
+
+    /**
      * After a return to the checkpoint of a change, restores the substeps there: the run goes on as one that never left
      * it.
      */

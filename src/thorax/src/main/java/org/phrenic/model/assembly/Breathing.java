@@ -39,6 +39,11 @@ public final class Breathing extends ScenePart {
     public static final SwitchSetting HOLD = Setting.named("hold", "Hold", Effect.DRIVE)
             .describedAs("The breath is held where it is.")
             .onOff(false);
+    /** Whether steady breaths are repeated from the record of one. */
+    public static final SwitchSetting REPEAT = Setting.named("repeat_breath", "Repeat steady breath", Effect.DRIVE)
+            .describedAs("A breath that ends as it began is recorded, and those after it repeat the record until a"
+                    + " setting changes.")
+            .onOff(false);
 
     public static final Parameter RATE = Parameter.named("rate_per_min", "Rate")
             .range(2, 150, "1/min")

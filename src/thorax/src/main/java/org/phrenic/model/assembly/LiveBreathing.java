@@ -59,6 +59,21 @@ public final class LiveBreathing implements BreathingPattern {
         return Double.isInfinite(from) || Double.isInfinite(to) || from == to ? intoS : intoS / from * to;
     }
 
+    /** Rate of the pattern's time: 1 while the breath goes on, 0 while it is held, between while it slows down. */
+    public double rate(double nowS) {
+        return clock.rate(nowS);
+    }
+
+    /** Time within the last pattern that was set, s. */
+    public double patternTimeS(double nowS) {
+        return state.warped.patternTimeS(nowS);
+    }
+
+    /** Period of the last pattern that was set, s; infinite if it is not periodic. */
+    public double patternPeriodS() {
+        return state.base.periodS();
+    }
+
     @Override
     public String name() {
         return state.pattern.name();

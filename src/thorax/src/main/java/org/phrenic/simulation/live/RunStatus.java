@@ -15,6 +15,7 @@ import org.phrenic.simulation.SubstepReason;
  * @param playing whether it is playing
  * @param substepReason why steps are split; empty if the step is within the stability limit
  * @param phaseLabel respiratory phase: inspiration, expiration, pause, hold; empty before the first scene
+ * @param repeating whether steps repeat the record of a breath
  */
 public record RunStatus(
         long step,
@@ -25,9 +26,10 @@ public record RunStatus(
         double realtimeFactor,
         boolean playing,
         Optional<SubstepReason> substepReason,
-        String phaseLabel) {
+        String phaseLabel,
+        boolean repeating) {
     /** Status before the first scene. */
-    public static final RunStatus NOTHING = new RunStatus(0, 0, 0, 1, 0, 0, false, Optional.empty(), "");
+    public static final RunStatus NOTHING = new RunStatus(0, 0, 0, 1, 0, 0, false, Optional.empty(), "", false);
 
     /** Reason for substeps in one sentence; empty without substeps. */
     public String stabilityMessage() {

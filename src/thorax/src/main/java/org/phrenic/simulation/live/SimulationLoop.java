@@ -218,6 +218,7 @@ final class SimulationLoop implements Runnable {
                 playing ? pacer.realtimeFactor() : 0,
                 playing,
                 running.substepReason(),
-                simulation.breathLabel().name().toLowerCase(Locale.ROOT));
+                simulation.breathLabel().name().toLowerCase(Locale.ROOT),
+                simulation.isRepeating());
     }
 }
