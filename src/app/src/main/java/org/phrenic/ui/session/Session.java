@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
@@ -61,6 +63,9 @@ public final class Session implements AutoCloseable {
 
     private static final int TICK_MS = 50;
 
+    /** Longest time for which the assembly of the first scene waits for the first picture, s. */
+    private static final long PICTURE_WAIT_S = 3;
+
     private final List<Listener> listeners = new CopyOnWriteArrayList<>();
     private final EditHistory edits = new EditHistory(System::nanoTime);
     private final LiveRun live;
@@ -68,6 +73,8 @@ public final class Session implements AutoCloseable {
     private LiveScene scene;
     private LiveScene bodyAtRest;
     private volatile LiveScene firstBody;
+    private final CountDownLatch picture = new CountDownLatch(1);
+    private volatile boolean pictureFirst;
     private Scenario requested;
     private int historyFrame = -1;
     private boolean resumeAfterHistory;
@@ -79,6 +86,16 @@ public final class Session implements AutoCloseable {
         live.play();
         tickTimer = new Timer(TICK_MS, e -> fire(l -> l.onTick(live.status())));
         tickTimer.start();
+    }
+
+    /** Lets the first picture, of the body at rest, come before the first scene is assembled. */
+    public void putPictureFirst() {
+        pictureFirst = true;
+    }
+
+    /** To be called when there is a first picture, or when there will be none. */
+    public void endPictureWait() {
+        picture.countDown();
     }
 
     /** Adds a listener; it gets the present scene, or the body of the one that loads first, at once. */
@@ -267,6 +284,7 @@ public final class Session implements AutoCloseable {
     @Override
     public void close() {
         tickTimer.stop();
+        endPictureWait();
         live.close();
     }
 
@@ -286,6 +304,17 @@ public final class Session implements AutoCloseable {
                     fire(l -> l.onBody(atRest));
                 }
             });
+            if (pictureFirst) {
+                awaitPicture();
+            }
+        }
+
+        private void awaitPicture() {
+            try {
+                picture.await(PICTURE_WAIT_S, TimeUnit.SECONDS);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
         }
 
         @Override

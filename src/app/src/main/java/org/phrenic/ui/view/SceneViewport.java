@@ -309,6 +309,7 @@ public final class SceneViewport extends JPanel implements Session.Listener {
                     renderLoop.release(frame);
                 }
                 frame = drawn;
+                session.endPictureWait();
                 frameCount++;
                 frameRate.count(System.nanoTime());
                 repaint();
@@ -321,6 +322,7 @@ public final class SceneViewport extends JPanel implements Session.Listener {
                 frame = null;
                 placeholder = sentence;
                 unavailable = true;
+                session.endPictureWait();
                 repaint();
             });
         }

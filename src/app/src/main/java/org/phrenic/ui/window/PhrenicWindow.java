@@ -85,9 +85,7 @@ public final class PhrenicWindow {
                 .map(path -> FileOpener.readScenario(path, Scenario.defaults()))
                 .orElse(Scenario.defaults());
         CountDownLatch[] closed = new CountDownLatch[1];
-        // Graphics and body are prepared in parallel with the window.
-        OffscreenContext.prepare();
-        Session session = new Session(first);
+        Session session = WindowStart.session(first);
         OffscreenContext.awaitToolkit();
         try {
             SwingUtilities.invokeAndWait(() -> {

@@ -123,8 +123,7 @@ public final class WindowBenchmark {
 
     private WindowBenchmark(Scenario scenario, Settings settings) {
         this.settings = settings;
-        OffscreenContext.prepare();
-        session = new Session(scenario);
+        session = WindowStart.session(scenario);
         awaitToolkit();
         window = onEventThread(() -> {
             WindowPreferences preferences = WindowPreferences.unsaved();
