@@ -25,6 +25,7 @@ public final class FieldValues {
         areas(FloatBuffer.wrap(p), restArea);
     }
 
+    /** Distance of each vertex of a deforming body from its rest position, mm. */
     public float[] displacement(FloatBuffer now) {
         double[] r = rest.positions();
         for (int i = 0; i < values.length; i++) {
