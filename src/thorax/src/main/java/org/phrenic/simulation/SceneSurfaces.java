@@ -30,6 +30,7 @@ import org.phrenic.simulation.observe.SceneOverlays;
 import org.phrenic.simulation.observe.SheetContact;
 import org.phrenic.simulation.observe.SkinMotion;
 import org.phrenic.simulation.observe.Surface;
+import org.phrenic.simulation.observe.YieldSpread;
 
 /**
  * All surfaces of a simulation and their current positions. A frame is made in two parts: {@link #read} copies the
@@ -157,9 +158,15 @@ public final class SceneSurfaces {
     private void yielding(Structure s, boolean above, VertexSource place) {
         double[] p = s.mesh().positions().clone();
         SheetContact.Organ organ = contact.organ(s.mesh().positions(), above);
+        YieldSpread spread = new YieldSpread(s.mesh());
+        double[] free = p.clone();
         deforming(s, (time, at) -> {
-            System.arraycopy(place.positionsAt(time, at), 0, p, 0, p.length);
+            System.arraycopy(place.positionsAt(time, at), 0, free, 0, p.length);
+            System.arraycopy(free, 0, p, 0, p.length);
             organ.pushBack(p);
+            if (spread.spread(free, p)) {
+                organ.pushBack(p);
+            }
             return p;
         });
     }
