@@ -30,7 +30,7 @@ import org.phrenic.simulation.observe.SceneOverlays;
 import org.phrenic.simulation.observe.SheetContact;
 import org.phrenic.simulation.observe.SkinMotion;
 import org.phrenic.simulation.observe.Surface;
-import org.phrenic.simulation.observe.YieldSpread;
+import org.phrenic.simulation.observe.YieldingOrgan;
 
 /**
  * All surfaces of a simulation and their current positions. A frame is made in two parts: {@link #read} copies the
@@ -156,19 +156,8 @@ public final class SceneSurfaces {
 
     /** Adds a soft organ that yields to the diaphragm. */
     private void yielding(Structure s, boolean above, VertexSource place) {
-        double[] p = s.mesh().positions().clone();
-        SheetContact.Organ organ = contact.organ(s.mesh().positions(), above);
-        YieldSpread spread = new YieldSpread(s.mesh());
-        double[] free = p.clone();
-        deforming(s, (time, at) -> {
-            System.arraycopy(place.positionsAt(time, at), 0, free, 0, p.length);
-            System.arraycopy(free, 0, p, 0, p.length);
-            organ.pushBack(p);
-            if (spread.spread(free, p)) {
-                organ.pushBack(p);
-            }
-            return p;
-        });
+        YieldingOrgan organ = new YieldingOrgan(contact, s.mesh(), above);
+        deforming(s, (time, at) -> organ.dented(place.positionsAt(time, at)));
     }
 
     private void deforming(Structure s, VertexSource place, boolean... tendon) {

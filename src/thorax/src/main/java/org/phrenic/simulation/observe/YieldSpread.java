@@ -17,7 +17,7 @@ import org.phrenic.mesh.TriangleMesh;
  * over the n neighbours j of vertex i, where a is {@value #HOLD} for a vertex that yields and else 0. Vertices farther
  * than {@value #PASSES} edges from those that yield keep their places. Not thread-safe.
  */
-public final class YieldSpread {
+final class YieldSpread {
     private static final int PASSES = 8;
     private static final double HOLD = 1;
     private static final double DECAY = 0.1;
@@ -31,7 +31,7 @@ public final class YieldSpread {
     private double[] next;
 
     /** @param mesh the organ */
-    public YieldSpread(TriangleMesh mesh) {
+    YieldSpread(TriangleMesh mesh) {
         MeshTopology topology = new MeshTopology(mesh);
         int n = mesh.vertexCount();
         start = topology.vertexEdgeStart();
@@ -56,7 +56,7 @@ public final class YieldSpread {
      * @param after positions after it; changed in place
      * @return whether any vertex has yielded
      */
-    public boolean spread(double[] before, double[] after) {
+    boolean spread(double[] before, double[] after) {
         int count = findActive(before, after);
         if (count == 0) {
             return false;
