@@ -2,33 +2,32 @@ package org.phrenic.cli.chart;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import org.jfree.chart.JFreeChart;
-import org.jfree.chart.annotations.XYTextAnnotation;
+import org.jfree.chart.LegendItem;
+import org.jfree.chart.LegendItemCollection;
 import org.jfree.chart.plot.CombinedDomainXYPlot;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
-import org.jfree.chart.ui.TextAnchor;
+import org.jfree.chart.title.LegendTitle;
+import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 import org.phrenic.study.error.BudgetPoint;
 
 /**
  * A chart of speed against the whole error, with logarithmic axes. The upper panel has every integrator on the scenes
- * that were measured with all of them, the lower one the defaults of all scenes.
+ * that were measured with all of them, the lower one the defaults of all scenes; colours tell the meshes.
  */
 public final class BudgetChart {
     private static final int PANEL_HEIGHT = 480;
     private static final int MARGIN_HEIGHT = 150;
-    /** Ratio of speeds up to which a point is beside a slower one. */
-    private static final double BESIDE = 1.5;
-    /** Ratio of speeds below which two points are one above the other. */
-    private static final double EQUAL = 1.1;
-    /** Ratio of errors up to which two labels may meet. */
-    private static final double LEVEL = 1.25;
+    private static final Shape POINT = new Ellipse2D.Double(-4.5, -4.5, 9, 9);
+    private static final Shape RING = new Ellipse2D.Double(-9, -9, 18, 18);
 
     private BudgetChart() {}
 
@@ -47,11 +46,14 @@ public final class BudgetChart {
         CombinedDomainXYPlot all = new CombinedDomainXYPlot(new DecadeAxis(
                 "speed, x real time: simulated time over processor time, one thread", slowest / 1.5, 2.5 * fastest));
         all.setGap(22);
+        List<String> meshes =
+                points.stream().map(p -> p.row().mesh()).distinct().toList();
         if (!compared.isEmpty()) {
-            all.add(panel(compared, "every integrator: whole error, % of excursion", BudgetChart::compared));
+            all.add(panel(compared, meshes, "every integrator: whole error, % of excursion", BudgetPoint::integrator));
         }
-        all.add(panel(defaults, "defaults: whole error, % of excursion", BudgetChart::scene));
+        all.add(panel(defaults, meshes, "defaults: whole error, % of excursion", BudgetChart::scene));
         JFreeChart chart = ChartStyle.chart("Speed against the whole error", all);
+        chart.addSubtitle(0, legend(meshes));
         ChartStyle.write(picture, chart, MARGIN_HEIGHT + PANEL_HEIGHT * (compared.isEmpty() ? 1 : 2));
     }
 
@@ -61,12 +63,8 @@ public final class BudgetChart {
                 && p.row().mesh().equals(q.row().mesh());
     }
 
-    private static String compared(BudgetPoint p) {
-        return p.integrator() + ", " + p.row().mesh();
-    }
-
     private static String scene(BudgetPoint p) {
-        return String.join(", ", p.row().body(), p.row().breath(), p.row().mesh());
+        return p.row().body() + ", " + p.row().breath();
     }
 
     @FunctionalInterface
@@ -74,7 +72,7 @@ public final class BudgetChart {
         String of(BudgetPoint point);
     }
 
-    private static XYPlot panel(List<BudgetPoint> points, String title, Label label) {
+    private static XYPlot panel(List<BudgetPoint> points, List<String> meshes, String title, Label label) {
         double low =
                 points.stream().mapToDouble(BudgetPoint::wholePercent).min().orElse(1);
         double high =
@@ -83,8 +81,6 @@ public final class BudgetChart {
         plot.setRangeAxis(new DecadeAxis(title, low / 1.5, high * 1.5));
         XYSeriesCollection data = new XYSeriesCollection();
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(false, true);
-        List<String> meshes =
-                points.stream().map(p -> p.row().mesh()).distinct().toList();
         for (int i = 0; i < meshes.size(); i++) {
             XYSeries series = new XYSeries(meshes.get(i));
             for (BudgetPoint p : points) {
@@ -94,7 +90,7 @@ public final class BudgetChart {
             }
             data.addSeries(series);
             renderer.setSeriesPaint(i, ChartStyle.colour(i));
-            renderer.setSeriesShape(i, new Ellipse2D.Double(-4.5, -4.5, 9, 9));
+            renderer.setSeriesShape(i, POINT);
         }
         XYSeries rings = new XYSeries("default");
         points.stream()
@@ -103,40 +99,27 @@ public final class BudgetChart {
         data.addSeries(rings);
         int last = meshes.size();
         ChartStyle.line(last, Color.BLACK, 2f, renderer);
-        renderer.setSeriesShape(last, new Ellipse2D.Double(-9, -9, 18, 18));
+        renderer.setSeriesShape(last, RING);
         renderer.setSeriesShapesFilled(last, Boolean.FALSE);
         renderer.setSeriesOutlineStroke(last, new BasicStroke(2f));
         plot.setDataset(data);
         plot.setRenderer(renderer);
-        List<BudgetPoint> bySpeed = points.stream()
-                .sorted(Comparator.comparingDouble(p -> p.row().realTime()))
-                .toList();
-        for (int i = 0; i < bySpeed.size(); i++) {
-            // Neighbours have their labels above and below, and a slower one to its left, so that they do not overlap.
-            BudgetPoint p = bySpeed.get(i);
-            boolean left = bySpeed.subList(i + 1, bySpeed.size()).stream().anyMatch(q -> isBeside(p, q));
-            annotate(plot, p, label, i % 2 == 0, left);
-        }
+        plot.addAnnotation(new PointLabels(points.stream()
+                .sorted(Comparator.comparingDouble(BudgetPoint::wholePercent))
+                .map(p -> new PointLabels.Label(p.row().realTime(), p.wholePercent(), label.of(p)))
+                .toList()));
         return plot;
     }
 
-    /** Whether a faster point lies where the label of a point would be to its right. */
-    private static boolean isBeside(BudgetPoint p, BudgetPoint faster) {
-        double ratio = faster.row().realTime() / p.row().realTime();
-        double height = Math.abs(Math.log(faster.wholePercent() / p.wholePercent()));
-        return ratio > EQUAL && ratio < BESIDE && height < Math.log(LEVEL);
-    }
-
-    private static void annotate(XYPlot plot, BudgetPoint p, Label label, boolean above, boolean left) {
-        String name = label.of(p) + (p.row().usual() ? " (default)" : "");
-        String text = left ? name + "    " : "    " + name;
-        XYTextAnnotation note = new XYTextAnnotation(text, p.row().realTime(), p.wholePercent());
-        note.setFont(ChartStyle.font(12));
-        if (left) {
-            note.setTextAnchor(above ? TextAnchor.BOTTOM_RIGHT : TextAnchor.TOP_RIGHT);
-        } else {
-            note.setTextAnchor(above ? TextAnchor.BOTTOM_LEFT : TextAnchor.TOP_LEFT);
+    private static LegendTitle legend(List<String> meshes) {
+        LegendItemCollection items = new LegendItemCollection();
+        for (int i = 0; i < meshes.size(); i++) {
+            items.add(new LegendItem(meshes.get(i), null, null, null, POINT, ChartStyle.colour(i)));
         }
-        plot.addAnnotation(note);
+        items.add(new LegendItem("default", null, null, null, RING, new BasicStroke(2f), Color.BLACK));
+        LegendTitle legend = new LegendTitle(() -> items);
+        legend.setItemFont(ChartStyle.font(14));
+        legend.setPosition(RectangleEdge.TOP);
+        return legend;
     }
 }
