@@ -35,7 +35,7 @@ final class BreathRepetition {
     /** Time between samples of a record, s. */
     private static final double INTERVAL_S = 0.02;
 
-    /** Time after a change of settings in which nothing is recorded: that of all ramps, and as much again, s. */
+    /** Time after a change of settings in which nothing is recorded: that of all ramps, 0.2 s, and more, s. */
     private static final double SETTLING_S = 0.5;
 
     /** Largest record, bytes; longer ones are not made. */
