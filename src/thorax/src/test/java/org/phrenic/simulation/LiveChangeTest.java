@@ -68,6 +68,7 @@ class LiveChangeTest {
                 "contact", List.of("false", "true"),
                 "integrator", List.of("rk4", "symplectic-euler"),
                 "time_step_s", List.of("0.0005", "0.0013")));
+        values.put("repeat_breath", List.of("true", "false"));
         for (Parameter p : Materials.parameters()) {
             double low = p.minimum() + 0.1 * (p.maximum() - p.minimum());
             double high = p.minimum() + 0.2 * (p.maximum() - p.minimum());
