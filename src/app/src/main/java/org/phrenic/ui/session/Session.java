@@ -73,24 +73,28 @@ public final class Session implements AutoCloseable {
     private LiveScene scene;
     private LiveScene bodyAtRest;
     private volatile LiveScene firstBody;
-    private final CountDownLatch picture = new CountDownLatch(1);
-    private volatile boolean pictureFirst;
+    private final CountDownLatch picture;
     private Scenario requested;
     private int historyFrame = -1;
     private boolean resumeAfterHistory;
     private double speed = 1;
 
     public Session(Scenario first) {
+        this(first, false);
+    }
+
+    /**
+     * Starts the simulation.
+     *
+     * @param pictureFirst whether the first picture, of the body at rest, comes before the first scene is assembled
+     */
+    public Session(Scenario first, boolean pictureFirst) {
+        picture = new CountDownLatch(pictureFirst ? 1 : 0);
         requested = first;
         live = new LiveRun(first, new RunListener());
         live.play();
         tickTimer = new Timer(TICK_MS, e -> fire(l -> l.onTick(live.status())));
         tickTimer.start();
-    }
-
-    /** Lets the first picture, of the body at rest, come before the first scene is assembled. */
-    public void putPictureFirst() {
-        pictureFirst = true;
     }
 
     /** To be called when there is a first picture, or when there will be none. */
@@ -304,12 +308,6 @@ public final class Session implements AutoCloseable {
                     fire(l -> l.onBody(atRest));
                 }
             });
-            if (pictureFirst) {
-                awaitPicture();
-            }
-        }
-
-        private void awaitPicture() {
             try {
                 picture.await(PICTURE_WAIT_S, TimeUnit.SECONDS);
             } catch (InterruptedException e) {

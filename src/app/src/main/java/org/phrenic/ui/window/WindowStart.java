@@ -17,10 +17,6 @@ final class WindowStart {
      */
     static Session session(Scenario first) {
         OffscreenContext.prepare();
-        Session session = new Session(first);
-        if (Runtime.getRuntime().availableProcessors() < PROCESSORS_FOR_ALL) {
-            session.putPictureFirst();
-        }
-        return session;
+        return new Session(first, Runtime.getRuntime().availableProcessors() < PROCESSORS_FOR_ALL);
     }
 }

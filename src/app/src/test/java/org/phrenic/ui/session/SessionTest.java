@@ -22,8 +22,7 @@ class SessionTest {
         CountDownLatch scene = new CountDownLatch(1);
         Session[] made = new Session[1];
         SwingUtilities.invokeAndWait(() -> {
-            made[0] = new Session(small);
-            made[0].putPictureFirst();
+            made[0] = new Session(small, true);
             made[0].addListener(new Session.Listener() {
                 @Override
                 public void onBody(LiveScene atRest) {
