@@ -91,8 +91,7 @@ final class BreathRepetition {
     void changed(Scenario now, List<Assignment> changes) {
         on = now.get(Breathing.REPEAT);
         playing = null;
-        begun = null;
-        heldAt = new double[0];
+        beginAnew();
         boolean holdOnly = changes.stream().allMatch(change -> change.setting() == Breathing.HOLD);
         if (!on || !holdOnly) {
             whole = null;
@@ -112,9 +111,14 @@ final class BreathRepetition {
         } else if (rate == 0) {
             hold();
         } else {
-            begun = null;
-            heldAt = new double[0];
+            beginAnew();
         }
+    }
+
+    /** Drops the record that is being made and what is known of the motion in a hold. */
+    private void beginAnew() {
+        begun = null;
+        heldAt = new double[0];
     }
 
     /** Records the breath, or returns to its record. */
@@ -151,15 +155,14 @@ final class BreathRepetition {
 
     /** Repeats the record from now on if all nodes are near it. */
     private void joinIfNear(double now) {
-        double[] off = new double[system.positions().length];
-        double[] v = new double[off.length];
-        whole.at(breathing.patternTimeS(now), off, v);
         double[] x = system.positions();
+        double[] off = new double[x.length];
+        whole.at(breathing.patternTimeS(now), off, new double[x.length]);
+        if (!isNear(x, off, TOLERANCE_MM)) {
+            return;
+        }
         for (int i = 0; i < off.length; i++) {
             off[i] = x[i] - off[i];
-            if (!(Math.abs(off[i]) <= TOLERANCE_MM)) {
-                return;
-            }
         }
         RecordedBreath record = whole;
         playing = timeS -> {
@@ -176,17 +179,24 @@ final class BreathRepetition {
     private void hold() {
         begun = null;
         double[] x = system.positions();
-        if (heldAt.length > 0 && (stepper.steps() - heldSince) * stepper.dt() < STILL_S) {
+        boolean watched = heldAt.length > 0;
+        if (watched && (stepper.steps() - heldSince) * stepper.dt() < STILL_S) {
             return;
         }
-        boolean still = heldAt.length > 0;
-        for (int i = 0; still && i < x.length; i++) {
-            still = Math.abs(x[i] - heldAt[i]) <= STILL_MM;
-        }
-        if (still) {
+        if (watched && isNear(x, heldAt, STILL_MM)) {
             playing = timeS -> Arrays.fill(system.velocities(), 0);
         }
         heldAt = x.clone();
         heldSince = stepper.steps();
+    }
+
+    /** Whether no coordinate differs by more than a distance; false where one is not a number. */
+    private static boolean isNear(double[] a, double[] b, double mm) {
+        for (int i = 0; i < a.length; i++) {
+            if (!(Math.abs(a[i] - b[i]) <= mm)) {
+                return false;
+            }
+        }
+        return true;
     }
 }

@@ -1,7 +1,5 @@
 package org.phrenic.cli.chart;
 
-import java.awt.BasicStroke;
-import java.awt.Color;
 import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.nio.file.Path;
@@ -14,7 +12,6 @@ import org.jfree.chart.plot.CombinedDomainXYPlot;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.title.LegendTitle;
-import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 import org.phrenic.study.error.BudgetPoint;
@@ -97,11 +94,7 @@ public final class BudgetChart {
                 .filter(p -> p.row().usual())
                 .forEach(p -> rings.add(p.row().realTime(), p.wholePercent()));
         data.addSeries(rings);
-        int last = meshes.size();
-        ChartStyle.line(last, Color.BLACK, 2f, renderer);
-        renderer.setSeriesShape(last, RING);
-        renderer.setSeriesShapesFilled(last, Boolean.FALSE);
-        renderer.setSeriesOutlineStroke(last, new BasicStroke(2f));
+        ChartStyle.rings(meshes.size(), RING, renderer);
         plot.setDataset(data);
         plot.setRenderer(renderer);
         plot.addAnnotation(new PointLabels(points.stream()
@@ -116,10 +109,6 @@ public final class BudgetChart {
         for (int i = 0; i < meshes.size(); i++) {
             items.add(new LegendItem(meshes.get(i), null, null, null, POINT, ChartStyle.colour(i)));
         }
-        items.add(new LegendItem("default", null, null, null, RING, new BasicStroke(2f), Color.BLACK));
-        LegendTitle legend = new LegendTitle(() -> items);
-        legend.setItemFont(ChartStyle.font(14));
-        legend.setPosition(RectangleEdge.TOP);
-        return legend;
+        return ChartStyle.legend(items, RING);
     }
 }

@@ -24,7 +24,6 @@ import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.title.LegendTitle;
 import org.jfree.chart.ui.RectangleAnchor;
-import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.TextAnchor;
 import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
@@ -128,12 +127,8 @@ public final class ErrorChart {
             renderer.setSeriesShape(i, shape(i));
         }
         all.addSeries(series("default", rows, r -> r.point().isDefault()));
-        int last = integrators.size();
-        ChartStyle.line(last, Color.BLACK, 2f, renderer);
-        renderer.setSeriesShape(last, new Ellipse2D.Double(-11, -11, 22, 22));
-        renderer.setSeriesShapesFilled(last, Boolean.FALSE);
+        ChartStyle.rings(integrators.size(), new Ellipse2D.Double(-11, -11, 22, 22), renderer);
         renderer.setUseOutlinePaint(false);
-        renderer.setSeriesOutlineStroke(last, new BasicStroke(2f));
         plot.setDataset(0, all);
         plot.setRenderer(0, renderer);
     }
@@ -157,12 +152,7 @@ public final class ErrorChart {
             Paint colour = ChartStyle.colour(i);
             items.add(new LegendItem(integrators.get(i), null, null, null, shape(i), colour));
         }
-        Shape ring = new Ellipse2D.Double(-7, -7, 14, 14);
-        items.add(new LegendItem("default", null, null, null, ring, new BasicStroke(2f), Color.BLACK));
-        LegendTitle legend = new LegendTitle(() -> items);
-        legend.setItemFont(ChartStyle.font(14));
-        legend.setPosition(RectangleEdge.TOP);
-        return legend;
+        return ChartStyle.legend(items, new Ellipse2D.Double(-7, -7, 14, 14));
     }
 
     private static Shape shape(int series) {

@@ -27,7 +27,7 @@ final class StatusBar extends JPanel {
     private static final String REALTIME_TIP = "Simulated time over real time";
 
     private static final String PHASE_TIP =
-            "Phase of the breath; repeated: a steady breath is played from its record" + " until a setting changes";
+            "Phase of the breath; repeated: a steady breath is played from its record until a setting changes";
 
     private final transient Map<String, JLabel> fields = new LinkedHashMap<>();
     private final JLabel pickedLabel = new JLabel(" ");

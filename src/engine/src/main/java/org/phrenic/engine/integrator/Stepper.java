@@ -244,8 +244,8 @@ public final class Stepper {
     }
 
     /**
-     * Counts a step by dt whose positions and velocities the caller has written into the system instead of having them
-     * computed by {@link #step}.
+     * Counts a step by dt whose positions and velocities the caller writes into the system, before anything else reads
+     * them, instead of having them computed by {@link #step}.
      */
     public void acceptStep() {
         steps++;

@@ -55,7 +55,10 @@ final class MuscleStrain {
     private double[] strain(int triangle, double[] normal, double twice) {
         double[] fibre = diaphragm.fibreDirections();
         double[] out = new double[ENTRIES.length];
-        for (int i = 0; i < out.length && isMuscle(fibre, triangle); i++) {
+        if (!isMuscle(fibre, triangle)) {
+            return out;
+        }
+        for (int i = 0; i < out.length; i++) {
             int row = ENTRIES[i][0];
             int column = ENTRIES[i][1];
             double plane = (row == column ? 1 : 0) - normal[row] * normal[column] / (twice * twice);

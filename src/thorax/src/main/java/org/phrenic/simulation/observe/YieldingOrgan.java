@@ -1,12 +1,15 @@
 package org.phrenic.simulation.observe;
 
+import java.util.Arrays;
 import org.phrenic.mesh.TriangleMesh;
 
 /** The surface of a soft organ that is dented by the diaphragm: {@link SheetContact} and {@link YieldSpread}. */
 public final class YieldingOrgan {
     private final SheetContact.Organ contact;
-    private final YieldSpread spread;
+    private final TriangleMesh mesh;
     private final double[] positions;
+    /** Made when the organ first yields, which many never do; null before. */
+    private YieldSpread spread;
 
     /**
      * @param sheet updated before each call of {@link #dented}
@@ -14,9 +17,9 @@ public final class YieldingOrgan {
      * @param above whether it lies above the thoracic face; else below the abdominal face
      */
     public YieldingOrgan(SheetContact sheet, TriangleMesh mesh, boolean above) {
+        this.mesh = mesh;
         positions = mesh.positions().clone();
         contact = sheet.organ(positions, above);
-        spread = new YieldSpread(mesh);
     }
 
     /**
@@ -27,9 +30,16 @@ public final class YieldingOrgan {
     public double[] dented(double[] free) {
         System.arraycopy(free, 0, positions, 0, positions.length);
         contact.pushBack(positions);
-        if (spread.spread(free, positions)) {
+        if (!Arrays.equals(free, positions) && spread().spread(free, positions)) {
             contact.pushBack(positions);
         }
         return positions;
+    }
+
+    private YieldSpread spread() {
+        if (spread == null) {
+            spread = new YieldSpread(mesh);
+        }
+        return spread;
     }
 }
