@@ -14,7 +14,7 @@ public final class Numerics {
     /** Largest number of threads that can be requested. */
     public static final int MAX_THREADS = 256;
 
-    private static final int MAX_DEFAULT_THREADS = 2;
+    private static final int MAX_DEFAULT_THREADS = 4;
     private static final double MAX_STEP_S = 0.1;
     private static final double MAX_STATED_REFRESH_S = 1;
     private static final double MAX_SCALED_STEP_S = 0.01;
@@ -70,9 +70,12 @@ public final class Numerics {
             .number("s", 0, MAX_DAMPING_TIME_S, values -> DAMPING_TIME_S);
     public static final WholeSetting THREADS = Setting.named("threads", "Threads", Effect.ASSEMBLY)
             .describedAs("Threads to compute on; the numbers do not depend on it.")
-            .whole(
-                    MAX_THREADS,
-                    values -> Math.min(MAX_DEFAULT_THREADS, Runtime.getRuntime().availableProcessors()));
+            .whole(MAX_THREADS, values -> defaultThreads(Runtime.getRuntime().availableProcessors()));
 
     private Numerics() {}
+
+    /** All of one or two processors, half of up to eight: more threads wait for each other more than they compute. */
+    static int defaultThreads(int processors) {
+        return Math.min(processors, Math.max(2, Math.min(MAX_DEFAULT_THREADS, processors / 2)));
+    }
 }
