@@ -1,5 +1,7 @@
 package org.phrenic.ui.view;
 
+import org.phrenic.simulation.live.LiveRun;
+
 /**
  * How often and how finely the view is drawn where the processor draws, so that simulated time keeps its pace: while
  * the simulation is behind, or a frame takes most of the time between two, fewer pixels are drawn, and at the coarsest
@@ -56,7 +58,14 @@ final class DrawingPace {
         /** The simulation is behind its pace. */
         BEHIND,
         /** The simulation runs as fast as it can; frames become rarer, not coarser. */
-        FLAT_OUT
+        FLAT_OUT;
+
+        static Demand of(LiveRun live) {
+            if (!live.isPlaying()) {
+                return NONE;
+            }
+            return live.isFlatOut() ? FLAT_OUT : live.isBehindRealTime() ? BEHIND : NONE;
+        }
     }
 
     /**

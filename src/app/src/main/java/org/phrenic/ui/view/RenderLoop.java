@@ -90,14 +90,12 @@ public final class RenderLoop implements AutoCloseable {
     /** Identifies the distances that the renderer holds. */
     private record DistanceKey(long scene, long step, DistanceField from, String structure) {}
 
-    /** Gives the needle and target of a frame; called on the render thread. */
-    public interface MarkSource {
-        Optional<NeedleMarkers> current();
-    }
-
     private static final long POLL_NS = 5_000_000;
     /** Time after the last frame from which a coarse one is drawn again, ns. */
     private static final long AT_REST_NS = 300_000_000;
+
+    /** Samples of a pixel on a graphics card, and of a view that stands still. */
+    private static final int SAMPLES = 4;
 
     /** Side of the picture that is drawn out of sight. */
     private static final int PREPARED_PIXELS = 64;
@@ -107,7 +105,7 @@ public final class RenderLoop implements AutoCloseable {
     private final LiveRun live;
     private final Supplier<Optional<LiveScene>> firstBody;
     private final Listener listener;
-    private volatile MarkSource markSource = Optional::empty;
+    private volatile Supplier<Optional<NeedleMarkers>> markSource = Optional::empty;
     private final Thread thread = new Thread(this::run, "phrenic-view");
     private final ReentrantLock lock = new ReentrantLock();
     private final Queue<Consumer<OffscreenContext>> tasks = new ArrayDeque<>();
@@ -126,7 +124,7 @@ public final class RenderLoop implements AutoCloseable {
     private int historyFrame = -1;
     private long drawnVersion;
     private final DrawingPace pace = new DrawingPace();
-    private double drawnResolution = 1;
+    private boolean drawnSharp;
     private long drawnNs;
     private long countedScene = -1;
 
@@ -150,7 +148,7 @@ public final class RenderLoop implements AutoCloseable {
         });
     }
 
-    void setMarkSource(MarkSource with) {
+    void setMarkSource(Supplier<Optional<NeedleMarkers>> with) {
         update(() -> markSource = with);
     }
 
@@ -252,18 +250,9 @@ public final class RenderLoop implements AutoCloseable {
     private void noteCost(long begunNs, boolean software) {
         drawnNs = System.nanoTime();
         if (scene.id() == countedScene) {
-            pace.drawn((drawnNs - begunNs) * 1e-6, demand(), software, drawnNs * 1e-9);
+            pace.drawn((drawnNs - begunNs) * 1e-6, DrawingPace.Demand.of(live), software, drawnNs * 1e-9);
         }
         countedScene = scene.id();
-    }
-
-    private DrawingPace.Demand demand() {
-        if (!live.isPlaying()) {
-            return DrawingPace.Demand.NONE;
-        }
-        return live.isFlatOut()
-                ? DrawingPace.Demand.FLAT_OUT
-                : live.isBehindRealTime() ? DrawingPace.Demand.BEHIND : DrawingPace.Demand.NONE;
     }
 
     void release(RenderedFrame old) {
@@ -298,11 +287,12 @@ public final class RenderLoop implements AutoCloseable {
                 ? live.copyNewestFrame(frame)
                 : wanted.historyFrame() != historyFrame && takeHistoryFrame(wanted.historyFrame());
         historyFrame = wanted.historyFrame();
-        Optional<NeedleMarkers> now = historyFrame < 0 ? markSource.current() : Optional.empty();
+        Optional<NeedleMarkers> now = historyFrame < 0 ? markSource.get() : Optional.empty();
         boolean same = now.equals(shownMarks);
         shownMarks = now;
-        boolean sharpen = drawnResolution < 1 && !live.isPlaying() && System.nanoTime() - drawnNs > AT_REST_NS;
-        if (!fresh && !asAsked && same && !sharpen) {
+        boolean rests = !fresh && !asAsked && same;
+        boolean sharpen = rests && !drawnSharp && isAtRest();
+        if (rests && !sharpen) {
             imagePool.release(canvas);
             return false;
         }
@@ -314,18 +304,24 @@ public final class RenderLoop implements AutoCloseable {
             shownAccess = wanted.accessColours();
             shownAccess.ifPresent(field -> field.upload(renderer));
         }
-        drawnResolution = sharpen ? 1 : pace.resolution();
-        SceneStyle style =
-                NeedleMarkers.apply(shownMarks, renderer, wanted.style()).withResolution(drawnResolution);
+        drawnSharp = sharpen || !gl.info().software();
+        double resolution = drawnSharp ? 1 : pace.resolution();
+        SceneStyle style = NeedleMarkers.apply(shownMarks, renderer, wanted.style())
+                .withResolution(resolution)
+                .withSamples(drawnSharp ? SAMPLES : 0);
         gl.run(context -> {
             renderer.draw(context, frame, wanted.camera(), style, wanted.width(), wanted.height());
             renderer.readPixels(context, canvas);
         });
         String phase = historyFrame < 0 ? live.status().phaseLabel() : "recorded";
         String time = scene.id() == LiveScene.AT_REST ? "" : Annotations.timestamp(frame.timeS(), phase);
-        listener.onFrame(new RenderedFrame(
-                canvas, wanted, frame.step(), time, shownMarks, renderer.statistics(), drawnResolution));
+        listener.onFrame(
+                new RenderedFrame(canvas, wanted, frame.step(), time, shownMarks, renderer.statistics(), resolution));
         return true;
+    }
+
+    private boolean isAtRest() {
+        return scene.id() != LiveScene.AT_REST && !live.isPlaying() && System.nanoTime() - drawnNs > AT_REST_NS;
     }
 
     private void colourByDistance(DistanceField field, String structure) {

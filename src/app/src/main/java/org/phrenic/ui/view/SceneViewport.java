@@ -10,9 +10,11 @@ import java.awt.event.MouseWheelEvent;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
+import org.phrenic.scene.NeedleMarkers;
 import org.phrenic.scene.annotate.Annotations;
 import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.Camera;
@@ -180,7 +182,7 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         return tool;
     }
 
-    public void setMarkSource(RenderLoop.MarkSource marks) {
+    public void setMarkSource(Supplier<Optional<NeedleMarkers>> marks) {
         renderLoop.setMarkSource(marks);
     }
 

@@ -65,8 +65,9 @@ final class Framebuffer {
         int texture = resources.create(gl, GlResources.Kind.TEXTURE);
         gl.glBindTexture(GL3.GL_TEXTURE_2D, texture);
         gl.glTexImage2D(GL3.GL_TEXTURE_2D, 0, format, width, height, 0, transfer, type, null);
-        gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MIN_FILTER, GL3.GL_NEAREST);
-        gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MAG_FILTER, GL3.GL_NEAREST);
+        int filter = isColour ? GL3.GL_LINEAR : GL3.GL_NEAREST;
+        gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MIN_FILTER, filter);
+        gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_MAG_FILTER, filter);
         gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_WRAP_S, GL3.GL_CLAMP_TO_EDGE);
         gl.glTexParameteri(GL3.GL_TEXTURE_2D, GL3.GL_TEXTURE_WRAP_T, GL3.GL_CLAMP_TO_EDGE);
         gl.glBindTexture(GL3.GL_TEXTURE_2D, 0);

@@ -19,6 +19,7 @@ final class RenderTargets {
     private Framebuffer background;
     private Object backgroundKey = "";
     private Framebuffer still;
+    private Framebuffer smoothed;
     private Framebuffer[] layers;
     private Framebuffer accumulation;
 
@@ -129,9 +130,16 @@ final class RenderTargets {
         return accumulation;
     }
 
-    /** Resolves multisampling and supersampling into the finished picture. */
-    void resolve(GL3 gl) {
-        if (resolved != drawTarget) {
+    /** Resolves multisampling and supersampling into the finished picture, or scales a coarse one up. */
+    void resolve(GL3 gl, ScreenPass screen) {
+        if (scale < 1) {
+            if (smoothed == null) {
+                smoothed = screen(gl, false);
+            }
+            smoothed.bind(gl);
+            screen.drawAntialiased(gl, drawTarget.colourTexture());
+            smoothed.blitTo(gl, resolved, GL3.GL_COLOR_BUFFER_BIT);
+        } else if (resolved != drawTarget) {
             drawTarget.blitTo(gl, resolved, GL3.GL_COLOR_BUFFER_BIT);
         }
     }

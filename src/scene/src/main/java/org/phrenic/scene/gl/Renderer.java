@@ -94,7 +94,7 @@ public final class Renderer {
         setClipping(gl, style.clip().isPresent());
         drawTranslucent(gl, transform, style);
         setClipping(gl, false);
-        targets.resolve(gl);
+        targets.resolve(gl, screen);
         listener.done(gl, "finish");
         state.restore(gl);
         statistics = resources.statistics((System.nanoTime() - begun) / NANOS_PER_MS);

@@ -19,6 +19,7 @@ final class ScreenPass {
     private final ShaderProgram backdrop;
     private final ShaderProgram edge;
     private final ShaderProgram copy;
+    private final ShaderProgram antialias;
 
     ScreenPass(GL3 gl, GlResources resources) {
         this.resources = resources;
@@ -26,6 +27,7 @@ final class ScreenPass {
         backdrop = new ShaderProgram(gl, resources, "", "screen.vert.glsl", "backdrop.frag.glsl");
         edge = new ShaderProgram(gl, resources, "", "screen.vert.glsl", "edge.frag.glsl");
         copy = new ShaderProgram(gl, resources, "", "screen.vert.glsl", "copy.frag.glsl");
+        antialias = new ShaderProgram(gl, resources, "", "screen.vert.glsl", "antialias.frag.glsl");
     }
 
     void drawBackground(GL3 gl, SceneBackground background, ViewTransform transform) {
@@ -57,6 +59,13 @@ final class ScreenPass {
     void drawTexture(GL3 gl, int colourTexture) {
         copy.use(gl);
         copy.setTexture(gl, "source", 0, GL3.GL_TEXTURE_2D, colourTexture);
+        drawFullScreen(gl);
+    }
+
+    /** Draws a colour texture with smooth edges (fast approximate antialiasing). */
+    void drawAntialiased(GL3 gl, int colourTexture) {
+        antialias.use(gl);
+        antialias.setTexture(gl, "source", 0, GL3.GL_TEXTURE_2D, colourTexture);
         drawFullScreen(gl);
     }
 

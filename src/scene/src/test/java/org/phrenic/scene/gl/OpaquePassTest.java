@@ -3,8 +3,10 @@ package org.phrenic.scene.gl;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.image.BufferedImage;
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -150,5 +152,42 @@ class OpaquePassTest {
             double mean = PictureDifference.of(whole, coarse).mean();
             assertThat(mean).as("mean difference at %s", resolution).isBetween(0.01, 6.0);
         }
+    }
+
+    @Test
+    void edgesOfACoarsePictureAreSmooth() {
+        Camera camera = fixture.camera(AnatomicalView.ANTERIOR);
+        SceneStyle skin = style().withAppearances(
+                        fixture.surfaces,
+                        (surface, look) ->
+                                surface.kind() == StructureKind.SKIN ? look.withOpacity(1) : look.withVisible(false));
+        BufferedImage fine = draw(keeping, fixture.rest, camera, skin.withSamples(4));
+        BufferedImage coarse = draw(keeping, fixture.rest, camera, skin.withResolution(0.5));
+        double[] apart = IntStream.range(HEIGHT / 3, HEIGHT * 3 / 4)
+                .mapToDouble(y -> outline(coarse, y) - outline(fine, y))
+                .toArray();
+        double mean = Arrays.stream(apart).average().orElseThrow();
+        double spread = Math.sqrt(
+                Arrays.stream(apart).map(d -> (d - mean) * (d - mean)).average().orElseThrow());
+        // 0.73 without antialiasing, 0.52 with it.
+        assertThat(spread)
+                .as("spread of the outline about that of four samples, pixels")
+                .isBetween(0.1, 0.62);
+    }
+
+    /** Where the first outline from the left crosses a row, pixels: halfway between background and skin. */
+    private static double outline(BufferedImage picture, int y) {
+        int background = green(picture, 1, y);
+        int x = 2;
+        while (background - green(picture, x, y) < 25) {
+            x++;
+        }
+        double before = background - green(picture, x - 1, y);
+        double after = background - green(picture, x, y);
+        return x - 1 + (25 - before) / (after - before);
+    }
+
+    private static int green(BufferedImage picture, int x, int y) {
+        return picture.getRGB(x, y) >> 8 & 0xff;
     }
 }
