@@ -11,6 +11,7 @@ import org.phrenic.cli.report.HeadlessRun;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.StandardOutput;
 import org.phrenic.ui.window.PhrenicWindow;
+import org.phrenic.ui.window.WindowStart;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -112,11 +113,12 @@ public final class Phrenic implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        if (PhrenicWindow.isPossible()) {
+        Optional<String> obstacle = WindowStart.obstacle();
+        if (obstacle.isEmpty()) {
             PhrenicWindow.open(Optional.empty());
         } else {
             PrintWriter err = spec.commandLine().getErr();
-            err.println("No window can be opened here for want of a display: running the default quiet breath without"
+            err.println("No window can be opened here: " + obstacle.get() + ". Running the default quiet breath without"
                     + " one, into " + DEFAULT_OUT + " (phrenic --help lists the commands).");
             HeadlessRun.run(DEFAULT_OUT, spec.commandLine().getOut(), err);
         }

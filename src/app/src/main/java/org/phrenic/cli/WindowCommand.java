@@ -7,6 +7,7 @@ import java.util.concurrent.Callable;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.ui.window.PhrenicWindow;
+import org.phrenic.ui.window.WindowStart;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
@@ -32,10 +33,11 @@ final class WindowCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        if (!PhrenicWindow.isPossible()) {
+        Optional<String> obstacle = WindowStart.obstacle();
+        if (obstacle.isPresent()) {
             PrintWriter err = spec.commandLine().getErr();
-            err.println("No window can be opened here: found no display, expected one (phrenic run and phrenic render"
-                    + " need none).");
+            err.println("No window can be opened here: " + obstacle.get()
+                    + " (phrenic run and phrenic render need no window).");
             return ExitCode.NO_GRAPHICS;
         }
         PhrenicWindow.open(Optional.ofNullable(file));

@@ -4,6 +4,7 @@ import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
@@ -23,8 +24,8 @@ import org.phrenic.study.bare.BareScene;
 import org.phrenic.study.bare.BareSettings;
 import org.phrenic.study.bare.BareWorkload;
 import org.phrenic.ui.session.Workspace;
-import org.phrenic.ui.window.PhrenicWindow;
 import org.phrenic.ui.window.WindowBenchmark;
+import org.phrenic.ui.window.WindowStart;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -82,8 +83,9 @@ final class BenchWindowCommand extends ReportingCommand {
             throw new BadInputException(
                     "--seconds: found " + seconds + ", expected " + WindowBenchmark.INTERVAL_S + " to " + MAX_SECONDS);
         }
-        if (!PhrenicWindow.isPossible()) {
-            err().println("No window can be opened here: found no display, expected one.");
+        Optional<String> obstacle = WindowStart.obstacle();
+        if (obstacle.isPresent()) {
+            err().println("No window can be opened here: " + obstacle.get() + ".");
             return ExitCode.NO_GRAPHICS;
         }
         WindowBenchmark.Result result = WindowBenchmark.run(

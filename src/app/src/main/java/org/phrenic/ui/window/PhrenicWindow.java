@@ -1,10 +1,8 @@
 package org.phrenic.ui.window;
 
-import java.awt.AWTError;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
-import java.awt.HeadlessException;
 import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -59,18 +57,6 @@ public final class PhrenicWindow {
     private final MenuActions commands;
     private final MainToolBar toolBar;
     private final CountDownLatch closed = new CountDownLatch(1);
-
-    /** Whether a window can be opened here: false if there is no display, or it does not answer. */
-    public static boolean isPossible() {
-        if (GraphicsEnvironment.isHeadless()) {
-            return false;
-        }
-        try {
-            return GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
-        } catch (HeadlessException | AWTError e) {
-            return false;
-        }
-    }
 
     /**
      * Opens the window and returns when it is closed.

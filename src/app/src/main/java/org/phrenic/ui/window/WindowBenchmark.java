@@ -44,6 +44,7 @@ public final class WindowBenchmark {
     private static final int TURN_MS = 40;
     private static final double NANO = 1e-9;
     private static final Path TASKS = Path.of("/proc/self/task");
+    private static final System.Logger LOG = System.getLogger(WindowBenchmark.class.getName());
 
     /**
      * What is measured.
@@ -160,7 +161,9 @@ public final class WindowBenchmark {
         await("a picture", () -> window.view().frameCount() > 0 || window.view().isUnavailable());
         double firstPictureS = sinceStartS();
         if (window.view().isUnavailable()) {
-            throw new BadInputException("the window: found no OpenGL to draw with, expected a driver");
+            throw new BadInputException(
+                    "the window: found no OpenGL to draw with, expected a driver (if the X server has"
+                            + " none, java -Dphrenic.opengl=egl -jar ... draws without it)");
         }
         await("the door", this::isReady);
         double readyS = sinceStartS();
@@ -235,14 +238,22 @@ public final class WindowBenchmark {
         }
         try (DirectoryStream<Path> tasks = Files.newDirectoryStream(TASKS)) {
             for (Path task : tasks) {
-                String name = Files.readString(task.resolve("comm")).strip();
-                String[] fields = Files.readString(task.resolve("schedstat")).split(" ", -1);
-                times.merge(name, Long.parseLong(fields[0]), Long::sum);
+                addTime(task, times);
             }
         } catch (IOException e) {
             throw new UncheckedIOException("processor time of threads", e);
         }
         return times;
+    }
+
+    private static void addTime(Path task, Map<String, Long> times) {
+        try {
+            String name = Files.readString(task.resolve("comm")).strip();
+            String[] fields = Files.readString(task.resolve("schedstat")).split(" ", -1);
+            times.merge(name, Long.parseLong(fields[0]), Long::sum);
+        } catch (IOException e) {
+            LOG.log(System.Logger.Level.DEBUG, "A thread has ended while it was listed", e);
+        }
     }
 
     private static Map<String, Double> shares(Map<String, Long> before, Map<String, Long> after, long wallNs) {

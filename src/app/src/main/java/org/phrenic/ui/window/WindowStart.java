@@ -1,15 +1,34 @@
 package org.phrenic.ui.window;
 
+import java.awt.AWTError;
+import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
+import java.util.Optional;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.ui.session.Session;
 
-/** What begins before the window is made, and goes on beside it. */
-final class WindowStart {
+/** What comes before the window is made: whether one can be opened, and what goes on beside it. */
+public final class WindowStart {
     /** Number of processors from which window, picture and scene do not hold each other up while they are made. */
     private static final int PROCESSORS_FOR_ALL = 4;
 
+    private static final String NO_DISPLAY = "found no display, expected one";
+
     private WindowStart() {}
+
+    /** Why no window can be opened here, as the end of a sentence; empty if one can. */
+    public static Optional<String> obstacle() {
+        try {
+            boolean screen = !GraphicsEnvironment.isHeadless()
+                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
+            return screen ? Optional.empty() : Optional.of(NO_DISPLAY);
+        } catch (HeadlessException | AWTError e) {
+            return Optional.of(NO_DISPLAY);
+        } catch (LinkageError e) {
+            return Optional.of("a library that the windows of Java need is missing (" + e.getMessage() + ")");
+        }
+    }
 
     /**
      * Prepares graphics and body for the window that is made next. On few processors the scene is assembled after the

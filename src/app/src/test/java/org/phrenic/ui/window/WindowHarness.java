@@ -80,12 +80,12 @@ public final class WindowHarness implements AutoCloseable {
 
     /** Ends a test, and says so, where no window can be shown. */
     public static void assumeDisplay() {
-        assertThat(PhrenicWindow.isPossible()
+        assertThat(WindowStart.obstacle().isEmpty()
                         || System.getenv("DISPLAY") == null
                         || !Boolean.getBoolean("java.awt.headless"))
                 .as("a display is there, but an earlier test of this process has made it headless")
                 .isTrue();
-        assumeThat(PhrenicWindow.isPossible())
+        assumeThat(WindowStart.obstacle().isEmpty())
                 .as("no display here: the window is not tested (start Xvfb and set DISPLAY)")
                 .isTrue();
     }

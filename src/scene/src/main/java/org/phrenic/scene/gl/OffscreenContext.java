@@ -25,14 +25,18 @@ import org.phrenic.scene.style.Transparency;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * An OpenGL context without a window. On Linux it uses the X server if one is reachable, and surfaceless EGL otherwise.
- * On macOS and Windows it uses the window system. Not thread-safe.
+ * An OpenGL context without a window. On Linux it uses the X server if one is reachable, and surfaceless EGL otherwise
+ * or if the system property {@code phrenic.opengl} is {@code egl}. On macOS and Windows it uses the window system. Not
+ * thread-safe.
  */
 public final class OffscreenContext implements AutoCloseable {
     /** Maximum time to start the driver, which usually takes well under a second. */
     private static final long START_TIMEOUT_S = 30;
 
     private static final long TOOLKIT_TIMEOUT_S = 5;
+
+    /** System property: {@code egl} draws through surfaceless EGL where an X server is reachable too. */
+    private static final String WAY_PROPERTY = "phrenic.opengl";
 
     /** Maximum side of a tile, pixels. Larger pictures are drawn in tiles to limit memory. */
     static final int MAX_TILE = 3072;
@@ -119,7 +123,8 @@ public final class OffscreenContext implements AutoCloseable {
     }
 
     private static OffscreenContext start() throws NoGraphicsException {
-        boolean display = DisplayServer.isNotNeeded() || DisplayServer.isReachable(System.getenv("DISPLAY"));
+        boolean egl = System.getProperty(WAY_PROPERTY, "").equals("egl");
+        boolean display = DisplayServer.isNotNeeded() || (!egl && DisplayServer.isReachable(System.getenv("DISPLAY")));
         try {
             if (display) {
                 // Asks the event dispatch thread once.
