@@ -5,6 +5,7 @@ import java.util.function.DoubleUnaryOperator;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.virtual.shape.Clearance;
 import org.phrenic.anatomy.virtual.shape.ImplicitSurface;
+import org.phrenic.anatomy.virtual.shape.MarchingTetrahedra;
 import org.phrenic.anatomy.virtual.shape.Meridians;
 import org.phrenic.anatomy.virtual.shape.RingMesh;
 import org.phrenic.anatomy.virtual.shape.RootFinder;
@@ -12,6 +13,9 @@ import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.anatomy.virtual.shape.SurfaceRelaxation;
 import org.phrenic.anatomy.virtual.shape.VerticalAxis;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.Vectors;
+import org.phrenic.mesh.edit.ConnectedComponents;
+import org.phrenic.mesh.edit.LevelClip;
 import org.phrenic.mesh.edit.SelfIntersectionSmoothing;
 
 /**
@@ -25,7 +29,9 @@ final class LungShape implements VerticalAxis {
     private static final double APEX_EDGE_MM = 12;
     private static final double PIVOT_ABOVE_DOME_MM = 45;
     private static final double BASE_PIVOT_BELOW_DOME_MM = 60;
-    private static final double PLEURA_EDGE_MM = 11;
+    private static final double PLEURA_EDGE_MM = 14;
+    private static final double PLEURA_MARGIN_MM = 30;
+    private static final int PLEURA_SWEEPS = 10;
     /** Distance from the costal pleura over which the lower limit changes from its reflection to the diaphragm, mm. */
     private static final double OFF_WALL_MM = 6;
 
@@ -131,16 +137,27 @@ final class LungShape implements VerticalAxis {
      * @param reflection height of the line on the chest wall at an azimuth about the axis of the wall (rad), mm
      */
     TriangleMesh pleura(DoubleUnaryOperator reflection) {
-        double[][] limit = new double[Meridians.AZIMUTHS][];
-        Arrays.setAll(limit, i -> {
+        double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+        double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, apex[2]};
+        for (int i = 0; i < Meridians.AZIMUTHS; i++) {
             double azimuth = Meridians.azimuth(i);
-            return border(azimuth, h -> aboveReflection(sidePoint(azimuth, h), reflection));
-        });
-        Meridians lines = new Meridians(side, this, baseZ + PIVOT_ABOVE_DOME_MM, true, limit);
-        int[] counts = RingMesh.counts(lines, PLEURA_EDGE_MM, 0);
-        TriangleMesh mesh = RingMesh.mesh(lines, counts, true);
-        int inner = mesh.vertexCount() - counts[counts.length - 1];
-        return SurfaceRelaxation.relax(mesh, measures.relaxationSweeps(), v -> v < inner ? side : null);
+            double[] end = border(azimuth, h -> aboveReflection(sidePoint(azimuth, h), reflection));
+            double[] middle = sidePoint(azimuth, baseZ);
+            for (int axis = 0; axis < 3; axis++) {
+                low[axis] = Math.min(low[axis], Math.min(end[axis], middle[axis]));
+                high[axis] = Math.max(high[axis], Math.max(end[axis], middle[axis]));
+            }
+        }
+        double bottom = low[2] - PLEURA_EDGE_MM;
+        ImplicitSurface region = (x, y, z) -> Math.max(sideRegion(x, y, z), bottom - z);
+        double[] margin = {PLEURA_MARGIN_MM, PLEURA_MARGIN_MM, PLEURA_MARGIN_MM};
+        TriangleMesh rough = MarchingTetrahedra.surface(
+                region, Vectors.subtract(low, margin), Vectors.addScaled(high, margin, 1), PLEURA_EDGE_MM);
+        TriangleMesh whole = SurfaceRelaxation.relax(ConnectedComponents.largest(rough), PLEURA_SWEEPS, v -> region);
+        double[] p = whole.positions();
+        double[] height = new double[whole.vertexCount()];
+        Arrays.setAll(height, v -> aboveReflection(Arrays.copyOfRange(p, 3 * v, 3 * v + 3), reflection));
+        return ConnectedComponents.largest(LevelClip.positivePart(whole, height));
     }
 
     /** Height above the line on the wall, off the wall the distance from the diaphragm. */
