@@ -12,6 +12,7 @@ import org.phrenic.anatomy.virtual.organ.OrganSpace;
 import org.phrenic.anatomy.virtual.shape.ImmutableDoubleArray;
 import org.phrenic.anatomy.virtual.shape.ImplicitSurface;
 import org.phrenic.anatomy.virtual.shape.ProfileCurve;
+import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.anatomy.virtual.shape.Tube;
 import org.phrenic.mesh.Polyline;
 import org.phrenic.mesh.TriangleMesh;
@@ -28,6 +29,9 @@ final class OrganBuilder {
 
     /** The pleura reaches farther into the corners beside spine and sternum than the lung. */
     private static final double PLEURA_EDGE_MM = 4;
+
+    /** Radius of the edge between lung and chest wall of what lies in the mediastinum. */
+    private static final double MEDIASTINUM_EDGE_MM = 8;
 
     private static final int STEPS = 40;
     private static final double HALF_WIDTH_MM = 2.5;
@@ -110,8 +114,8 @@ final class OrganBuilder {
                 lung(Side.RIGHT, parameters.lungs(), LungShape.COSTAL_EDGE_MM).region();
         ImplicitSurface left =
                 lung(Side.LEFT, parameters.lungs(), LungShape.COSTAL_EDGE_MM).region();
-        ImplicitSurface mediastinum =
-                (x, y, z) -> Math.max(wall.at(x, y, z) + CHEST_INSET_MM, -(x < 0 ? right : left).at(x, y, z));
+        ImplicitSurface mediastinum = (x, y, z) -> SmoothBlends.roundIntersection(
+                wall.at(x, y, z) + CHEST_INSET_MM, -(x < 0 ? right : left).at(x, y, z), MEDIASTINUM_EDGE_MM);
         return new OrganSpace.Cavities(
                 (x, y, z) -> dome.at(x, y, z) + belowMm,
                 new LiverShape(parameters, wall, dome).visceralRegion(),
