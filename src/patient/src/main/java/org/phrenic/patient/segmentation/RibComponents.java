@@ -201,7 +201,7 @@ final class RibComponents {
 
     /**
      * Gives voxels that carry another rib's label to the rib that they are connected to. A label of which the rib holds
-     * the greater part stays: two ribs may touch.
+     * a substantial part stays: two ribs may touch.
      */
     void relabelBleeding() {
         Map<Integer, Integer> totals = totals();
@@ -209,7 +209,7 @@ final class RibComponents {
             int dominant = rib.dominantSegment();
             for (int i = 0; i < rib.voxels.size(); i++) {
                 int segment = s.segmentAt(rib.voxels.get(i));
-                if (rib.segments.get(segment) < SUBSTANTIAL * totals.get(segment)) {
+                if (rib.segments.get(segment) < Math.max(MIN_VOXELS, SUBSTANTIAL * totals.get(segment))) {
                     s.voxels[rib.voxels.get(i)] = (byte) dominant;
                 }
             }
@@ -228,13 +228,13 @@ final class RibComponents {
         return totals;
     }
 
-    /** A segment whose voxels lie in two ribs, if there is one. */
+    /** A segment that makes substantial parts of two ribs, and no mere specks in them, if there is one. */
     Optional<Integer> dividedSegment() {
         Map<Integer, Integer> totals = totals();
         return totals.keySet().stream()
                 .filter(segment -> ribs.stream()
-                                .filter(rib ->
-                                        rib.segments.getOrDefault(segment, 0) > SUBSTANTIAL * totals.get(segment))
+                                .filter(rib -> rib.segments.getOrDefault(segment, 0)
+                                        > SUBSTANTIAL * Math.max(totals.get(segment), rib.voxels.size()))
                                 .count()
                         > 1)
                 .findFirst();

@@ -70,6 +70,29 @@ class LabelGuessTest {
                 .hasMessageContaining("not where TotalSegmentator's structures of these numbers lie");
     }
 
+    /**
+     * Of ribs with even numbers the anterior fifths are there, of the others the posterior ones: the middle of rib 4
+     * lies below that of rib 5.
+     */
+    @Test
+    void ribsAreComparedWhereBothAreShown() {
+        LabelVolume whole = cage(CageVoxels.SPACING_MM, Map.of());
+        byte[] labels = new byte[whole.grid().voxelCount()];
+        for (int v = 0; v < labels.length; v++) {
+            int label = whole.grid().label(v);
+            int j = v / CageVoxels.COLUMNS % CageVoxels.ROWS;
+            boolean even = label >= CageVoxels.rib(1, false) && label % 2 == CageVoxels.rib(2, false) % 2;
+            boolean kept = label < CageVoxels.rib(1, false) || (even ? j < 14 : j > 46);
+            labels[v] = (byte) (kept ? label : 0);
+        }
+        LabelGrid parts = LabelGrid.of(CageVoxels.COLUMNS, CageVoxels.ROWS, CageVoxels.SLICES, labels, new double[] {
+            3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 3, 0
+        });
+        LabelGuess guess = LabelGuess.of(new LabelVolume(parts, Map.of(), List.of()));
+        assertThat(guess.source()).isEqualTo(LabelGuess.Source.TOTALSEGMENTATOR);
+        assertThat(guess.confidence()).isEqualTo(1);
+    }
+
     @Test
     void aLabelThatEnclosesAllOthersIsTheSkinAndUnknownOnesAreObstacles() {
         LabelVolume bare = cage(CageVoxels.SPACING_MM, Map.of());

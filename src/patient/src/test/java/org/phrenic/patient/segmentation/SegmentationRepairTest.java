@@ -64,6 +64,22 @@ class SegmentationRepairTest {
         assertThat(s.labels("rib_07_L")).containsExactly(CageVoxels.rib(7, false), CageVoxels.rib(8, false));
     }
 
+    @Test
+    void specksOfAnAbsentRibInTheOthersDoNotChangeTheirNumbers() {
+        CageVoxels cage = new CageVoxels().withRibs(3).withVertebrae(3);
+        TreeMap<String, Integer> truth = counts(cage.segmentation(CageVoxels.table(false)));
+        for (int v = 0; v < cage.labels.length; v += 97) {
+            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            boolean speck = label >= CageVoxels.rib(5, true) && label <= CageVoxels.rib(7, true);
+            cage.labels[v] = speck ? (byte) CageVoxels.rib(1, false) : cage.labels[v];
+        }
+        Segmentation s = cage.segmentation(CageVoxels.table(false));
+        assertThat(counts(s)).containsKey("rib_01_L");
+
+        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(counts(s)).isEqualTo(truth);
+    }
+
     /** The upper end takes the middle of a rib, whose two parts keep its number. */
     @Test
     void whatTheEndOfTheScanLeavesOfARibIsOneRib() {
