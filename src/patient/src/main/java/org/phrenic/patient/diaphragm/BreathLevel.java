@@ -59,11 +59,17 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
     /** Least height of a scan above the domes that it shows, mm. */
     private static final double ABOVE_DOMES_MM = 5;
 
+    /** Least height of a dome above the lower end of a scan that cuts its lung off there, mm. */
+    private static final double SHOWN_DOME_MM = 30;
+
+    /** Level from which on a flat face of a lung that is cut off is no dome: a vertebra below full inspiration. */
+    private static final double LOWEST_DOME = 13;
+
     private static final int LAST_LEVEL = StructureName.FIRST_LUMBAR + 2;
 
     /**
-     * Estimates the level of a body; empty if the scan shows too few bones or the lower end of no lung. A scan that
-     * ends below the top of a completed lung's base does not show the domes.
+     * Estimates the level of a body; empty if the scan shows too few bones, and neither the dome below a lung nor its
+     * lower end. A scan that ends below the top of a completed lung's base does not show the domes.
      *
      * @param scanned body as scanned, LPS, mm
      * @param completed the same body, completed
@@ -80,7 +86,7 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
         if (bones < LEAST_BONES || spine.size() < 2) {
             return Optional.empty();
         }
-        double[] domes = {dome(scanned, completed, Side.RIGHT), dome(scanned, completed, Side.LEFT)};
+        double[] domes = {dome(scanned, completed, Side.RIGHT, spine), dome(scanned, completed, Side.LEFT, spine)};
         double[] borders = {border(scanned, Side.RIGHT), border(scanned, Side.LEFT)};
         return measured(Mark.DOMES, domes, spine).or(() -> measured(Mark.LOWER_BORDERS, borders, spine));
     }
@@ -133,44 +139,58 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
                 Locale.ROOT, lumbar ? "L%.1f" : "T%.1f", lumbar ? level - StructureName.FIRST_LUMBAR + 1 : level);
     }
 
-    /** Top of the base of a lung whose dome the scan shows, else NaN. */
-    private static double dome(PatientBody scanned, PatientBody completed, Side side) {
-        List<Structure> shown = shown(scanned, side);
-        Thorax lung = new Thorax(
-                completed.name(),
-                completed.thorax().structuresOf(StructureKind.LUNG).stream()
-                        .filter(s -> s.side() == side)
-                        .toList(),
-                List.of());
-        if (shown.isEmpty()) {
+    /**
+     * Top of the base of a lung whose dome the scan shows, else NaN. A scan that ends in the recess, well below the
+     * dome, shows it; one that ends in the lung leaves a flat face there.
+     */
+    private static double dome(PatientBody scanned, PatientBody completed, Side side, List<double[]> spine) {
+        List<Structure> lobes = lobes(scanned, side);
+        if (lobes.isEmpty()) {
             return Double.NaN;
         }
-        double end = shown.stream().mapToDouble(s -> s.mesh().bounds()[5]).max().orElseThrow();
+        double end = lobes.stream().mapToDouble(s -> s.mesh().bounds()[5]).max().orElseThrow();
+        double lowest =
+                lobes.stream().mapToDouble(s -> s.mesh().bounds()[2]).min().orElseThrow();
+        boolean cut = isCutBelow(scanned, side);
+        Thorax lung = new Thorax(
+                completed.name(),
+                cut
+                        ? lobes
+                        : completed.thorax().structuresOf(StructureKind.LUNG).stream()
+                                .filter(s -> s.side() == side)
+                                .toList(),
+                List.of());
         return LungBase.of(lung).stream()
                 .mapToDouble(LungBase::top)
                 .filter(top -> top < end - ABOVE_DOMES_MM)
+                .filter(top -> !cut || (top > lowest + SHOWN_DOME_MM && levelAt(spine, top) < LOWEST_DOME))
                 .findFirst()
                 .orElse(Double.NaN);
     }
 
-    /** Height of the lowest point of a lung that the scan shows, else NaN. */
+    /** Height of the lowest point of a lung whose lower end the scan shows, else NaN. */
     private static double border(PatientBody scanned, Side side) {
-        return shown(scanned, side).stream()
-                .mapToDouble(s -> s.mesh().bounds()[2])
-                .min()
-                .orElse(Double.NaN);
+        return isCutBelow(scanned, side)
+                ? Double.NaN
+                : lobes(scanned, side).stream()
+                        .mapToDouble(s -> s.mesh().bounds()[2])
+                        .min()
+                        .orElse(Double.NaN);
     }
 
-    /** The lobes of a side; none if the scan ends above the lower end of one of them. */
-    private static List<Structure> shown(PatientBody scanned, Side side) {
-        List<PatientStructure> lobes = scanned.structures().stream()
+    private static List<Structure> lobes(PatientBody scanned, Side side) {
+        return scanned.thorax().structuresOf(StructureKind.LUNG).stream()
+                .filter(s -> s.side() == side)
+                .toList();
+    }
+
+    /** Whether the scan ends above the lower end of a lobe. */
+    private static boolean isCutBelow(PatientBody scanned, Side side) {
+        return scanned.structures().stream()
                 .filter(s -> s.structure().kind() == StructureKind.LUNG
                         && s.structure().side() == side)
-                .toList();
-        boolean cut = lobes.stream()
                 .anyMatch(
                         s -> s.scan().filter(scan -> scan.cutAt().contains("I")).isPresent());
-        return cut ? List.of() : lobes.stream().map(PatientStructure::structure).toList();
     }
 
     /** Level and height of each vertebral body, from top to bottom. */

@@ -118,6 +118,37 @@ class EndExpirationTest {
         assertThat(inspired.stated()).startsWith("the lower borders of the lungs at ");
     }
 
+    /** The lungs are cut off so far above their lower ends and flat there. */
+    private static PatientBody cutOff(PatientBody body, double heightMm) {
+        List<PatientStructure> cut = body.structures().stream()
+                .map(s -> s.structure().kind() == StructureKind.LUNG ? cutOff(s.structure(), heightMm) : s)
+                .toList();
+        return new PatientBody("patient", cut, List.of(), List.of());
+    }
+
+    private static PatientStructure cutOff(Structure lung, double heightMm) {
+        double[] p = lung.mesh().positions().clone();
+        double bottom = lung.mesh().bounds()[2];
+        for (int i = 2; i < p.length; i += 3) {
+            p[i] = Math.max(p[i], bottom + heightMm);
+        }
+        var scan = new PatientStructure.Scan(List.of(1), 1, 1, "I", null);
+        return new PatientStructure(
+                lung.withMesh(lung.mesh().withPositions(p)),
+                PatientStructure.Source.SCAN,
+                Optional.of(scan),
+                Optional.empty());
+    }
+
+    @Test
+    void aScanThatEndsInTheRecessShowsTheDomesAndOneThatEndsAtThemDoesNot() {
+        BreathLevel level = BreathLevel.of(cutOff(INSPIRED, 25), INSPIRED).orElseThrow();
+        assertThat(level.mark()).isEqualTo(BreathLevel.Mark.DOMES);
+        assertThat(level.right()).isCloseTo(LEVEL.right(), within(0.2));
+        assertThat(level.left()).isCloseTo(LEVEL.left(), within(0.2));
+        assertThat(BreathLevel.of(cutOff(INSPIRED, 95), INSPIRED)).isEmpty();
+    }
+
     @Test
     void nothingIsSaidOfTheLevelWithoutBonesOrBasesOfLungs() {
         assertThat(level(body(true, s -> s.kind() == StructureKind.LUNG))).isEmpty();
