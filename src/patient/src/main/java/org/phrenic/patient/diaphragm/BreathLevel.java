@@ -88,7 +88,10 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
         }
         double[] domes = {dome(scanned, completed, Side.RIGHT, spine), dome(scanned, completed, Side.LEFT, spine)};
         double[] borders = {border(scanned, Side.RIGHT), border(scanned, Side.LEFT)};
-        return measured(Mark.DOMES, domes, spine).or(() -> measured(Mark.LOWER_BORDERS, borders, spine));
+        double[] ends = {end(scanned, Side.RIGHT), end(scanned, Side.LEFT)};
+        return measured(Mark.DOMES, domes, spine)
+                .or(() -> measured(Mark.LOWER_BORDERS, borders, spine))
+                .or(() -> measured(Mark.LOWER_BORDERS, ends, spine).filter(BreathLevel::isInspired));
     }
 
     /** @param heights of the mark on the right and the left, mm; NaN for none */
@@ -170,12 +173,15 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
 
     /** Height of the lowest point of a lung whose lower end the scan shows, else NaN. */
     private static double border(PatientBody scanned, Side side) {
-        return isCutBelow(scanned, side)
-                ? Double.NaN
-                : lobes(scanned, side).stream()
-                        .mapToDouble(s -> s.mesh().bounds()[2])
-                        .min()
-                        .orElse(Double.NaN);
+        return isCutBelow(scanned, side) ? Double.NaN : end(scanned, side);
+    }
+
+    /** Height at which a scan cuts a lung off: its lower border lies lower. */
+    private static double end(PatientBody scanned, Side side) {
+        return lobes(scanned, side).stream()
+                .mapToDouble(s -> s.mesh().bounds()[2])
+                .min()
+                .orElse(Double.NaN);
     }
 
     private static List<Structure> lobes(PatientBody scanned, Side side) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
@@ -147,6 +148,33 @@ class EndExpirationTest {
         assertThat(level.right()).isCloseTo(LEVEL.right(), within(0.2));
         assertThat(level.left()).isCloseTo(LEVEL.left(), within(0.2));
         assertThat(BreathLevel.of(cutOff(INSPIRED, 95), INSPIRED)).isEmpty();
+    }
+
+    @Test
+    void lungsThatAreCutOffBelowTheirLowerBorderAtRestTellAnInspirationWithoutDomes() {
+        PatientBody low = new PatientBody(
+                "patient",
+                INSPIRED.structures().stream()
+                        .map(s -> s.structure().kind() == StructureKind.LUNG
+                                ? s.withStructure(moved(s.structure(), -40))
+                                : s)
+                        .toList(),
+                List.of(),
+                List.of());
+        BreathLevel level = BreathLevel.of(cutOff(low, 60), low).orElseThrow();
+        assertThat(level.mark()).isEqualTo(BreathLevel.Mark.LOWER_BORDERS);
+        assertThat(level.isInspired()).isTrue();
+        double cutZ = mesh(cutOff(low, 60), "lung_R").bounds()[2];
+        TriangleMesh vertebra = mesh(low, String.format(Locale.ROOT, "vertebra_T%02d", Math.round(level.right())));
+        assertThat(cutZ).isBetween(vertebra.bounds()[2], vertebra.bounds()[5]);
+    }
+
+    private static Structure moved(Structure s, double dz) {
+        double[] p = s.mesh().positions().clone();
+        for (int i = 2; i < p.length; i += 3) {
+            p[i] += dz;
+        }
+        return s.withMesh(s.mesh().withPositions(p));
     }
 
     @Test
