@@ -1,11 +1,13 @@
 package org.phrenic.patient.segmentation;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 import org.phrenic.mesh.IntList;
 
 /**
@@ -23,6 +25,13 @@ final class RibComponents {
     private static final double MAX_COMMON_ANGLE = 0.3;
 
     private static final int ANGLES = 72;
+    /**
+     * Two parts lie side by side, not end to end, if more than this share of the shorter is hardly farther than the
+     * gap.
+     */
+    private static final double MAX_BESIDE = 0.4;
+
+    private static final double BESIDE_MM = 12;
     /** Largest gap between two pieces of a rib, and distance of a fragment's centre from its rib, mm. */
     private static final double NEAR_MM = 25;
 
@@ -108,34 +117,57 @@ final class RibComponents {
         }
     }
 
-    /** Joins parts of one label alone that lie end to end: near to each other, or at one end of the volume. */
+    /**
+     * Joins parts of one label alone that lie end to end: in different directions about the body's axis, and near to
+     * each other or at one end of the volume; or near with their ends alone, as parts of a first rib, which curves
+     * about the axis itself.
+     */
     private void joinPieces(double middle) {
         for (int i = 0; i < ribs.size(); i++) {
             for (int j = ribs.size() - 1; j > i; j--) {
-                Rib a = ribs.get(i);
-                Rib b = ribs.get(j);
-                int label = a.dominantSegment();
-                boolean pure = a.share(label) > 1 - SUBSTANTIAL && b.share(label) > 1 - SUBSTANTIAL;
-                boolean sameSide = a.centre[0] < middle == b.centre[0] < middle;
-                boolean inLine = pure && sameSide && commonAngle(a, b) <= MAX_COMMON_ANGLE;
-                if (inLine && ((a.ends & b.ends) != 0 || gap(a, b) < NEAR_MM)) {
-                    append(a, b);
-                    ribs.remove(j);
+                if (isOneRib(ribs.get(i), ribs.get(j), middle)) {
+                    append(ribs.get(i), ribs.remove(j));
+                    // The longer part may lie in line with what its pieces did not.
+                    i = -1;
+                    break;
                 }
             }
         }
     }
 
-    /** Smallest distance between two parts, from some voxels of the second, mm. */
-    private double gap(Rib a, Rib b) {
-        double least = Double.POSITIVE_INFINITY;
-        int stride = Math.max(1, b.voxels.size() / SAMPLES);
-        for (int i = 0; i < b.voxels.size(); i += stride) {
-            int v = b.voxels.get(i);
-            double[] point = {s.coordinate(v, 0), s.coordinate(v, 1), s.coordinate(v, 2)};
-            least = Math.min(least, distance(point, a.voxels));
+    private boolean isOneRib(Rib a, Rib b, double middle) {
+        int label = a.dominantSegment();
+        boolean pure = a.share(label) > 1 - SUBSTANTIAL && b.share(label) > 1 - SUBSTANTIAL;
+        if (!pure || a.centre[0] < middle != b.centre[0] < middle) {
+            return false;
         }
-        return least;
+        boolean apart = commonAngle(a, b) <= MAX_COMMON_ANGLE;
+        if (apart && (a.ends & b.ends) != 0) {
+            return true;
+        }
+        // Under one label for all, other ribs lie in the same directions.
+        if (!apart && label == s.find(LabelTable.RIBS)) {
+            return false;
+        }
+        double[] distances = a.voxels.size() > b.voxels.size() ? distances(a, b) : distances(b, a);
+        double gap = Arrays.stream(distances).min().orElseThrow();
+        return gap < NEAR_MM && (apart || shareBelow(distances, gap + BESIDE_MM) <= MAX_BESIDE);
+    }
+
+    /** Distances of some voxels of the shorter part from the longer one, mm. */
+    private double[] distances(Rib longer, Rib shorter) {
+        int stride = Math.max(1, shorter.voxels.size() / SAMPLES);
+        return IntStream.iterate(0, i -> i < shorter.voxels.size(), i -> i + stride)
+                .map(shorter.voxels::get)
+                .mapToDouble(v -> {
+                    double[] point = {s.coordinate(v, 0), s.coordinate(v, 1), s.coordinate(v, 2)};
+                    return distance(point, longer.voxels);
+                })
+                .toArray();
+    }
+
+    private static double shareBelow(double[] distances, double limit) {
+        return Arrays.stream(distances).filter(d -> d < limit).count() / (double) distances.length;
     }
 
     private static void append(Rib a, Rib b) {

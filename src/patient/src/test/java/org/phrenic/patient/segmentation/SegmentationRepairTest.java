@@ -64,6 +64,24 @@ class SegmentationRepairTest {
         assertThat(s.labels("rib_07_L")).containsExactly(CageVoxels.rib(7, false), CageVoxels.rib(8, false));
     }
 
+    /** A first rib in two pieces that meet with their ends, seen from the body's axis in the same directions. */
+    @Test
+    void piecesOfARibThatCurvesAboutTheAxisAreOneRib() {
+        CageVoxels cage = new CageVoxels().withRibs(2).withVertebrae(1);
+        for (int step = 0; step <= 200; step++) {
+            if (step < 88 || step > 112) {
+                double x = 10 + 0.15 * step;
+                double y = 30 + 9 * Math.abs(StrictMath.sin(2 * Math.PI * step / 200));
+                cage.ball(x, y, 122, 1.6, CageVoxels.rib(1, true));
+            }
+        }
+        Segmentation s = cage.segmentation(CageVoxels.table(false));
+        assertThat(pieces(s).get("rib_01_R")).isEqualTo(2);
+        TreeMap<String, Integer> truth = counts(s);
+        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(counts(s)).isEqualTo(truth);
+    }
+
     @Test
     void specksOfAnAbsentRibInTheOthersDoNotChangeTheirNumbers() {
         CageVoxels cage = new CageVoxels().withRibs(3).withVertebrae(3);
