@@ -106,7 +106,7 @@ public final class RehearsalController implements Session.Listener {
     public void deactivate() {
         if (isActive()) {
             stage = RehearsalStage.CLOSED;
-            preparation.repeatSteadyBreath(false);
+            preparation.endRepetition();
             pickMode.toggle(PickMode.Kind.NONE);
             detachRun();
             session.restoreSpeed();

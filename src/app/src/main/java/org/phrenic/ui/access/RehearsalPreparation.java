@@ -33,6 +33,7 @@ final class RehearsalPreparation {
     private final BackgroundWorker worker;
     private final RehearsalController rehearsal;
     private Scenario recorded = Scenario.defaults();
+    private boolean setsRepetition;
     private List<BreathMoment> cycle = List.of();
     private double diameterMm = DEFAULT_DIAMETER_MM;
 
@@ -86,7 +87,7 @@ final class RehearsalPreparation {
     private void recordBreath() {
         enter(RehearsalStage.RECORDING_BREATH);
         // The needle does not move the body, so a steady breath need not be simulated again.
-        repeatSteadyBreath(true);
+        repeatSteadyBreath();
         rehearsal.recordedFraction = 0;
         // With other breathing than the exercise's the target stays, for practice.
         rehearsal.exercise =
@@ -112,11 +113,24 @@ final class RehearsalPreparation {
         rehearsal.fireState();
     }
 
-    /** Sets whether steady breaths are repeated from their record. */
-    void repeatSteadyBreath(boolean on) {
-        if (session.scenario().get(Breathing.REPEAT) != on) {
-            session.live().change(List.of(Assignment.of("rehearsal", Breathing.REPEAT, on)));
+    /** Repeats steady breaths from their record until {@link #endRepetition}. */
+    private void repeatSteadyBreath() {
+        if (!session.scenario().get(Breathing.REPEAT)) {
+            setsRepetition = true;
+            setRepetition(true);
         }
+    }
+
+    /** Simulates every breath again if the rehearsal has begun to repeat them. */
+    void endRepetition() {
+        if (setsRepetition && session.scenario().get(Breathing.REPEAT)) {
+            setRepetition(false);
+        }
+        setsRepetition = false;
+    }
+
+    private void setRepetition(boolean on) {
+        session.live().change(List.of(Assignment.of("rehearsal", Breathing.REPEAT, on)));
     }
 
     private static void onEventThread(BooleanSupplier wanted, Runnable what) {

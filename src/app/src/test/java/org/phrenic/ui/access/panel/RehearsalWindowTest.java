@@ -15,6 +15,8 @@ import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RehearsalReport;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.document.JsonWriter;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.window.WindowHarness;
 
@@ -83,6 +85,35 @@ class RehearsalWindowTest extends RehearsalProbeCases {
         assertThat(clinic.ended().record().hit()).isFalse();
         assertThat(WindowHarness.onEdt(() -> attempts().card().text())).startsWith("Missed");
         window.screenshot("rehearse-miss");
+    }
+
+    private static boolean repeats() {
+        return window.session().scenario().get(Breathing.REPEAT);
+    }
+
+    private static void end(boolean thenRepeating) throws Exception {
+        WindowHarness.doOnEdt(() -> {
+            rehearsal().deactivate();
+            window.session().live().change(List.of(Assignment.of("test", Breathing.REPEAT, thenRepeating)));
+        });
+        until("the setting", () -> repeats() == thenRepeating);
+    }
+
+    @Test
+    void aRehearsalRepeatsTheBreathAndLeavesTheSettingAsItWas() throws Exception {
+        assertThat(WindowHarness.onEdt(RehearsalWindowTest::repeats)).isTrue();
+        WindowHarness.doOnEdt(() -> rehearsal().deactivate());
+        until("breaths that are simulated", () -> !repeats());
+        end(true);
+        WindowHarness.doOnEdt(() -> rehearsal().activate());
+        clinic.ready();
+        WindowHarness.doOnEdt(() -> rehearsal().deactivate());
+        double now = window.session().live().status().timeS();
+        until("the breath goes on", () -> window.session().live().status().timeS() > now + 0.5);
+        assertThat(WindowHarness.onEdt(RehearsalWindowTest::repeats)).isTrue();
+        end(false);
+        WindowHarness.doOnEdt(() -> rehearsal().activate());
+        clinic.ready();
     }
 
     @Test
