@@ -26,6 +26,7 @@ import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.scene.gl.Renderer;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.SceneStyle;
+import org.phrenic.scene.style.Transparency;
 import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.live.LiveRun;
 import org.phrenic.simulation.live.LiveScene;
@@ -304,11 +305,14 @@ public final class RenderLoop implements AutoCloseable {
             shownAccess = wanted.accessColours();
             shownAccess.ifPresent(field -> field.upload(renderer));
         }
-        drawnSharp = sharpen || !gl.info().software();
+        boolean card = !gl.info().software();
+        drawnSharp = sharpen || card;
         double resolution = drawnSharp ? 1 : pace.resolution();
+        // Depth peeling takes four times the pixels for samples.
+        boolean peeled = wanted.style().quality().transparency() == Transparency.PEELED;
         SceneStyle style = NeedleMarkers.apply(shownMarks, renderer, wanted.style())
                 .withResolution(resolution)
-                .withSamples(drawnSharp ? SAMPLES : 0);
+                .withSamples(drawnSharp && (card || !peeled) ? SAMPLES : 0);
         gl.run(context -> {
             renderer.draw(context, frame, wanted.camera(), style, wanted.width(), wanted.height());
             renderer.readPixels(context, canvas);
