@@ -143,7 +143,8 @@ final class SweepCommand extends ReportingCommand {
     private int report(SweepResults results, Shard part) {
         SweepReport report = new SweepReport(results, 0, 1);
         if (page != null) {
-            String study = file == null ? "--merge " + merge : file + " --out " + out;
+            // A page tells the names of folders, not where they lie.
+            String study = file == null ? "--merge " + merge.getFileName() : file + " --out " + out.getFileName();
             new SummaryPage(page, report.summary(provenance.lines("sweep " + study))).write();
         }
         print(report.values(), () -> {

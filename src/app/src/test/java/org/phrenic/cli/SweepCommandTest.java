@@ -48,7 +48,12 @@ class SweepCommandTest {
                 "sweep", study().toString(), "--out", out, "--page", page.toString(), "--made-by", "Commit 1234567");
         assertThat(run.exitCode()).as(run.err()).isZero();
         assertThat(Files.readString(page))
-                .contains("- Commit 1234567\n- With: phrenic sweep ", "total \\[95 %\\]", "(found-1.svg)", "| x1 |");
+                .contains(
+                        "- Commit 1234567\n- With: phrenic sweep ",
+                        " --out out\n",
+                        "total \\[95 %\\]",
+                        "(found-1.svg)",
+                        "| x1 |");
         assertThat(Files.readString(folder.resolve("found-1.svg")))
                 .startsWith("<svg ")
                 .contains(">x1</text>")
