@@ -118,8 +118,8 @@ public final class Phrenic implements Callable<Integer> {
             PhrenicWindow.open(Optional.empty());
         } else {
             PrintWriter err = spec.commandLine().getErr();
-            err.println("No window can be opened here: " + obstacle.get() + ". Running the default quiet breath without"
-                    + " one, into " + DEFAULT_OUT + " (phrenic --help lists the commands).");
+            err.println(obstacle.get() + ". Running the default quiet breath without one, into " + DEFAULT_OUT
+                    + " (phrenic --help lists the commands).");
             HeadlessRun.run(DEFAULT_OUT, spec.commandLine().getOut(), err);
         }
         return ExitCode.SUCCESS;

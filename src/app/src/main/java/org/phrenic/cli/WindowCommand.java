@@ -36,8 +36,7 @@ final class WindowCommand implements Callable<Integer> {
         Optional<String> obstacle = WindowStart.obstacle();
         if (obstacle.isPresent()) {
             PrintWriter err = spec.commandLine().getErr();
-            err.println("No window can be opened here: " + obstacle.get()
-                    + " (phrenic run and phrenic render need no window).");
+            err.println(obstacle.get() + " (phrenic run and phrenic render need no window).");
             return ExitCode.NO_GRAPHICS;
         }
         PhrenicWindow.open(Optional.ofNullable(file));

@@ -40,7 +40,6 @@ public final class NeedlePictures implements AutoCloseable {
     /** Width and height of a picture, pixels. */
     public static final int SIZE = 720;
 
-    private static final int SAMPLES = 4;
     private static final String NEEDLE = "needle";
     private static final String TARGET = "target";
     /** Radius of the drawn needle, larger than the real one for visibility. */
@@ -113,7 +112,7 @@ public final class NeedlePictures implements AutoCloseable {
 
     private static SceneStyle style(List<Surface> all, BiFunction<Surface, Appearance, Appearance> change) {
         return SceneStyle.atlas(all)
-                .withSamples(SAMPLES)
+                .withSamples(SceneStyle.SMOOTH_SAMPLES)
                 .withTransparency(Transparency.PEELED)
                 .withAppearances(all, change)
                 .withAppearance(NEEDLE, NEEDLE_APPEARANCE)
@@ -142,7 +141,7 @@ public final class NeedlePictures implements AutoCloseable {
         Appearance opaque = SurfaceMaterial.of(StructureKind.SKIN).appearance().withOpacity(1);
         SceneStyle style = SceneStyle.atlas(body)
                 .withAppearances(Map.of(skin.name(), opaque))
-                .withSamples(SAMPLES)
+                .withSamples(SceneStyle.SMOOTH_SAMPLES)
                 .withField(ColourField.ACCESS, skin.name(), ColourScale.sequential(100, ColourField.ACCESS.unit()));
         Frame first = map.cycle().get(0).frame();
         Series series = new Series(folder, new Renderer(body, List.of()), first, "");

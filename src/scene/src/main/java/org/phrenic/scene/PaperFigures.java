@@ -37,7 +37,6 @@ import org.phrenic.simulation.observe.Surface;
  * exhale.
  */
 public final class PaperFigures {
-    private static final int SAMPLES = 4;
     private static final float BONE_OPACITY = 0.35f;
     private static final float DIAPHRAGM_OPACITY = 0.28f;
     private static final double COLOUR_STEP_MM = 10;
@@ -121,7 +120,7 @@ public final class PaperFigures {
     private FigureImage anatomy(Breath breath) {
         List<Surface> surfaces = breath.surfaces;
         StructureSelection selection = new StructureSelection(surfaces);
-        SceneStyle atlas = SceneStyle.atlas(surfaces).withSamples(SAMPLES);
+        SceneStyle atlas = SceneStyle.atlas(surfaces).withSamples(SceneStyle.SMOOTH_SAMPLES);
         SceneStyle style = selection.withVisibility(selection.withVisibility(atlas, "skin", false), "liver", false);
         Renderer renderer = new Renderer(surfaces, List.of());
         return new FigureImage(
@@ -135,7 +134,7 @@ public final class PaperFigures {
     private FigureImage attachments(Breath breath, AnatomicalView view) {
         Surface diaphragm = breath.diaphragm();
         SceneStyle style = SceneStyle.atlas(breath.surfaces)
-                .withSamples(SAMPLES)
+                .withSamples(SceneStyle.SMOOTH_SAMPLES)
                 .withTransparency(Transparency.PEELED)
                 .withOverlays(Set.of(Overlay.Kind.ATTACHMENTS))
                 .withAppearances(breath.surfaces, (s, usual) -> switch (s.kind()) {
@@ -178,7 +177,7 @@ public final class PaperFigures {
         surfaces.set(index, inhaled);
         Appearance usual = SurfaceMaterial.of(inhaled.kind()).appearance();
         SceneStyle style = SceneStyle.atlas(surfaces)
-                .withSamples(SAMPLES)
+                .withSamples(SceneStyle.SMOOTH_SAMPLES)
                 .withTransparency(Transparency.PEELED)
                 .withRestWireframe(true)
                 .withAppearances(surfaces, (s, look) -> look.withVisible(false))

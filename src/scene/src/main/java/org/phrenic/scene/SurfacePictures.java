@@ -24,7 +24,6 @@ import org.phrenic.simulation.observe.Surface;
 
 /** Pictures of surfaces without a simulation: coloured by distance, or several surfaces in one picture. */
 public final class SurfacePictures implements AutoCloseable {
-    private static final int SAMPLES = 4;
 
     private final OffscreenContext gl;
 
@@ -47,7 +46,7 @@ public final class SurfacePictures implements AutoCloseable {
             TriangleMesh mesh, double[] distancesMm, PictureSettings settings, ColourScale scale, double[] bounds) {
         Surface surface = surface("surface", mesh);
         SceneStyle style = SceneStyle.atlas(List.of(surface))
-                .withSamples(SAMPLES)
+                .withSamples(SceneStyle.SMOOTH_SAMPLES)
                 .withField(ColourField.DISTANCE, surface.name(), scale);
         Renderer renderer = new Renderer(List.of(surface), List.of());
         renderer.setField(surface.name(), DistanceField.toFloats(distancesMm));
@@ -59,7 +58,7 @@ public final class SurfacePictures implements AutoCloseable {
         List<Surface> surfaces = new ArrayList<>();
         layers.forEach(layer -> surfaces.add(surface("layer " + surfaces.size(), layer.mesh())));
         SceneStyle style = SceneStyle.atlas(surfaces)
-                .withSamples(SAMPLES)
+                .withSamples(SceneStyle.SMOOTH_SAMPLES)
                 .withTransparency(Transparency.PEELED)
                 .withAppearances(
                         surfaces, (s, any) -> layers.get(surfaces.indexOf(s)).appearance());

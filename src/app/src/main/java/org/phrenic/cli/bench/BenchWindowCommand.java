@@ -85,7 +85,7 @@ final class BenchWindowCommand extends ReportingCommand {
         }
         Optional<String> obstacle = WindowStart.obstacle();
         if (obstacle.isPresent()) {
-            err().println("No window can be opened here: " + obstacle.get() + ".");
+            err().println(obstacle.get() + ".");
             return ExitCode.NO_GRAPHICS;
         }
         WindowBenchmark.Result result = WindowBenchmark.run(

@@ -22,7 +22,6 @@ import picocli.CommandLine.Option;
 
 /** Options for the style of a scene. */
 public final class StyleOptions {
-    private static final int SAMPLES = 4;
     private static final double DISPLACEMENT_MM = 20;
     private static final double STRAIN_PERCENT = 20;
     private static final double FARTHEST_CLIP_MM = 1e5;
@@ -105,7 +104,7 @@ public final class StyleOptions {
                 .withOverlays(overlayKinds())
                 .withClip(clipPlane())
                 .withTransparency(Transparency.TWO_PASS)
-                .withSamples(SAMPLES);
+                .withSamples(SceneStyle.SMOOTH_SAMPLES);
         if (!only.isEmpty()) {
             for (String name : style.appearances().keySet()) {
                 style = selection.withVisibility(style, name, false);

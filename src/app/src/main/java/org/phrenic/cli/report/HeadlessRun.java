@@ -17,7 +17,6 @@ import org.phrenic.scene.style.SceneStyle;
 /** {@code phrenic} without a display: simulates a quiet breath and writes tables, curves and pictures. */
 public final class HeadlessRun {
     private static final int SIDE = 1000;
-    private static final int SAMPLES = 4;
     private static final String TITLE = "Quiet breath, virtual adult male";
 
     private HeadlessRun() {}
@@ -55,7 +54,7 @@ public final class HeadlessRun {
     private static void pictures(Scenario scenario, double inspiredS, Path folder, PrintWriter stderr) {
         ConsoleProgress progress = new ConsoleProgress(stderr);
         try (ScenarioRenderer studio = ScenarioRenderer.open(scenario, progress)) {
-            SceneStyle style = SceneStyle.atlas(studio.surfaces()).withSamples(SAMPLES);
+            SceneStyle style = SceneStyle.atlas(studio.surfaces()).withSamples(SceneStyle.SMOOTH_SAMPLES);
             for (double time : new double[] {0, inspiredS}) {
                 for (AnatomicalView view : List.of(AnatomicalView.ANTERIOR, AnatomicalView.LEFT)) {
                     String name = view.label() + (time == 0 ? "-expiration" : "-inspiration") + ".png";

@@ -95,9 +95,6 @@ public final class RenderLoop implements AutoCloseable {
     /** Time after the last frame from which a coarse one is drawn again, ns. */
     private static final long AT_REST_NS = 300_000_000;
 
-    /** Samples of a pixel on a graphics card, and of a view that stands still. */
-    private static final int SAMPLES = 4;
-
     /** Side of the picture that is drawn out of sight. */
     private static final int PREPARED_PIXELS = 64;
 
@@ -312,7 +309,7 @@ public final class RenderLoop implements AutoCloseable {
         boolean peeled = wanted.style().quality().transparency() == Transparency.PEELED;
         SceneStyle style = NeedleMarkers.apply(shownMarks, renderer, wanted.style())
                 .withResolution(resolution)
-                .withSamples(drawnSharp && (card || !peeled) ? SAMPLES : 0);
+                .withSamples(drawnSharp && (card || !peeled) ? SceneStyle.SMOOTH_SAMPLES : 0);
         gl.run(context -> {
             renderer.draw(context, frame, wanted.camera(), style, wanted.width(), wanted.height());
             renderer.readPixels(context, canvas);

@@ -13,11 +13,12 @@ public final class WindowStart {
     /** Number of processors from which window, picture and scene do not hold each other up while they are made. */
     private static final int PROCESSORS_FOR_ALL = 4;
 
-    private static final String NO_DISPLAY = "found no display, expected one";
+    private static final String NO_WINDOW = "No window can be opened here: ";
+    private static final String NO_DISPLAY = NO_WINDOW + "found no display, expected one";
 
     private WindowStart() {}
 
-    /** Why no window can be opened here, as the end of a sentence; empty if one can. */
+    /** Why no window can be opened here, one sentence without a full stop; empty if one can. */
     public static Optional<String> obstacle() {
         try {
             boolean screen = !GraphicsEnvironment.isHeadless()
@@ -26,7 +27,8 @@ public final class WindowStart {
         } catch (HeadlessException | AWTError e) {
             return Optional.of(NO_DISPLAY);
         } catch (LinkageError e) {
-            return Optional.of("a library that the windows of Java need is missing (" + e.getMessage() + ")");
+            return Optional.of(
+                    NO_WINDOW + "a library that the windows of Java need is missing (" + e.getMessage() + ")");
         }
     }
 

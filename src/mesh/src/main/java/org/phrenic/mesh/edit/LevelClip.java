@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import org.phrenic.mesh.DoubleList;
+import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
@@ -20,6 +21,7 @@ public final class LevelClip {
 
     private final int[] triangles;
     private final double[] values;
+    private final double[] snapped;
     private final DoubleList positions = new DoubleList();
     private final IntList kept = new IntList();
     private final Map<Long, Integer> crossings = new HashMap<>();
@@ -27,7 +29,7 @@ public final class LevelClip {
     private LevelClip(TriangleMesh mesh, double[] values) {
         triangles = mesh.triangles();
         this.values = values.clone();
-        double[] snapped = snap(mesh.positions(), triangles, this.values);
+        snapped = snap(mesh.positions(), triangles, this.values);
         for (double coordinate : snapped) {
             positions.add(coordinate);
         }
@@ -58,7 +60,7 @@ public final class LevelClip {
         Arrays.fill(share, SNAP);
         for (int c = 0; c < triangles.length; c++) {
             int a = triangles[c];
-            int b = triangles[c % 3 == 2 ? c - 2 : c + 1];
+            int b = triangles[EdgeTable.next(c, 3)];
             if (values[a] * values[b] < 0) {
                 double cut = values[a] / (values[a] - values[b]);
                 move(a, b, cut, from, share, positions);
@@ -91,7 +93,7 @@ public final class LevelClip {
         boolean positive = false;
         for (int i = 0; i < 3; i++) {
             int a = triangles[t + i];
-            int b = triangles[t + (i + 1) % 3];
+            int b = triangles[EdgeTable.next(t + i, 3)];
             positive |= values[a] > 0;
             if (values[a] >= 0) {
                 polygon[count++] = a;
@@ -127,11 +129,7 @@ public final class LevelClip {
         int high = Math.max(a, b);
         return crossings.computeIfAbsent((long) low << VERTEX_BITS | high, key -> {
             double cut = values[low] / (values[low] - values[high]);
-            double[] p = new double[3];
-            for (int axis = 0; axis < 3; axis++) {
-                double at = positions.get(3 * low + axis);
-                p[axis] = at + cut * (positions.get(3 * high + axis) - at);
-            }
+            double[] p = Vectors.lerp(point(snapped, low), point(snapped, high), cut);
             return positions.add(p[0], p[1], p[2]);
         });
     }

@@ -88,7 +88,7 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
         }
         double[] domes = {dome(scanned, completed, Side.RIGHT, spine), dome(scanned, completed, Side.LEFT, spine)};
         double[] borders = {border(scanned, Side.RIGHT), border(scanned, Side.LEFT)};
-        double[] ends = {end(scanned, Side.RIGHT), end(scanned, Side.LEFT)};
+        double[] ends = {lowerEnd(scanned, Side.RIGHT), lowerEnd(scanned, Side.LEFT)};
         return measured(Mark.DOMES, domes, spine)
                 .or(() -> measured(Mark.LOWER_BORDERS, borders, spine))
                 .or(() -> measured(Mark.LOWER_BORDERS, ends, spine).filter(BreathLevel::isInspired));
@@ -151,41 +151,36 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
         if (lobes.isEmpty()) {
             return Double.NaN;
         }
-        double end = lobes.stream().mapToDouble(s -> s.mesh().bounds()[5]).max().orElseThrow();
-        double lowest =
-                lobes.stream().mapToDouble(s -> s.mesh().bounds()[2]).min().orElseThrow();
+        double upperEnd =
+                lobes.stream().mapToDouble(s -> s.mesh().bounds()[5]).max().orElseThrow();
         boolean cut = isCutBelow(scanned, side);
-        Thorax lung = new Thorax(
-                completed.name(),
-                cut
-                        ? lobes
-                        : completed.thorax().structuresOf(StructureKind.LUNG).stream()
-                                .filter(s -> s.side() == side)
-                                .toList(),
-                List.of());
+        Thorax lung = new Thorax(completed.name(), cut ? lobes : lobes(completed, side), List.of());
         return LungBase.of(lung).stream()
                 .mapToDouble(LungBase::top)
-                .filter(top -> top < end - ABOVE_DOMES_MM)
-                .filter(top -> !cut || (top > lowest + SHOWN_DOME_MM && levelAt(spine, top) < LOWEST_DOME))
+                .filter(top -> top < upperEnd - ABOVE_DOMES_MM)
+                .filter(top ->
+                        !cut || (top > lowerEnd(scanned, side) + SHOWN_DOME_MM && levelAt(spine, top) < LOWEST_DOME))
                 .findFirst()
                 .orElse(Double.NaN);
     }
 
     /** Height of the lowest point of a lung whose lower end the scan shows, else NaN. */
     private static double border(PatientBody scanned, Side side) {
-        return isCutBelow(scanned, side) ? Double.NaN : end(scanned, side);
+        return isCutBelow(scanned, side) ? Double.NaN : lowerEnd(scanned, side);
     }
 
-    /** Height at which a scan cuts a lung off: its lower border lies lower. */
-    private static double end(PatientBody scanned, Side side) {
+    /**
+     * Height of the lowest point of a lung in a scan; NaN for none. Where the scan cuts it off, its border lies lower.
+     */
+    private static double lowerEnd(PatientBody scanned, Side side) {
         return lobes(scanned, side).stream()
                 .mapToDouble(s -> s.mesh().bounds()[2])
                 .min()
                 .orElse(Double.NaN);
     }
 
-    private static List<Structure> lobes(PatientBody scanned, Side side) {
-        return scanned.thorax().structuresOf(StructureKind.LUNG).stream()
+    private static List<Structure> lobes(PatientBody body, Side side) {
+        return body.thorax().structuresOf(StructureKind.LUNG).stream()
                 .filter(s -> s.side() == side)
                 .toList();
     }

@@ -123,16 +123,23 @@ final class RibComponents {
      * about the axis itself.
      */
     private void joinPieces(double middle) {
+        boolean joined = true;
+        while (joined) {
+            // A part that has grown may lie in line with what its pieces did not.
+            joined = joinTwo(middle);
+        }
+    }
+
+    private boolean joinTwo(double middle) {
         for (int i = 0; i < ribs.size(); i++) {
             for (int j = ribs.size() - 1; j > i; j--) {
                 if (isOneRib(ribs.get(i), ribs.get(j), middle)) {
                     append(ribs.get(i), ribs.remove(j));
-                    // The longer part may lie in line with what its pieces did not.
-                    i = -1;
-                    break;
+                    return true;
                 }
             }
         }
+        return false;
     }
 
     private boolean isOneRib(Rib a, Rib b, double middle) {

@@ -57,15 +57,17 @@ final class ScreenPass {
 
     /** Draws a colour texture over the picture with the blend state set by the caller. */
     void drawTexture(GL3 gl, int colourTexture) {
-        copy.use(gl);
-        copy.setTexture(gl, "source", 0, GL3.GL_TEXTURE_2D, colourTexture);
-        drawFullScreen(gl);
+        draw(gl, copy, colourTexture);
     }
 
     /** Draws a colour texture with smooth edges (fast approximate antialiasing). */
     void drawAntialiased(GL3 gl, int colourTexture) {
-        antialias.use(gl);
-        antialias.setTexture(gl, "source", 0, GL3.GL_TEXTURE_2D, colourTexture);
+        draw(gl, antialias, colourTexture);
+    }
+
+    private void draw(GL3 gl, ShaderProgram program, int colourTexture) {
+        program.use(gl);
+        program.setTexture(gl, "source", 0, GL3.GL_TEXTURE_2D, colourTexture);
         drawFullScreen(gl);
     }
 

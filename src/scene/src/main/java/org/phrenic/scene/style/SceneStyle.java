@@ -31,6 +31,9 @@ public record SceneStyle(
         Optional<ClipPlane> clip,
         Quality quality,
         String highlighted) {
+    /** Samples of a pixel where edges are to be smooth: in picture files, on a graphics card, in a view at rest. */
+    public static final int SMOOTH_SAMPLES = 4;
+
     private static final double DEFAULT_RANGE_MM = 15;
 
     /**

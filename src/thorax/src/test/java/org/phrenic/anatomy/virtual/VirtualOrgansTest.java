@@ -223,7 +223,7 @@ class VirtualOrgansTest {
         TriangleMesh pleura = mesh(body, "pleura_R");
         assertThat(MeshMeasure.openness(pleura)).isGreaterThan(0.1);
         // Azimuth from the back about the middle of the trunk: midclavicular, midaxillary and paravertebral line.
-        assertThat(lowest(pleura, 128) - atAzimuth(body, 8, 122)).isCloseTo(0, within(15.0));
+        assertThat(lowest(pleura, 128) - atAzimuth(body, 8, 122)).isCloseTo(0, within(14.0));
         assertThat(lowest(pleura, 88) - atAzimuth(body, 10, 88)).isCloseTo(0, within(12.0));
         assertThat(lowest(pleura, 34) - atAzimuth(body, 12, 34)).isCloseTo(0, within(12.0));
     }
