@@ -4,7 +4,7 @@ package org.phrenic.file;
  * Invalid user input. The message is one sentence that can be shown to the user. It names the file, the location in it
  * (line, byte or key), what was found and what was expected.
  */
-public final class BadInputException extends RuntimeException {
+public class BadInputException extends RuntimeException {
     public BadInputException(String sentence) {
         super(sentence);
     }

@@ -17,7 +17,9 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.segmentation.CartilageSplitter;
+import org.phrenic.patient.segmentation.EnclosedStructures;
 import org.phrenic.patient.segmentation.LabelTable;
 import org.phrenic.patient.segmentation.LungSplitter;
 import org.phrenic.patient.segmentation.Segmentation;
@@ -92,8 +94,10 @@ public final class ScanImport {
         noteLabels(table);
         split(segmentation);
         List<String> built = meshable(segmentation);
+        EnclosedStructures enclosed = EnclosedStructures.find(segmentation);
+        enclosed.fillOrgans().ifPresent(notes::add);
         progress.stage("laying a net between " + built.size() + " structures");
-        List<PatientStructure> structures = mesh(built, segmentation);
+        List<PatientStructure> structures = mesh(built, segmentation, enclosed);
         note(structures);
         return new PatientBody(name, structures, ExpectedStructures.missing(structures), notes);
     }
@@ -106,9 +110,13 @@ public final class ScanImport {
         }
         if (segmentation.find(LabelTable.LUNGS) > 0) {
             progress.stage("telling the lungs apart");
-            LungSplitter.split(segmentation).ifPresent(problem -> {
-                throw new BadInputException(file + ": " + problem);
-            });
+            if (segmentation.find("lung_R") > 0 && segmentation.find("lung_L") > 0) {
+                LungSplitter.join(segmentation);
+            } else {
+                LungSplitter.split(segmentation).ifPresent(problem -> {
+                    throw new BadInputException(file + ": " + problem);
+                });
+            }
         }
         if (segmentation.find(LabelTable.COSTAL_CARTILAGES) > 0) {
             progress.stage("telling the cartilages apart");
@@ -139,12 +147,23 @@ public final class ScanImport {
         return built;
     }
 
-    private List<PatientStructure> mesh(List<String> built, Segmentation segmentation) {
+    private List<PatientStructure> mesh(List<String> built, Segmentation segmentation, EnclosedStructures enclosed) {
         double voxelMm3 = segmentation.grid().voxelVolume();
         int[] counts = segmentation.counts();
+        int[] ownCounts = enclosed.ownVoxels().map(LabelGrid::counts).orElse(counts);
         int[] segments = new int[counts.length];
-        built.stream().filter(s -> !isSkin(s)).mapToInt(segmentation::find).forEach(s -> segments[s] = s);
+        int[] within = new int[counts.length];
+        for (String structure : built) {
+            int segment = segmentation.find(structure);
+            if (enclosed.contains(structure) && enclosed.ownVoxels().isPresent()) {
+                within[segment] = segment;
+                counts[segment] = ownCounts[segment];
+            } else if (!isSkin(structure)) {
+                segments[segment] = segment;
+            }
+        }
         SegmentMesher mesher = new SegmentMesher(segmentation.grid(), segments, settings);
+        Optional<SegmentMesher> inner = enclosed.ownVoxels().map(voxels -> new SegmentMesher(voxels, within, settings));
         // The skin encloses all other structures, so its outline is meshed separately.
         Optional<SegmentMesher> skin = built.stream()
                 .filter(ScanImport::isSkin)
@@ -162,6 +181,7 @@ public final class ScanImport {
                         String structure = built.get(i);
                         int segment = segmentation.find(structure);
                         double edge = edge(structure, voxelMm3);
+                        SegmentMesher own = within[segment] > 0 ? inner.orElseThrow() : mesher;
                         meshed[i] = isSkin(structure)
                                 ? structure(
                                         structure,
@@ -174,9 +194,7 @@ public final class ScanImport {
                                         segmentation,
                                         counts[segment],
                                         voxelMm3,
-                                        keepsPieces(structure)
-                                                ? mesher.meshAll(segment, edge)
-                                                : mesher.mesh(segment, edge));
+                                        keepsPieces(structure) ? own.meshAll(segment, edge) : own.mesh(segment, edge));
                         synchronized (done) {
                             progress.meshed(done.incrementAndGet(), built.size(), structure);
                         }

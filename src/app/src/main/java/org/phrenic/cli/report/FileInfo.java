@@ -53,7 +53,7 @@ public final class FileInfo {
         Map<String, Object> info = new LinkedHashMap<>();
         info.put("file", file.toString());
         String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
-        if (Files.isDirectory(file)) {
+        if (Files.isDirectory(file) && !LabelVolumeFiles.isVolume(file)) {
             info.put("kind", "thorax");
             putThorax(info, ThoraxFolder.load(file));
             ScanInfo.putImport(info, file);

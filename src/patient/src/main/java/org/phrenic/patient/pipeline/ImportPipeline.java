@@ -31,7 +31,7 @@ public final class ImportPipeline {
         progress.stage("reading " + file);
         Optional<LabelGrid> grid = Optional.empty();
         PatientBody scanned;
-        if (Files.isDirectory(request.file())) {
+        if (Files.isDirectory(request.file()) && !LabelVolumeFiles.isVolume(request.file())) {
             scanned = MeshFolder.read(request.file(), request.name());
         } else {
             LabelVolume volume = request.geometry().apply(LabelVolumeFiles.read(request.file()));

@@ -31,7 +31,7 @@ final class HoleFilling {
         for (int run = 0; run < runs.count(); run++) {
             int hole = runs.component(run);
             for (int v = runs.from(run); !outside[hole] && v < runs.to(run); v++) {
-                for (int step : new int[] {-1, 1, -s.columns, s.columns, -s.columns * s.rows, s.columns * s.rows}) {
+                for (int step : s.steps()) {
                     byte segment = s.voxels[v + step];
                     around[hole] = around[hole] == 0 ? segment : around[hole];
                     same[hole] += segment != 0 && segment == around[hole] ? 1 : 0;

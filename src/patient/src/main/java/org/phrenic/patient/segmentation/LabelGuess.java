@@ -49,14 +49,13 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
                     "labels are taken by their names in the file, of which " + known.size() + " of " + present.size()
                             + " are known");
         }
-        Map<Integer, String> numbers = new TreeMap<>(LabelTable.totalSegmentatorNumbers());
-        numbers.keySet().removeIf(label -> label >= counts.length || counts[label] == 0);
-        LabelPlaces places = new LabelPlaces(volume.grid(), numbers);
+        ToolNumbers numbers = ToolNumbers.of(volume.grid());
+        LabelPlaces places = numbers.places();
         boolean fits = places.compared() >= LabelPlaces.ENOUGH && places.share() >= LEAST_SHARE;
         if (fits) {
             return new LabelGuess(
                     Source.TOTALSEGMENTATOR,
-                    Optional.of(new LabelTable(numbers).withRest(volume)),
+                    Optional.of(new LabelTable(numbers.structures()).withRest(volume)),
                     places.share(),
                     String.format(
                             Locale.ROOT,

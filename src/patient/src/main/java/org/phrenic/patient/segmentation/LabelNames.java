@@ -2,6 +2,7 @@ package org.phrenic.patient.segmentation;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -18,11 +19,40 @@ import org.phrenic.anatomy.StructureName;
 public final class LabelNames {
     private static final Pattern VERTEBRA = Pattern.compile("([ctls])0*(\\d{1,2})");
     private static final Pattern NUMBER = Pattern.compile("0*(\\d{1,2})");
+    /** A side written in one word with what it is of, such as "leftlung". */
+    private static final Pattern JOINED_SIDE = Pattern.compile("\\b(left|right)(?=[a-z])");
     /** Words that add nothing to the name of a structure. */
     private static final List<String> FILLERS =
             List.of("vertebra", "vertebrae", "lobe", "upper", "middle", "lower", "superior", "inferior", "of", "the");
 
-    private static final Map<String, String> OF_TOTALSEGMENTATOR = Map.copyOf(LabelTable.totalSegmentatorNames());
+    private static final Pattern LESION = Pattern.compile(".*(tumou?r|lesion|metasta|nodule|cyst|\\bhcc\\b).*");
+    private static final Pattern RIB = Pattern.compile("(.* )?rib.*");
+    private static final Pattern CARTILAGE = Pattern.compile("(.* )?cartilage.*");
+    private static final Pattern STERNUM = Pattern.compile("(.* )?(sternum|manubrium|xiphoid)( .*)?");
+    private static final Pattern LUNG = Pattern.compile("(.* )?lung.*");
+
+    /** Structures by expressions for their names without the side; the first that matches counts. */
+    private static final Map<Pattern, String> BY_EXPRESSION = new LinkedHashMap<>();
+
+    static {
+        BY_EXPRESSION.put(Pattern.compile(".*(\\bairway|\\bbronch|\\btrachea).*"), "trachea");
+        BY_EXPRESSION.put(Pattern.compile(".*\\bextremit.*"), LabelTable.IGNORE);
+        BY_EXPRESSION.put(Pattern.compile("(.* )?(liver|hepatic) ?(vessel|vascul).*"), "liver_vessels");
+        // Numbers are those of Couinaud's segments.
+        BY_EXPRESSION.put(
+                Pattern.compile(
+                        "((caudate|quadrate) )?(lobe )?liver( (parenchyma|lobe|segments?|\\d[ab]?|[iv]+[ab]?))*"),
+                "liver");
+        BY_EXPRESSION.put(
+                Pattern.compile("(?!.*(fat|effusion))(.*\\b(heart|cardiac|\\w*cardium)\\b.*|atrium|ventricle)"),
+                "heart");
+        BY_EXPRESSION.put(
+                Pattern.compile("(subcutaneous|torso|visceral|intermuscular) (fat|adipose.*)"), LabelTable.SKIN);
+        BY_EXPRESSION.put(Pattern.compile("(skeletal )?muscles?"), "muscle_skeletal");
+        BY_EXPRESSION.put(Pattern.compile("(?!.*vertebra)(.* )?(skin|body|torso|trunk)( .*)?"), LabelTable.SKIN);
+    }
+
+    private static final Map<String, String> OF_TOTALSEGMENTATOR = Map.copyOf(ToolNumbers.byName());
 
     private static final Map<String, String> SYNONYMS = Map.ofEntries(
             Map.entry("esophagus", "oesophagus"),
@@ -36,41 +66,45 @@ public final class LabelNames {
             Map.entry("bowel", "organ_bowel"),
             Map.entry("intestine", "organ_bowel"),
             Map.entry("kidneys", "organ_kidneys"),
-            Map.entry("vena_cava", "inferior_vena_cava"));
+            Map.entry("portalvein", "portal_vein"),
+            Map.entry("vena_cava", "inferior_vena_cava"),
+            Map.entry("venacava", "inferior_vena_cava"));
 
     private LabelNames() {}
 
     /** The structure that a label's name stands for; empty if the name is unknown. */
     public static Optional<String> structure(String name) {
-        List<String> words = new ArrayList<>(Arrays.asList(name.toLowerCase(Locale.ROOT)
-                .replaceAll("[^a-z0-9]+", " ")
-                .strip()
-                .split(" ", -1)));
-        String ofTool = OF_TOTALSEGMENTATOR.get(String.join("_", words));
+        String plain =
+                name.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", " ").strip();
+        String ofTool = OF_TOTALSEGMENTATOR.get(plain.replace(' ', '_'));
         if (ofTool != null || LabelTable.isStructure(name)) {
             return Optional.of(ofTool != null ? ofTool : name);
         }
+        List<String> words = new ArrayList<>(
+                Arrays.asList(JOINED_SIDE.matcher(plain).replaceAll("$1 ").split(" ", -1)));
         Side side = side(words);
         String suffix = side == Side.RIGHT ? "_R" : side == Side.LEFT ? "_L" : "";
-        for (String word : words) {
-            if (word.startsWith("rib")) {
-                return levelled(words, side, "rib", LabelTable.RIBS);
+        String rest = String.join(" ", words);
+        if (LESION.matcher(rest).matches()) {
+            return Optional.of("lesion_" + String.join("_", words));
+        }
+        if (RIB.matcher(rest).matches()) {
+            return levelled(words, side, "rib", LabelTable.RIBS);
+        }
+        if (CARTILAGE.matcher(rest).matches()) {
+            return levelled(words, side, "costal_cartilage", LabelTable.COSTAL_CARTILAGES);
+        }
+        Matcher sternum = STERNUM.matcher(rest);
+        if (sternum.matches()) {
+            return Optional.of(sternum.group(2).equals("sternum") ? "sternum" : "sternum_" + sternum.group(2));
+        }
+        for (Map.Entry<Pattern, String> known : BY_EXPRESSION.entrySet()) {
+            if (known.getKey().matcher(rest).matches()) {
+                return Optional.of(known.getValue());
             }
-            if (word.startsWith("cartilage")) {
-                return levelled(words, side, "costal_cartilage", LabelTable.COSTAL_CARTILAGES);
-            }
-            if (word.startsWith("lung")) {
-                return Optional.of(side == Side.MIDLINE ? LabelTable.LUNGS : "lung" + suffix);
-            }
-            if (List.of("sternum", "manubrium", "xiphoid").contains(word)) {
-                return Optional.of(word.equals("sternum") ? word : "sternum_" + word);
-            }
-            if (List.of("skin", "body", "torso", "trunk").contains(word)) {
-                return Optional.of("skin");
-            }
-            if (List.of("tumor", "tumour", "lesion", "metastasis").contains(word)) {
-                return Optional.of("lesion_" + String.join("_", words));
-            }
+        }
+        if (LUNG.matcher(rest).matches()) {
+            return Optional.of(side == Side.MIDLINE ? LabelTable.LUNGS : "lung" + suffix);
         }
         return vertebra(words).or(() -> organ(words, suffix));
     }

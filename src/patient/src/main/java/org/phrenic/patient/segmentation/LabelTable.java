@@ -9,7 +9,6 @@ import java.util.TreeMap;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.document.CsvTable;
-import org.phrenic.document.ShippedFile;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
@@ -30,13 +29,10 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     /** All costal cartilages under one label; split by {@link CartilageSplitter}. */
     public static final String COSTAL_CARTILAGES = "costal_cartilages";
 
-    private static final String SKIN = "skin";
+    static final String SKIN = "skin";
     /** A label that is left out. */
     public static final String IGNORE = "ignore";
-    /**
-     * The built-in table: label numbers and names of the task {@code total} of TotalSegmentator (Wasserthal et al.
-     * 2023, doi 10.1148/ryai.230024).
-     */
+    /** The built-in tables: {@link ToolNumbers}. */
     public static final String TOTALSEGMENTATOR = "totalsegmentator";
 
     /** A few segments are kept free for parts that are told apart. */
@@ -62,29 +58,10 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         return of(file.toString(), CsvTable.read(file), volume, true);
     }
 
-    /** The table for TotalSegmentator labels. */
+    /** The table for TotalSegmentator labels, of the version whose structures lie where the volume's labels do. */
     public static LabelTable totalSegmentator(LabelVolume volume) {
-        return of("totalsegmentator.csv", shipped(), volume, false);
-    }
-
-    /** Structure by label name of TotalSegmentator. */
-    static Map<String, String> totalSegmentatorNames() {
-        CsvTable table = shipped();
-        Map<String, String> names = new TreeMap<>();
-        for (int row = 0; row < table.texts("structure").size(); row++) {
-            names.put(table.texts("name").get(row), table.texts("structure").get(row));
-        }
-        return names;
-    }
-
-    /** Structure by label number of TotalSegmentator. */
-    static Map<Integer, String> totalSegmentatorNumbers() {
-        CsvTable table = shipped();
-        Map<Integer, String> numbers = new TreeMap<>();
-        for (int row = 0; row < table.texts("structure").size(); row++) {
-            numbers.put(label(table, row), table.texts("structure").get(row));
-        }
-        return numbers;
+        ToolNumbers numbers = ToolNumbers.of(volume.grid());
+        return of(numbers.file(), numbers.table(), volume, false);
     }
 
     /** Returns a table in which a label without a known name that encloses all others is the skin, if none is. */
@@ -112,10 +89,6 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
             }
         }
         return new LabelTable(all, missing).withOutline(volume);
-    }
-
-    private static CsvTable shipped() {
-        return CsvTable.parse("totalsegmentator.csv", ShippedFile.text("labels/totalsegmentator.csv"));
     }
 
     private static LabelTable of(String file, CsvTable table, LabelVolume volume, boolean tellAbsent) {

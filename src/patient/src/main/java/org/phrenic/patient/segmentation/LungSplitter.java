@@ -1,6 +1,7 @@
 package org.phrenic.patient.segmentation;
 
 import java.util.Optional;
+import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
  * Splits two lungs that share one label. The label is eroded until it separates into two large components. These are
@@ -39,6 +40,31 @@ public final class LungSplitter {
         return Optional.of(LabelTable.LUNGS
                 + ": found one body that does not part into two, expected both lungs"
                 + " (or label one as lung_R or lung_L)");
+    }
+
+    /**
+     * Gives the voxels of the common segment to the lungs that have segments of their own, each to the lung from which
+     * fewer steps through the common segment lead to it. Voxels that no lung leads to are discarded.
+     */
+    public static void join(Segmentation s) {
+        byte both = (byte) s.find(LabelTable.LUNGS);
+        byte[] lungs = {(byte) s.find("lung_R"), (byte) s.find("lung_L")};
+        VoxelRegion region = new VoxelRegion(s, both & LabelGrid.MAX_BYTE_LABEL);
+        byte[] piece = new byte[region.cells()];
+        int[] steps = s.steps();
+        for (int cell = 0; cell < piece.length; cell++) {
+            for (int step = 0; step < 6 && region.isMember(cell) && piece[cell] == 0; step++) {
+                int v = region.voxel(cell);
+                byte next = s.isAtBorder(v, step) ? 0 : s.voxels[v + steps[step]];
+                piece[cell] = (byte) (next == lungs[0] ? 1 : next == lungs[1] ? 2 : 0);
+            }
+        }
+        region.growRegions(piece);
+        for (int cell = 0; cell < piece.length; cell++) {
+            if (region.isMember(cell)) {
+                s.voxels[region.voxel(cell)] = piece[cell] == 0 ? 0 : lungs[piece[cell] - 1];
+            }
+        }
     }
 
     private static int largest(int[] sizes, int but) {

@@ -199,6 +199,23 @@ public final class Segmentation {
         return voxels[voxel] & MAX_SEGMENTS;
     }
 
+    /** Steps between voxel indices to the neighbours across the faces of a voxel: two along each grid direction. */
+    int[] steps() {
+        return new int[] {-1, 1, -columns, columns, -columns * rows, columns * rows};
+    }
+
+    /** Whether a voxel has no neighbour at the nth of {@link #steps}: it lies at the border of the box. */
+    boolean isAtBorder(int voxel, int step) {
+        return switch (step) {
+            case 0 -> voxel % columns == 0;
+            case 1 -> voxel % columns == columns - 1;
+            case 2 -> voxel / columns % rows == 0;
+            case 3 -> voxel / columns % rows == rows - 1;
+            case 4 -> voxel < columns * rows;
+            default -> voxel >= columns * rows * (slices - 1);
+        };
+    }
+
     /** The ends of the volume at which a voxel lies, one bit each: first column, row and slice, then last ones. */
     int ends(int voxel) {
         int[] index = {voxel % columns, voxel / columns % rows, voxel / columns / rows};

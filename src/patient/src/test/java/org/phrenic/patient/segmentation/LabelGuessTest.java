@@ -33,6 +33,24 @@ class LabelGuessTest {
         "iliac vena left, iliac_vein_L",
         "liver tumor 2, lesion_liver_tumor_2",
         "body_trunc, skin",
+        "body_extremities, ignore",
+        "subcutaneous_fat, skin",
+        "skeletal_muscle, muscle_skeletal",
+        "leftlung, lung_L",
+        "right lung lower lobe, lung_R",
+        "lung_vessels, lungs",
+        "lung_trachea_bronchia, trachea",
+        "lung_nodules, lesion_lung_nodules",
+        "liver_segment_4, liver",
+        "liver_segment_IVa, liver",
+        "left liver lobe, liver",
+        "liver_vessels, liver_vessels",
+        "hepatic vessel, liver_vessels",
+        "livertumor01, lesion_livertumor01",
+        "portalvein, portal_vein",
+        "heart_ventricle_left, heart",
+        "myocardium, heart",
+        "atrial_appendage_left, atrial_appendage_L",
     })
     void namesOfFilesStandForStructures(String name, String structure) {
         assertThat(LabelNames.structure(name)).contains(structure);
@@ -40,7 +58,7 @@ class LabelGuessTest {
 
     @Test
     void nothingIsMadeOfAnUnknownName() {
-        assertThat(List.of("rib 13 left", "rib left", "T13", "segment 4", "1", ""))
+        assertThat(List.of("rib 13 left", "rib left", "T13", "segment 4", "vertebrae_body", "pericardial fat", "1", ""))
                 .allSatisfy(name -> assertThat(LabelNames.structure(name)).isEmpty());
     }
 

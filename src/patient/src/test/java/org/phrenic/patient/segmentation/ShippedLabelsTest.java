@@ -9,27 +9,34 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The table of TotalSegmentator's labels. Sides and levels are told by both names of a row; the numbers are those of
- * the class list of its version 2 ("total": rib_left_1 is 92, rib_right_1 is 104, vertebrae_L5 is 27).
+ * The tables of TotalSegmentator's labels. Sides and levels are told by both names of a row; the numbers are those of
+ * the class lists of its versions ("total": in version 2 rib_left_1 is 92 and rib_right_1 is 104; in version 1
+ * rib_left_1 is 58, rib_right_1 is 70, heart_myocardium is 44, and 104 is the last, urinary_bladder).
  */
 class ShippedLabelsTest {
     private static final Pattern RIB = Pattern.compile("(\\d+),rib_(left|right)_(\\d+),(\\S+)");
 
-    private static List<String> rows() throws IOException {
-        return Files.readAllLines(Path.of("data", "labels", "totalsegmentator.csv"));
+    private static List<String> rows(String file) throws IOException {
+        return Files.readAllLines(Path.of("data", "labels", file));
     }
 
-    @Test
-    void ribsKeepTheirSidesAndLevels() throws IOException {
+    @ParameterizedTest
+    @CsvSource({"totalsegmentator.csv, 92, 104", "totalsegmentator-v1.csv, 58, 70"})
+    void ribsKeepTheirSidesAndLevels(String file, int firstLeft, int firstRight) throws IOException {
         int ribs = 0;
-        for (String row : rows()) {
+        for (String row : rows(file)) {
             Matcher rib = RIB.matcher(row);
             if (rib.matches()) {
                 int level = Integer.parseInt(rib.group(3));
                 boolean left = rib.group(2).equals("left");
-                assertThat(Integer.parseInt(rib.group(1))).as(row).isEqualTo((left ? 91 : 103) + level);
+                assertThat(Integer.parseInt(rib.group(1)))
+                        .as(row)
+                        .isEqualTo((left ? firstLeft : firstRight) + level - 1);
                 assertThat(rib.group(4)).as(row).isEqualTo(String.format("rib_%02d_%s", level, left ? "L" : "R"));
                 ribs++;
             }
@@ -38,8 +45,21 @@ class ShippedLabelsTest {
     }
 
     @Test
-    void whatIsNamedLeftOrRightBecomesAStructureOfThatSide() throws IOException {
-        for (String row : rows()) {
+    void versionOneHasTheNumbersOfItsClassList() throws IOException {
+        assertThat(rows("totalsegmentator-v1.csv"))
+                .hasSize(105)
+                .contains(
+                        "17,lung_lower_lobe_right,lung_R",
+                        "18,vertebrae_L5,vertebra_L05",
+                        "41,vertebrae_C1,vertebra_C1")
+                .contains(
+                        "44,heart_myocardium,heart", "81,rib_right_12,rib_12_R", "104,urinary_bladder,urinary_bladder");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"totalsegmentator.csv", "totalsegmentator-v1.csv"})
+    void whatIsNamedLeftOrRightBecomesAStructureOfThatSide(String file) throws IOException {
+        for (String row : rows(file)) {
             String[] cells = row.split(",");
             boolean kept = cells.length > 2 && (cells[2].endsWith("_L") || cells[2].endsWith("_R"));
             if (kept && !cells[1].startsWith("vertebrae")) {

@@ -178,10 +178,8 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
         if (label != value || label < 0 || label > LabelGrid.MAX_LABEL) {
             boolean whole = value == Math.rint(value) && Math.abs(value) < 1e15;
             String found = whole ? Long.toString((long) value) : Double.toString(value);
-            throw BadInputException.at(
-                    file,
-                    place(first + n),
-                    "found " + found + ", expected a label, a whole number from 0 to " + LabelGrid.MAX_LABEL);
+            throw new NoLabelException(file + ": " + place(first + n) + ": found " + found
+                    + ", expected a label, a whole number from 0 to " + LabelGrid.MAX_LABEL);
         }
         return label;
     }

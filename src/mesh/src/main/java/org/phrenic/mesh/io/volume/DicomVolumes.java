@@ -1,6 +1,7 @@
 package org.phrenic.mesh.io.volume;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.dicom.DicomDataSet;
@@ -19,6 +20,12 @@ final class DicomVolumes {
     static boolean isDicom(Path file) {
         String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
         return name.endsWith(".dcm") || (!name.matches(".*\\.[a-z][a-z0-9]*") && DicomFile.isDicom(file));
+    }
+
+    /** Whether a DICOM file is a segmentation or a structure set. */
+    static boolean holdsLabels(Path path) {
+        return List.of(SEGMENTATION, LABEL_MAP, STRUCTURE_SET)
+                .contains(DicomFile.read(path).dataSet().text(DicomTag.SOP_CLASS_UID, ""));
     }
 
     static LabelVolume labels(Path path) {
