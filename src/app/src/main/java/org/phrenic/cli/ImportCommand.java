@@ -40,6 +40,7 @@ import picocli.CommandLine.Parameters;
             "Examples:",
             "  phrenic import scan.seg.nrrd --out patient",
             "  phrenic import total.nii.gz --labels totalsegmentator --out patient",
+            "  phrenic import segmentations --out patient",
             "  phrenic import lungs.mha --labels lungs.csv --out patient",
             "  phrenic import bones --complete virtual/adult-female --out patient",
             "  phrenic import inspiration.mha --labels lungs.csv --align-to patient --out inspired",
@@ -70,7 +71,8 @@ final class ImportCommand extends ReportingCommand {
 
     @Parameters(
             paramLabel = "LABELS",
-            description = "A label volume (nii, nii.gz, nrrd, nhdr, mha, mhd, dcm) or a folder of meshes.")
+            description =
+                    "A label volume (nii, nii.gz, nrrd, nhdr, mha, mhd, dcm), a folder of masks or a folder of meshes.")
     private Path file;
 
     @Option(

@@ -21,9 +21,11 @@ import org.phrenic.simulation.observe.SkinMotion;
  * by lungs and central tendon, vessels of the abdominal wall by the skin.
  */
 final class SceneCarriers {
-    /** Lesions and vessels within the liver. */
-    private static final Pattern IN_LIVER =
-            Pattern.compile("(vessel_)?hepatic_vein.*|portal_vein_[rl]|liver_vessels|.*(lesion|tumou?r).*");
+    /** Vessels within the liver, and lesions whose names state no other organ. */
+    private static final Pattern IN_LIVER = Pattern.compile("(vessel_)?hepatic_vein.*|portal_vein_[rl]|liver_vessels"
+            + "|(?!.*(lung|kidney|spleen|pancrea|gland)).*(lesion|tumou?r).*");
+    /** Lesions of the lungs. */
+    private static final Pattern IN_LUNG = Pattern.compile("lesion_.*lung.*");
     /** Vessels that are fixed to the spine. */
     private static final Pattern FIXED = Pattern.compile("inferior_vena_cava");
 
@@ -103,7 +105,7 @@ final class SceneCarriers {
         if (IN_WALL.matcher(name).matches() && bindSkin(bones)) {
             return new OrganMotion(rest, wall, OrganMotion.Hold.SLIDING);
         }
-        if (DiaphragmSide.of(StructureKind.ORGAN, name) == DiaphragmSide.ABOVE) {
+        if (IN_LUNG.matcher(name).matches() || DiaphragmSide.of(StructureKind.ORGAN, name) == DiaphragmSide.ABOVE) {
             return new OrganMotion(rest, chest, OrganMotion.Hold.SLIDING).keepingVolume(mesh);
         }
         boolean fixed = FIXED.matcher(name).matches();

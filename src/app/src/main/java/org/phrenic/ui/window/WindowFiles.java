@@ -50,8 +50,8 @@ public final class WindowFiles {
     }
 
     /**
-     * Opens a scenario, a rehearsal plan, a thorax folder or a trace, and imports a label volume; anything else is
-     * refused with a message.
+     * Opens a scenario, a rehearsal plan, a thorax folder or a trace, and imports a label volume or a folder of masks;
+     * anything else is refused with a message.
      */
     public void open(Path file) {
         if (LabelVolumeFiles.isVolume(file)) {
@@ -71,7 +71,7 @@ public final class WindowFiles {
     }
 
     void chooseAndImport() {
-        FileDialogs.open(frame, "Import a segmented scan", "nii", "gz", "nrrd", "nhdr", "mha", "mhd", "dcm")
+        FileDialogs.openFileOrFolder(frame, "Import a label volume or a folder of masks")
                 .ifPresent(scans::begin);
     }
 

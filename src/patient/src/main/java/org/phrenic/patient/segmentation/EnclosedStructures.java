@@ -28,6 +28,8 @@ public final class EnclosedStructures {
     private static final double LEAST_ON_LIVER = 0.5;
     /** Least share that the lungs have: a trachea with its bronchi has 0.2 and more, the pulmonary veins have 0.08. */
     private static final double LEAST_ON_LUNGS = 0.2;
+    /** Least share that an organ with a lesion has, which may bulge out of it. */
+    private static final double LEAST_OF_LESION = 0.1;
     /** Least number of directions, of six, in which a voxel within an organ meets it. */
     private static final int LEAST_DIRECTIONS = 4;
 
@@ -67,8 +69,9 @@ public final class EnclosedStructures {
             }
         }
         for (int segment = 1; segment < faces.length; segment++) {
-            boolean inLiver = onLiver[segment] >= LEAST_ON_LIVER * faces[segment];
-            boolean inLungs = onLungs[segment] >= LEAST_ON_LUNGS * faces[segment];
+            boolean lesion = found.kinds[segment] == StructureKind.LESION;
+            boolean inLiver = onLiver[segment] >= (lesion ? LEAST_OF_LESION : LEAST_ON_LIVER) * faces[segment];
+            boolean inLungs = onLungs[segment] >= (lesion ? LEAST_OF_LESION : LEAST_ON_LUNGS) * faces[segment];
             found.enclosed[segment] = faces[segment] > 0 && (inLiver || inLungs);
         }
         return found;

@@ -32,13 +32,14 @@ record ToolNumbers(String file, Map<Integer, String> structures, LabelPlaces pla
                 }
             }
             ToolNumbers numbers = new ToolNumbers(file, structures, new LabelPlaces(grid, structures));
-            best = best == null || numbers.isBetterThan(best) ? numbers : best;
+            best = best == null || numbers.score() > Math.max(0, best.score()) ? numbers : best;
         }
         return best;
     }
 
-    private boolean isBetterThan(ToolNumbers other) {
-        return places.compared() >= LabelPlaces.ENOUGH && places.share() > other.places.share();
+    /** Comparisons of places that hold without those that fail. */
+    private double score() {
+        return places.compared() * (2 * places.share() - 1);
     }
 
     /** Structure by the name that the tool gives to a label. */

@@ -88,6 +88,30 @@ class LabelGuessTest {
                 .hasMessageContaining("not where TotalSegmentator's structures of these numbers lie");
     }
 
+    /** Ribs 1 left to 12 right are 92 to 115 in version 2 and 58 to 81 in version 1, L5 to T1 27 to 43 and 18 to 34. */
+    @Test
+    void numbersOfTheFirstVersionAreTakenWhereTheyFitBetter() {
+        LabelVolume second = cage(CageVoxels.SPACING_MM, Map.of());
+        byte[] labels = new byte[second.grid().voxelCount()];
+        for (int v = 0; v < labels.length; v++) {
+            int label = second.grid().label(v);
+            labels[v] = (byte) (label == 0 ? 0 : label >= 92 ? label - 34 : label - 9);
+        }
+        LabelGrid grid = LabelGrid.of(
+                CageVoxels.COLUMNS,
+                CageVoxels.ROWS,
+                CageVoxels.SLICES,
+                labels,
+                second.grid().toMm());
+        LabelVolume first = new LabelVolume(grid, Map.of(), List.of());
+        assertThat(LabelGuess.of(first).require("scan").structures())
+                .containsEntry(58, "rib_01_L")
+                .containsEntry(81, "rib_12_R")
+                .containsEntry(34, "vertebra_T01");
+        assertThat(LabelTable.totalSegmentator(first).structures()).containsEntry(81, "rib_12_R");
+        assertThat(LabelTable.totalSegmentator(second).structures()).containsEntry(115, "rib_12_R");
+    }
+
     /**
      * Of ribs with even numbers the anterior fifths are there, of the others the posterior ones: the middle of rib 4
      * lies below that of rib 5.

@@ -1,0 +1,137 @@
+package org.phrenic.mesh.io.volume;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.function.Consumer;
+import java.util.function.IntPredicate;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/** Folders of masks on the grid of {@link VolumeSamples}, which has 24 voxels. */
+class LabelFolderTest {
+    private static final short UINT8 = 2;
+    private static final short INT16 = 4;
+
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void writeMasks() throws IOException {
+        // The lesion lies in the liver, and the body about both.
+        mask("body.nii.gz", v -> v < 20);
+        mask("liver.nii.gz", v -> v >= 4 && v < 12);
+        mask("liver_tumor.nii.gz", v -> v == 5 || v == 6);
+        mask("spleen.nii.gz", v -> false);
+    }
+
+    private Path mask(String name, IntPredicate within) throws IOException {
+        return volume(folder.resolve(name), UINT8, h -> {}, v -> within.test(v) ? 1 : 0);
+    }
+
+    private interface Values {
+        int at(int voxel);
+    }
+
+    private static Path volume(Path path, short type, Consumer<ByteBuffer> change, Values values) throws IOException {
+        byte[] file = VolumeSamples.nifti(type, ByteOrder.LITTLE_ENDIAN, change);
+        ByteBuffer data = ByteBuffer.wrap(file).order(ByteOrder.LITTLE_ENDIAN);
+        for (int v = 0; v < VolumeSamples.VOXELS; v++) {
+            if (type == UINT8) {
+                data.put(VolumeSamples.NIFTI_HEADER + v, (byte) values.at(v));
+            } else {
+                data.putShort(VolumeSamples.NIFTI_HEADER + 2 * v, (short) values.at(v));
+            }
+        }
+        Files.createDirectories(path.getParent());
+        return Files.write(path, path.toString().endsWith("gz") ? VolumeSamples.gzip(file) : file);
+    }
+
+    private static void assertIsMerged(LabelVolume volume) {
+        assertThat(volume.names())
+                .containsValues("body", "liver", "liver_tumor")
+                .hasSize(3);
+        LabelGrid grid = volume.grid();
+        for (int v = 0; v < grid.voxelCount(); v++) {
+            String expected = v == 5 || v == 6 ? "liver_tumor" : v >= 4 && v < 12 ? "liver" : v < 20 ? "body" : null;
+            assertThat(volume.names().get(grid.label(v))).as("voxel " + v).isEqualTo(expected);
+        }
+        double[] place = new double[3];
+        grid.voxelToMm(1, 1, 1, place);
+        assertThat(place).containsExactly(-8, -23, 34);
+    }
+
+    @Test
+    void masksBecomeOneVolumeWithTheNamesOfTheirFiles() {
+        assertThat(LabelVolumeFiles.isVolume(folder)).isTrue();
+        LabelVolume volume = LabelVolumeFiles.read(folder);
+        assertIsMerged(volume);
+        assertThat(volume.notes()).singleElement().asString().contains("overlap", "10 times");
+    }
+
+    @Test
+    void imagesAreLeftOutAndAFolderWithinIsFound() throws IOException {
+        Path scan = folder.resolve("scan");
+        for (String name : new String[] {"body", "liver", "liver_tumor", "spleen"}) {
+            Path moved = scan.resolve("segmentations").resolve(name + ".nii.gz");
+            Files.createDirectories(moved.getParent());
+            Files.move(folder.resolve(name + ".nii.gz"), moved);
+        }
+        volume(scan.resolve("ct.nii"), INT16, h -> {}, v -> v - 1000);
+        assertThat(LabelVolumeFiles.isVolume(scan)).isTrue();
+        assertIsMerged(LabelVolumeFiles.read(scan));
+        // Beside the masks the image has a note.
+        volume(scan.resolve("segmentations").resolve("ct.nii"), INT16, h -> {}, v -> v - 1000);
+        assertThat(LabelVolumeFiles.read(scan).notes()).contains("ct.nii is an image and is left out");
+    }
+
+    @Test
+    void aVolumeAloneKeepsItsLabels() throws IOException {
+        Path alone = folder.resolve("alone");
+        volume(alone.resolve("ct.nii"), INT16, h -> {}, v -> v - 1000);
+        volume(alone.resolve("labels.nii"), UINT8, h -> {}, v -> v);
+        LabelVolume volume = LabelVolumeFiles.read(alone);
+        assertThat(volume.names()).isEmpty();
+        assertThat(volume.grid().label(23)).isEqualTo(23);
+    }
+
+    @Test
+    void whatCannotBeMergedIsRefusedInOneSentence() throws IOException {
+        Path several = volume(folder.resolve("several.nii"), UINT8, h -> {}, v -> v % 3);
+        assertRefused("several labels without names beside other volumes");
+        Files.delete(several);
+        // The first voxel of the sform lies 2 mm, a voxel, farther.
+        Path apart =
+                volume(folder.resolve("zz.nii"), UINT8, h -> h.putFloat(280 + 12, h.getFloat(280 + 12) + 2), v -> 1);
+        assertRefused("other voxels than those of body.nii.gz");
+        Files.write(apart, new byte[] {1, 2, 3});
+        assertRefused("zz.nii");
+    }
+
+    private void assertRefused(String message) {
+        assertThatThrownBy(() -> LabelVolumeFiles.read(folder))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining(message);
+    }
+
+    @Test
+    void foldersOfMeshesOrOfNothingAreNoVolumes() throws IOException {
+        Files.writeString(folder.resolve("liver.stl"), "solid");
+        assertThat(LabelVolumeFiles.isVolume(folder)).isFalse();
+        Path images = folder.resolve("images");
+        volume(images.resolve("ct.nii"), INT16, h -> {}, v -> v - 1000);
+        assertThatThrownBy(() -> LabelVolumeFiles.read(images))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found no label volume");
+        assertThat(LabelVolumeFiles.isVolume(Files.createDirectory(folder.resolve("empty"))))
+                .isFalse();
+    }
+}
