@@ -154,8 +154,9 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
         double upperEnd =
                 lobes.stream().mapToDouble(s -> s.mesh().bounds()[5]).max().orElseThrow();
         boolean cut = isCutBelow(scanned, side);
-        Thorax lung = new Thorax(completed.name(), cut ? lobes : lobes(completed, side), List.of());
-        return LungBase.of(lung).stream()
+        List<Structure> around = new ArrayList<>(cut ? lobes : lobes(completed, side));
+        around.addAll(ContactingOrgans.abdominal(scanned.thorax()));
+        return LungBase.of(new Thorax(completed.name(), around, List.of())).stream()
                 .mapToDouble(LungBase::top)
                 .filter(top -> top < upperEnd - ABOVE_DOMES_MM)
                 .filter(top ->

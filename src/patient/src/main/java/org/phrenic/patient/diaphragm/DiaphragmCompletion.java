@@ -39,8 +39,10 @@ public final class DiaphragmCompletion {
         }
         rest.add(new PatientStructure(sheet, PatientStructure.Source.BUILT, Optional.empty(), Optional.empty()));
         rest.sort(Comparator.comparing(s -> s.structure().name()));
-        return new PatientBody(body.name(), rest, ExpectedStructures.missing(rest), body.notes())
-                .withNotes(List.of("the diaphragm is built from the organs and bones that it touches"));
+        List<String> notes =
+                new ArrayList<>(List.of("the diaphragm is built from the organs and bones that it touches"));
+        LungBase.of(bare).forEach(base -> base.note().ifPresent(notes::add));
+        return new PatientBody(body.name(), rest, ExpectedStructures.missing(rest), body.notes()).withNotes(notes);
     }
 
     private static boolean hasUsable(PatientBody body) {

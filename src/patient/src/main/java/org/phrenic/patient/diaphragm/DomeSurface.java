@@ -116,7 +116,7 @@ final class DomeSurface implements ImplicitSurface {
                 double bound = hit.rayParameter - halfThickness / Math.max(LEAST_COSINE, Math.abs(facing));
                 if (bound < upper[k]) {
                     upper[k] = bound;
-                    boolean known = facing > LEAST_COSINE && base.isBase(hit);
+                    boolean known = facing > LEAST_COSINE && base.liesOnDiaphragm() && base.isBase(hit);
                     data[k] = known ? bound : 0;
                     weight[k] = known ? 1 : 0;
                 }

@@ -57,8 +57,8 @@ public final class EndExpiration {
     private static final double GREATEST_SHARE = 0.6;
 
     private static final int SECTOR_STEP = 4;
-    /** Greatest upward component of the normals of a lung's base. */
-    private static final double BASE_NORMAL = -0.5;
+    /** Least downward component of the normals of a lung's base. */
+    private static final double LEAST_NORMAL = 0.5;
     /** Height above the domes up to which surfaces belong to the base, mm: half the difference of both domes. */
     private static final double ABOVE_DOMES_MM = 15;
     /** Share of the base below its stated top. */
@@ -104,7 +104,7 @@ public final class EndExpiration {
                 .average()
                 .orElseThrow();
         apex = lungs.stream().mapToDouble(s -> s.mesh().bounds()[5]).max().orElseThrow();
-        List<double[]> base = lungs.stream().flatMap(s -> base(s.mesh())).toList();
+        List<double[]> base = roofs(completed);
         // The domes of an inspired lung stand in front, where less than the whole descent is taken back.
         double greatest = Math.min(GREATEST_MM, GREATEST_SHARE * (apex - domes));
         rise = Math.min(level.descentMm(), greatest);
@@ -115,12 +115,24 @@ public final class EndExpiration {
         }
     }
 
-    /** Vertices of the base of a lung. */
-    private Stream<double[]> base(TriangleMesh lung) {
-        double[] normals = MeshMeasure.vertexNormals(lung);
-        return IntStream.range(0, lung.vertexCount())
-                .filter(v -> normals[3 * v + 2] < BASE_NORMAL && lung.z(v) < domes + ABOVE_DOMES_MM)
-                .mapToObj(v -> new double[] {lung.x(v), lung.y(v), lung.z(v)});
+    /** Vertices of the lungs' bases at the domes or, where no lung lies on the diaphragm, of the roofs below them. */
+    private List<double[]> roofs(Thorax body) {
+        List<double[]> bases = body.structuresOf(StructureKind.LUNG).stream()
+                .flatMap(s -> facing(s.mesh(), -1))
+                .toList();
+        return !bases.isEmpty()
+                ? bases
+                : ContactingOrgans.abdominal(body).stream()
+                        .flatMap(s -> facing(s.mesh(), 1))
+                        .toList();
+    }
+
+    /** Vertices of a surface up to the domes that face up (1) or down (-1). */
+    private Stream<double[]> facing(TriangleMesh mesh, int side) {
+        double[] normals = MeshMeasure.vertexNormals(mesh);
+        return IntStream.range(0, mesh.vertexCount())
+                .filter(v -> side * normals[3 * v + 2] > LEAST_NORMAL && mesh.z(v) < domes + ABOVE_DOMES_MM)
+                .mapToObj(v -> new double[] {mesh.x(v), mesh.y(v), mesh.z(v)});
     }
 
     private static double top(List<double[]> base) {

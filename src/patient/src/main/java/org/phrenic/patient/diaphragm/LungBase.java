@@ -3,6 +3,7 @@ package org.phrenic.patient.diaphragm;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Side;
@@ -34,13 +35,27 @@ final class LungBase {
     private static final double ABOVE_TOP_MM = 6;
 
     private static final double CLEAR_MM = 0.5;
+    /** Faces of a base above organs: within 41 degrees of the horizontal. */
+    private static final double ABOVE_ORGANS = -0.75;
+    /** Upward component of the normal of an organ's roof. */
+    private static final double ROOF = 0.5;
+    /** Least share of a base that lies above the roofs of organs, for a judgement of the distance between. */
+    private static final double LEAST_ABOVE = 0.4;
+    /** A lung of whose base three quarters lie higher above organs, mm, does not lie on the diaphragm. */
+    private static final double PARTED_MM = 35;
+    /** Neither does one the top of whose base is higher above that of the organs, mm. */
+    private static final double PARTED_TOP_MM = 50;
 
+    private final Side side;
     final TriangleTree tree;
     private final double[] normals;
     private final double[] centre = new double[2];
     private double top = Double.NEGATIVE_INFINITY;
+    /** Height of the base above organs, mm, if it does not lie on the diaphragm; else 0. */
+    private double partedMm;
 
-    private LungBase(TriangleMesh lung) {
+    private LungBase(Side side, TriangleMesh lung, List<TriangleMesh> organs) {
+        this.side = side;
         tree = new TriangleTree(lung);
         normals = MeshMeasure.triangleNormals(lung);
         TriangleTree.Hit hit = new TriangleTree.Hit();
@@ -66,11 +81,7 @@ final class LungBase {
             centre[1] = 0.5 * (box[1] + box[4]);
             top = box[2];
         }
-        int[] order = IntStream.range(0, area.length)
-                .boxed()
-                .sorted(Comparator.comparingDouble(t -> height[t]))
-                .mapToInt(Integer::intValue)
-                .toArray();
+        int[] order = sorted(height);
         if (total > 0) {
             double middle = quantile(order, area, height, 0.5, Double.POSITIVE_INFINITY);
             top = quantile(order, area, height, TOP_SHARE, Double.POSITIVE_INFINITY);
@@ -78,6 +89,54 @@ final class LungBase {
                 top = quantile(order, area, height, TOP_SHARE, middle + HEART_MM);
             }
         }
+        if (!organs.isEmpty()) {
+            compare(lung, MeshMerge.merge(organs));
+        }
+    }
+
+    /** Compares the base with the roofs of the organs below; the top of a lung that is parted from them is theirs. */
+    private void compare(TriangleMesh lung, TriangleMesh organs) {
+        TriangleTree below = new TriangleTree(organs);
+        double[] roofs = MeshMeasure.triangleNormals(organs);
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        double[] area = new double[lung.triangleCount()];
+        double[] gap = new double[area.length];
+        double[] level = new double[area.length];
+        double[] roof = new double[area.length];
+        double[] cross = new double[3];
+        double base = 0;
+        for (int t = 0; t < area.length; t++) {
+            double[] m = middle(lung, t);
+            if (normals[3 * t + 2] > ABOVE_ORGANS
+                    || tree.countAlongRay(m[0], m[1], m[2] - CLEAR_MM, 0, 0, -1, hit) > 0) {
+                continue;
+            }
+            double here = 0.5 * MeshMeasure.triangleCrossProduct(lung, t, cross);
+            base += here;
+            if (below.nearestAlongRay(m[0], m[1], m[2] + PARTED_MM, 0, 0, -1, hit)
+                    && roofs[3 * hit.triangle + 2] > ROOF) {
+                area[t] = here;
+                gap[t] = m[2] - hit.z;
+                roof[t] = hit.z;
+                level[t] = roofs[3 * hit.triangle + 2] > -LEVEL ? here : 0;
+            }
+        }
+        if (Arrays.stream(area).sum() > LEAST_ABOVE * base) {
+            double roofTop = quantile(sorted(roof), level, roof, TOP_SHARE, Double.POSITIVE_INFINITY);
+            boolean above = quantile(sorted(gap), area, gap, 0.25, Double.POSITIVE_INFINITY) > PARTED_MM;
+            if (above || top > roofTop + PARTED_TOP_MM) {
+                partedMm = top - roofTop;
+                top = roofTop;
+            }
+        }
+    }
+
+    private static int[] sorted(double[] keys) {
+        return IntStream.range(0, keys.length)
+                .boxed()
+                .sorted(Comparator.comparingDouble(t -> keys[t]))
+                .mapToInt(Integer::intValue)
+                .toArray();
     }
 
     /** Height below which a share of the area lies, of the faces up to a ceiling. */
@@ -97,10 +156,10 @@ final class LungBase {
 
     /** The bases of the right and the left lung, as far as the body has them. */
     static List<LungBase> of(Thorax body) {
+        List<TriangleMesh> organs =
+                ContactingOrgans.abdominal(body).stream().map(Structure::mesh).toList();
         return Arrays.stream(new Side[] {Side.RIGHT, Side.LEFT})
-                .map(side -> merged(body, side))
-                .flatMap(Optional::stream)
-                .map(LungBase::new)
+                .flatMap(side -> merged(body, side).stream().map(lung -> new LungBase(side, lung, organs)))
                 .toList();
     }
 
@@ -123,7 +182,24 @@ final class LungBase {
         return m;
     }
 
-    /** Height of the top of the base, mm. */
+    /** Whether the base lies on the diaphragm. */
+    boolean liesOnDiaphragm() {
+        return partedMm == 0;
+    }
+
+    /** A note on a lung that does not lie on the diaphragm. */
+    Optional<String> note() {
+        return liesOnDiaphragm()
+                ? Optional.empty()
+                : Optional.of(String.format(
+                        Locale.ROOT,
+                        "the base of the %s lung reaches %.0f mm above the organs below the diaphragm: the diaphragm is"
+                                + " laid on these, and fluid or lung without a label is between",
+                        side == Side.RIGHT ? "right" : "left",
+                        partedMm));
+    }
+
+    /** Height of the top of the base, or of the organs below if it does not lie on the diaphragm, mm. */
     double top() {
         return top;
     }

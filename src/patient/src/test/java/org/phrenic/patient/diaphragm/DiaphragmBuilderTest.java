@@ -134,6 +134,38 @@ class DiaphragmBuilderTest {
                 .isZero();
     }
 
+    /** As with fluid below it: the lung of the right ends at 0.65 of its height below the apex. */
+    private static Structure shortened(Structure s) {
+        if (s.kind() != StructureKind.LUNG || s.side() != Side.RIGHT) {
+            return s;
+        }
+        double[] p = s.mesh().positions().clone();
+        double apex = s.mesh().bounds()[5];
+        for (int i = 2; i < p.length; i += 3) {
+            p[i] = apex - 0.65 * (apex - p[i]);
+        }
+        return s.withMesh(s.mesh().withPositions(p));
+    }
+
+    @Test
+    void underALungThatEndsFarAboveTheLiverTheSheetLiesOnTheLiver() {
+        Thorax parted = new Thorax(
+                "patient",
+                without(StructureKind.DIAPHRAGM).structures().stream()
+                        .map(DiaphragmBuilderTest::shortened)
+                        .toList(),
+                List.of());
+        List<LungBase> bases = LungBase.of(parted);
+        assertThat(bases.get(0).liesOnDiaphragm()).isFalse();
+        assertThat(bases.get(0).note())
+                .hasValueSatisfying(note -> assertThat(note).contains("base of the right lung", "above the organs"));
+        assertThat(bases.get(1).liesOnDiaphragm()).isTrue();
+        assertThat(LungBase.of(FEMALE)).allMatch(LungBase::liesOnDiaphragm);
+        SurfaceComparison off = SurfaceComparison.of(DiaphragmBuilder.build(parted, 4000), TRUE_SHEET);
+        assertThat(off.byArea().mean()).as("mean, mm").isLessThan(2.5);
+        assertThat(off.byArea().percentile95()).as("95 %%, mm").isLessThan(10);
+    }
+
     @Test
     void aSheetBesideItsPlaceIsToldApart() {
         double[] shifted = TRUE_SHEET.positions().clone();
