@@ -42,6 +42,9 @@ public final class LungBaseMotion implements PrescribedMotion {
      */
     private static final int LONGEST_GAP = 8;
 
+    /** A vertex farther from the face, as of a lung above fluid, is carried without sliding. */
+    private static final double FAR_MM = 15;
+
     private static final double OPEN_MM = 15;
     private static final double REACH_MM = 140;
     /** Time constant with which anchors approach their target positions without jumps. */
@@ -175,6 +178,10 @@ public final class LungBaseMotion implements PrescribedMotion {
             for (int axis = 0; axis < 3; axis++) {
                 tangentialOffset[3 * i + axis] = points[3 * i + axis] - interpolate(first, axis, system.positions());
                 normalOffset[i] += tangentialOffset[3 * i + axis] * normal[3 * first + axis];
+            }
+            if (normalOffset[i] > FAR_MM) {
+                normalOffset[i] = 0;
+                slidingShare[i] = 0;
             }
             for (int axis = 0; axis < 3; axis++) {
                 tangentialOffset[3 * i + axis] -= normalOffset[i] * normal[3 * first + axis];

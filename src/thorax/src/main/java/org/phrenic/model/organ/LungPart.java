@@ -19,6 +19,9 @@ import org.phrenic.mesh.query.TriangleTree;
  * <p>The costal surface slides on the pleura and cannot leave it. Weak attachments to the chest wall stop it from
  * sliding off; they fade toward the base so that the lung can follow the dome down.
  *
+ * <p>A lung that nowhere comes near the diaphragm, for fluid or a lobe that is not in the body is between, has a base
+ * all the same: what of it looks down follows the diaphragm at the distance of rest, as the fluid does not expand.
+ *
  * <p>{@code wall} is null in scenes without a chest wall, as in the paper. Then the base follows the diaphragm's nodes,
  * and only the attachments hold the other nodes.
  */
@@ -47,6 +50,17 @@ public final class LungPart {
      * wrinkling. Share of an edge's stiffness per node ({@link TissueLaw#beddingFactors}).
      */
     private static final double PARENCHYMA = 0.1;
+
+    /**
+     * A lung of which a smaller share of vertices lies on the diaphragm is parted from it; others have 0.1 and more.
+     */
+    private static final double PARTED_SHARE = 0.02;
+    /** Farthest base of a parted lung from the diaphragm, mm, and greatest depth of such a base. */
+    private static final double PARTED_REACH_MM = 200;
+
+    private static final double PARTED_BASE_MM = 40;
+    /** Upward component of the normals of a base, at most. */
+    private static final double DOWNWARD = -0.5;
 
     private static final double COSTAL_SHARE = 0.3;
     private static final double BASE_LINK = 4;
@@ -85,7 +99,9 @@ public final class LungPart {
         structures = lungs;
         TriangleTree.Hit onFace = new TriangleTree.Hit();
         double edge = law.edgeStiffness(2, stiffness);
+        double[] parted = {partedMm(lungs, Side.RIGHT, face), partedMm(lungs, Side.LEFT, face)};
         for (Structure s : lungs) {
+            double gap = parted[s.side() == Side.LEFT ? 1 : 0];
             TriangleMesh mesh = s.mesh();
             int first = parts.addNodes(mesh, law.masses(mesh, stiffness));
             firstNodes.add(first);
@@ -94,8 +110,8 @@ public final class LungPart {
             double[] bed = law.beddingFactors(mesh);
             double[] toBone = bones.distances(mesh.positions());
             for (int i = 0; i < mesh.vertexCount(); i++) {
-                double distance = face.closest(mesh.x(i), mesh.y(i), mesh.z(i), FADE_MM, onFace)
-                        ? Math.sqrt(onFace.distanceSquared)
+                double distance = face.closest(mesh.x(i), mesh.y(i), mesh.z(i), FADE_MM + gap, onFace)
+                        ? Math.sqrt(onFace.distanceSquared) - gap
                         : FADE_MM;
                 boolean costal = wall != null
                         && wall.isAwayFromAxis(mesh.x(i), mesh.y(i))
@@ -104,7 +120,8 @@ public final class LungPart {
                 if (costal) {
                     pleuralNodes.add(first + i);
                 }
-                if (distance < BASE_MM) {
+                boolean base = distance < (gap > 0 && normals[3 * i + 2] < DOWNWARD ? PARTED_BASE_MM : BASE_MM);
+                if (base) {
                     baseSprings.nodes().add(first + i);
                     baseSprings.nearest().add(face.nearestVertex(onFace));
                     baseSprings.stiffness().add((wall == null ? BASE_LINK : SLIDING_BASE_LINK) * edge * bed[i]);
@@ -124,6 +141,26 @@ public final class LungPart {
             }
         }
         TieSprings.connect(parts, lungs, firstNodes, edge);
+    }
+
+    /** Least distance of a lung from the diaphragm if it is parted from it, mm; else 0. */
+    private static double partedMm(List<Structure> lungs, Side side, ThoracicFace face) {
+        TriangleTree.Hit onFace = new TriangleTree.Hit();
+        int vertices = 0;
+        int near = 0;
+        double least = PARTED_REACH_MM;
+        for (Structure s : lungs) {
+            TriangleMesh mesh = s.mesh();
+            for (int i = 0; i < mesh.vertexCount() && s.side() == side; i++) {
+                vertices++;
+                if (face.closest(mesh.x(i), mesh.y(i), mesh.z(i), least + BASE_MM, onFace)) {
+                    double distance = Math.sqrt(onFace.distanceSquared);
+                    least = Math.min(least, distance);
+                    near += distance < BASE_MM ? 1 : 0;
+                }
+            }
+        }
+        return near < PARTED_SHARE * vertices && least < PARTED_REACH_MM ? least : 0;
     }
 
     /** Scene nodes of the lungs. */
