@@ -19,13 +19,20 @@ import org.phrenic.anatomy.StructureName;
 public final class LabelNames {
     private static final Pattern VERTEBRA = Pattern.compile("([ctls])0*(\\d{1,2})");
     private static final Pattern NUMBER = Pattern.compile("0*(\\d{1,2})");
+    private static final Pattern SPINAL = Pattern.compile("((?:vertebra|disc)_)(.*)");
+    private static final Pattern SUFFIX = Pattern.compile("_[rl](?=_|$)");
+    /** Words that capitals part, such as "SpinalCord". */
+    private static final Pattern JOINED_WORDS = Pattern.compile("(?<=[a-z])(?=[A-Z])");
     /** A side written in one word with what it is of, such as "leftlung". */
     private static final Pattern JOINED_SIDE = Pattern.compile("\\b(left|right)(?=[a-z])");
     /** Words that add nothing to the name of a structure. */
-    private static final List<String> FILLERS =
-            List.of("vertebra", "vertebrae", "lobe", "upper", "middle", "lower", "superior", "inferior", "of", "the");
+    private static final List<String> FILLERS = List.of(
+            "vertebra", "vertebrae", "vb", "lobe", "upper", "middle", "lower", "superior", "inferior", "of", "the");
 
-    private static final Pattern LESION = Pattern.compile(".*(tumou?r|lesion|metasta|nodule|cyst|\\bhcc\\b).*");
+    /** Lesions, and the target volumes of radiotherapy. */
+    private static final Pattern LESION =
+            Pattern.compile(".*(tumou?r|lesion|metasta|nodule|cyst|\\bhcc\\b|\\b[gcip]tv).*");
+
     private static final Pattern RIB = Pattern.compile("(.* )?rib.*");
     private static final Pattern CARTILAGE = Pattern.compile("(.* )?cartilage.*");
     private static final Pattern STERNUM = Pattern.compile("(.* )?(sternum|manubrium|xiphoid)( .*)?");
@@ -49,7 +56,10 @@ public final class LabelNames {
         BY_EXPRESSION.put(
                 Pattern.compile("(subcutaneous|torso|visceral|intermuscular) (fat|adipose.*)"), LabelTable.SKIN);
         BY_EXPRESSION.put(Pattern.compile("(skeletal )?muscles?"), "muscle_skeletal");
-        BY_EXPRESSION.put(Pattern.compile("(?!.*vertebra)(.* )?(skin|body|torso|trunk)( .*)?"), LabelTable.SKIN);
+        BY_EXPRESSION.put(Pattern.compile("(all )?bones?|skeleton"), "bone_skeleton");
+        BY_EXPRESSION.put(Pattern.compile("spine|vertebrae|vertebral column"), "bone_spine");
+        BY_EXPRESSION.put(
+                Pattern.compile("(?!.*vertebra)(.* )?(skin|body|torso|trunk|external)( .*)?"), LabelTable.SKIN);
     }
 
     private static final Map<String, String> OF_TOTALSEGMENTATOR = Map.copyOf(ToolNumbers.byName());
@@ -68,17 +78,26 @@ public final class LabelNames {
             Map.entry("kidneys", "organ_kidneys"),
             Map.entry("portalvein", "portal_vein"),
             Map.entry("vena_cava", "inferior_vena_cava"),
-            Map.entry("venacava", "inferior_vena_cava"));
+            Map.entry("venacava", "inferior_vena_cava"),
+            Map.entry("a_aorta", "aorta"),
+            Map.entry("v_venacava_i", "inferior_vena_cava"),
+            Map.entry("v_venacava_s", "superior_vena_cava"),
+            Map.entry("bowel_small", "small_bowel"),
+            Map.entry("bowel_large", "colon"));
 
     private LabelNames() {}
 
     /** The structure that a label's name stands for; empty if the name is unknown. */
     public static Optional<String> structure(String name) {
-        String plain =
-                name.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", " ").strip();
+        String plain = JOINED_WORDS
+                .matcher(name)
+                .replaceAll(" ")
+                .toLowerCase(Locale.ROOT)
+                .replaceAll("[^a-z0-9]+", " ")
+                .strip();
         String ofTool = OF_TOTALSEGMENTATOR.get(plain.replace(' ', '_'));
         if (ofTool != null || LabelTable.isStructure(name)) {
-            return Optional.of(ofTool != null ? ofTool : name);
+            return Optional.of(ofTool != null ? ofTool : withUsualCase(name));
         }
         List<String> words = new ArrayList<>(
                 Arrays.asList(JOINED_SIDE.matcher(plain).replaceAll("$1 ").split(" ", -1)));
@@ -107,6 +126,15 @@ public final class LabelNames {
             return Optional.of(side == Side.MIDLINE ? LabelTable.LUNGS : "lung" + suffix);
         }
         return vertebra(words).or(() -> organ(words, suffix));
+    }
+
+    /** A structure's name in lower case, but for its side or level. */
+    private static String withUsualCase(String name) {
+        String lower = name.toLowerCase(Locale.ROOT);
+        Matcher spinal = SPINAL.matcher(lower);
+        return spinal.matches()
+                ? spinal.group(1) + spinal.group(2).toUpperCase(Locale.ROOT)
+                : SUFFIX.matcher(lower).replaceFirst(m -> m.group().toUpperCase(Locale.ROOT));
     }
 
     private static Side side(List<String> words) {

@@ -94,7 +94,7 @@ final class LabelFolder {
                 }
             }
         }
-        if (labelled.size() == 1) {
+        if (labelled.size() == 1 && labelled.get(0).names().contains("")) {
             LabelVolume volume = LabelVolumeFiles.read(labelled.get(0).file());
             notes.addAll(volume.notes());
             return Optional.of(new LabelVolume(volume.grid(), volume.names(), notes));

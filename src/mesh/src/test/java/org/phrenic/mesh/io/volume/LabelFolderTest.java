@@ -8,6 +8,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.IntPredicate;
 import org.junit.jupiter.api.BeforeEach;
@@ -101,6 +102,15 @@ class LabelFolderTest {
         LabelVolume volume = LabelVolumeFiles.read(alone);
         assertThat(volume.names()).isEmpty();
         assertThat(volume.grid().label(23)).isEqualTo(23);
+    }
+
+    @Test
+    void aMaskAloneHasTheNameOfItsFile() throws IOException {
+        Path alone = folder.resolve("alone");
+        volume(alone.resolve("Liver.nii"), UINT8, h -> {}, v -> v > 9 ? 255 : 0);
+        LabelVolume volume = LabelVolumeFiles.read(alone);
+        assertThat(volume.names()).containsExactly(Map.entry(1, "Liver"));
+        assertThat(volume.grid().counts()).containsExactly(10, 14);
     }
 
     @Test
