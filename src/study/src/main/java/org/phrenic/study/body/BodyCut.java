@@ -18,6 +18,7 @@ public enum BodyCut {
     RIBS_10("ribs end 10 mm short of the spine"),
     RIBS_20("ribs end 20 mm short of the spine"),
     RIBS_30("ribs end 30 mm short of the spine"),
+    EFFUSION("the lower half of the right lung missing, as above fluid"),
     DROPPED("5 % of the voxels of bones missing at random"),
     SLICES_5("slices of 5 mm"),
     OBLIQUE("the grid of voxels rotated by 15 degrees about (1, 1, 1)"),
@@ -26,6 +27,7 @@ public enum BodyCut {
     static final double VOXEL_MM = 1.5;
     static final double TURN_DEG = 15;
     static final double DROPPED_SHARE = 0.05;
+    static final double FLUID_SHARE = 0.5;
     private static final double THICK_SLICE_MM = 5;
     private static final Set<StructureKind> BONE_KINDS = EnumSet.of(
             StructureKind.RIB, StructureKind.COSTAL_CARTILAGE, StructureKind.STERNUM, StructureKind.VERTEBRA);

@@ -149,8 +149,15 @@ final class CutScan {
         return new double[] {0.5 * (b[0] + b[3]), 0.5 * (b[1] + b[4]), 0.5 * (b[2] + b[5])};
     }
 
-    /** Takes voxels of bones away: near the heads of ribs, or at random. */
+    /** Takes voxels away: of bones near the heads of ribs or at random, of the right lung below a level. */
     private void damage(LabelGrid grid, byte[] labels) {
+        if (cut == BodyCut.EFFUSION) {
+            int[] box = grid.box(label -> label == RIGHT_LUNG);
+            int surface = (int) (grid.columns() * grid.rows() * (box[2] + BodyCut.FLUID_SHARE * (box[5] - box[2])));
+            for (int v = 0; v < surface; v++) {
+                labels[v] = labels[v] == RIGHT_LUNG ? 0 : labels[v];
+            }
+        }
         if (cut == BodyCut.DROPPED) {
             Random random = new Random(SEED);
             for (int v = 0; v < labels.length; v++) {

@@ -70,4 +70,16 @@ class CutScanTest {
                 .isCloseTo(0.95, within(0.02));
         assertThat(count(dropped, LIVER)).isEqualTo(count(WHOLE, LIVER));
     }
+
+    /** The lower half of a lung is broader than its upper half. */
+    @Test
+    void fluidTakesTheLowerHalfOfTheRightLung() {
+        LabelGrid cut = CutScan.of(MAN, BodyCut.EFFUSION);
+        assertThat((double) count(cut, RIGHT_LUNG) / count(WHOLE, RIGHT_LUNG)).isBetween(0.35, 0.5);
+        assertThat(count(cut, LEFT_LUNG)).isEqualTo(count(WHOLE, LEFT_LUNG));
+        int[] whole = WHOLE.box(label -> label == RIGHT_LUNG);
+        int[] above = cut.box(label -> label == RIGHT_LUNG);
+        assertThat(above[2] - whole[2]).isCloseTo((whole[5] - whole[2]) / 2, within(1));
+        assertThat(above[5]).isEqualTo(whole[5]);
+    }
 }
