@@ -40,6 +40,24 @@ public final class MeshMeasure {
         return sum / 6;
     }
 
+    /** Centre of mass of a closed surface's inside: the mean of the tetrahedra to its triangles, by signed volume. */
+    public static double[] centreOfMass(TriangleMesh mesh) {
+        double[] centre = mesh.centre();
+        double[] sum = new double[3];
+        double volume = 0;
+        int[] t = mesh.triangles();
+        double[] p = mesh.positions();
+        for (int i = 0; i < t.length; i += 3) {
+            double sixfold = sixfoldVolume(mesh, t[i], t[i + 1], t[i + 2], centre);
+            volume += sixfold;
+            for (int axis = 0; axis < 3; axis++) {
+                double corners = p[3 * t[i] + axis] + p[3 * t[i + 1] + axis] + p[3 * t[i + 2] + axis];
+                sum[axis] += sixfold * (corners - 3 * centre[axis]) / 4;
+            }
+        }
+        return new double[] {centre[0] + sum[0] / volume, centre[1] + sum[1] / volume, centre[2] + sum[2] / volume};
+    }
+
     /**
      * Length of the sum of the triangles' area vectors relative to their area: 0 for a closed surface, the area of the
      * cut end for an organ that the border of a scan cuts, 0.5 for a hemisphere, 1 for a flat or empty one.

@@ -12,6 +12,7 @@ import org.phrenic.access.BreathCycle;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
+import org.phrenic.access.ScannedLesion;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.ShippedFile;
@@ -27,7 +28,7 @@ import org.phrenic.scenario.Scenario;
  *
  * @param description audience and purpose in one or two sentences; may be empty
  * @param difficulty easy, medium or hard; may be empty
- * @param targetSpec target, given by position or chosen at random
+ * @param targetSpec target, given by position, as a lesion of the body or chosen at random
  * @param avoided zones to avoid
  * @param moments number of moments of the breath for the access map and the path
  * @param timeoutS simulated time after which a step fails, s
@@ -79,21 +80,36 @@ public record RehearsalPlan(
     private static final double REACTION_S = 0.4;
 
     /**
-     * Specification of a target, by position or at random.
+     * Specification of a target: a position, a seed for a random one, or a lesion that the body shows.
      *
-     * @param restMm centre at end-expiration, LPS, mm; empty for a random position
+     * @param restMm centre at end-expiration, LPS, mm
      * @param seed seed of a random position
-     * @param diameterMm diameter, mm; NaN with a seed for a random diameter
+     * @param lesion name of a {@link ScannedLesion}
+     * @param diameterMm diameter, mm; NaN for a random one with a seed, and for its own with a lesion
      */
-    public record TargetSpec(Optional<double[]> restMm, OptionalLong seed, double diameterMm) {
+    public record TargetSpec(Optional<double[]> restMm, OptionalLong seed, Optional<String> lesion, double diameterMm) {
         private static TargetSpec of(TargetLesion target) {
-            return new TargetSpec(Optional.of(target.restMm()), OptionalLong.empty(), target.diameterMm());
+            return new TargetSpec(
+                    Optional.of(target.restMm()), OptionalLong.empty(), Optional.empty(), target.diameterMm());
+        }
+
+        private TargetLesion on(MovingAnatomy anatomy) {
+            if (seed.isPresent()) {
+                return TargetLesion.random(anatomy, seed.getAsLong(), diameterMm);
+            }
+            if (restMm.isPresent()) {
+                return TargetLesion.at(anatomy, restMm.get(), diameterMm);
+            }
+            TargetLesion shown =
+                    ScannedLesion.named(anatomy, lesion.orElseThrow()).target();
+            return Double.isNaN(diameterMm) ? shown : TargetLesion.at(anatomy, shown.restMm(), diameterMm);
         }
 
         private OrderedValues toMap() {
             OrderedValues map = new OrderedValues();
             restMm.ifPresent(at -> map.put("rest_mm", at));
             seed.ifPresent(number -> map.put("seed", number));
+            lesion.ifPresent(name -> map.put("lesion", name));
             if (!Double.isNaN(diameterMm)) {
                 map.put("diameter_mm", diameterMm);
             }
@@ -170,10 +186,11 @@ public record RehearsalPlan(
 
     private static TargetSpec target(YamlMap yaml) {
         YamlMap target = yaml.map("target");
-        target.requireOnly(List.of("rest_mm", "seed", "diameter_mm"));
-        if (target.has("rest_mm") == target.has("seed")) {
-            String found = target.has("seed") ? "both" : "neither";
-            throw yaml.bad("target", "found " + found + " of rest_mm and seed, expected one of them");
+        List<String> places = List.of("rest_mm", "seed", "lesion");
+        target.requireOnly(List.of("rest_mm", "seed", "lesion", "diameter_mm"));
+        long given = places.stream().filter(target::has).count();
+        if (given != 1) {
+            throw yaml.bad("target", "found " + given + " of rest_mm, seed and lesion, expected one of them");
         }
         if (target.has("rest_mm") && !target.has("diameter_mm")) {
             throw yaml.bad("target", "found no diameter_mm, expected one, in mm");
@@ -181,6 +198,7 @@ public record RehearsalPlan(
         return new TargetSpec(
                 target.has("rest_mm") ? Optional.of(PlanStepYaml.point(target, "rest_mm")) : Optional.empty(),
                 target.has("seed") ? OptionalLong.of(target.integer("seed")) : OptionalLong.empty(),
+                target.has("lesion") ? Optional.of(target.text("lesion")) : Optional.empty(),
                 target.number("diameter_mm", Double.NaN));
     }
 
@@ -308,9 +326,7 @@ public record RehearsalPlan(
 
     public TargetLesion target(MovingAnatomy anatomy) {
         try {
-            return targetSpec.restMm.isPresent()
-                    ? TargetLesion.at(anatomy, targetSpec.restMm.get(), targetSpec.diameterMm)
-                    : TargetLesion.random(anatomy, targetSpec.seed.getAsLong(), targetSpec.diameterMm);
+            return targetSpec.on(anatomy);
         } catch (BadInputException bad) {
             throw new BadInputException(file + ": " + bad.getMessage(), bad);
         }

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.Needle;
+import org.phrenic.access.ScannedLesion;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.RehearsalPlan;
@@ -22,16 +23,23 @@ import org.phrenic.simulation.observe.Frame;
  * @param skin on which probe and needle are put
  * @param planningScene the body for maps and paths, in the background
  * @param simulatedScene the body for the needle, on the simulation's thread
+ * @param lesions lesions of the liver that the body shows, the largest first
  */
 record RehearsalBody(
-        LiveScene scene, Frame frame, ScannedSkin skin, MovingAnatomy planningScene, MovingAnatomy simulatedScene) {
+        LiveScene scene,
+        Frame frame,
+        ScannedSkin skin,
+        MovingAnatomy planningScene,
+        MovingAnatomy simulatedScene,
+        List<ScannedLesion> lesions) {
     /** Builds the search structures; takes a while. */
     static RehearsalBody of(LiveScene scene) {
         Frame frame = scene.newFrame().get();
         MovingAnatomy planning = new MovingAnatomy(scene.surfaces());
         MovingAnatomy simulated = new MovingAnatomy(scene.surfaces());
         planning.update(frame);
-        return new RehearsalBody(scene, frame, new ScannedSkin(scene.surfaces()), planning, simulated);
+        return new RehearsalBody(
+                scene, frame, new ScannedSkin(scene.surfaces()), planning, simulated, ScannedLesion.of(planning));
     }
 
     /** A target, its access map and the colours of the map on the skin. */

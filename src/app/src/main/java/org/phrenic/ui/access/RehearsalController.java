@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
+import org.phrenic.access.ScannedLesion;
 import org.phrenic.access.live.LiveRehearsal;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.Aids;
@@ -207,6 +208,16 @@ public final class RehearsalController implements Session.Listener {
     /** Sets a target below a place of the liver's surface. */
     void setTargetBehind(PickResult pick) {
         preparation.setTargetBehind(pick);
+    }
+
+    /** Makes a lesion that the body shows the target. */
+    public void setTarget(ScannedLesion lesion) {
+        preparation.setTarget(lesion.target());
+    }
+
+    /** The lesions of the liver that the body shows, the largest first. */
+    public List<ScannedLesion> lesions() {
+        return body.map(RehearsalBody::lesions).orElse(List.of());
     }
 
     public void setTargetMm(double diameterMm) {

@@ -8,6 +8,7 @@ import javax.swing.SwingUtilities;
 import org.phrenic.access.BreathCycle;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.CycleRecorder;
+import org.phrenic.access.ScannedLesion;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.RehearsalPlan;
@@ -150,7 +151,7 @@ final class RehearsalPreparation {
         return scenario.with("hold=false", "repeat_breath=true");
     }
 
-    /** Computes the map of the exercise's target, of the present one, or of one at random. */
+    /** Computes the map of the exercise's target, of the present one, of the largest lesion, or of one at random. */
     private void computeMap() {
         RehearsalBody body = rehearsal.body.orElseThrow();
         Optional<RehearsalPlan> exercise = rehearsal.exercise;
@@ -158,7 +159,8 @@ final class RehearsalPreparation {
         double size = diameterMm;
         computeMap(() -> exercise.isPresent()
                 ? exercise.get().target(body.planningScene())
-                : present.orElseGet(() -> TargetLesion.random(body.planningScene(), SEED, size)));
+                : present.or(() -> body.lesions().stream().findFirst().map(ScannedLesion::target))
+                        .orElseGet(() -> TargetLesion.random(body.planningScene(), SEED, size)));
     }
 
     private void computeMap(Callable<TargetLesion> target) {
@@ -226,6 +228,10 @@ final class RehearsalPreparation {
         double size = diameterMm;
         computeMap(() -> TargetLesion.behindSurface(
                 body.planningScene(), pick.restPosition(), pick.rayDirection(), DEPTH_BELOW_SURFACE_MM, size));
+    }
+
+    void setTarget(TargetLesion target) {
+        computeMap(() -> target);
     }
 
     void setTargetMm(double mm) {

@@ -1,6 +1,9 @@
 package org.phrenic.ui.access.panel;
 
+import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -9,6 +12,7 @@ import javax.swing.JSpinner;
 import javax.swing.JToggleButton;
 import javax.swing.SpinnerNumberModel;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.access.ScannedLesion;
 import org.phrenic.access.TargetMotion;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.ui.access.PickMode;
@@ -19,9 +23,12 @@ import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 
 /**
- * The target: its motion with the breath, and place and size of a target for practice; progress until it is computed.
+ * The target: its motion with the breath, and place and size of a target for practice, or a lesion that the body shows;
+ * progress until it is computed.
  */
 final class TargetPanel extends AccessPanel {
+    private static final String OTHER_PLACE = "another place in the liver";
+
     private final WrappingLabel motion = WrappingLabel.emphasised("How far the target moves");
     private final WrappingLabel directions = WrappingLabel.secondary("In which direction it moves");
     private final JProgressBar progress = new JProgressBar(0, 100);
@@ -33,6 +40,8 @@ final class TargetPanel extends AccessPanel {
     private final JSpinner size = new JSpinner(new SpinnerNumberModel(20, 5, 50, 1));
     private final JPanel practiceRow =
             new JPanel(new MigLayout("insets 0, gap 6, novisualpadding", "[grow, fill][][60!][]"));
+    private final JComboBox<String> lesion = new JComboBox<>();
+    private List<ScannedLesion> lesions = List.of();
     private boolean updating;
 
     TargetPanel(Session session, RehearsalController rehearsal) {
@@ -47,11 +56,24 @@ final class TargetPanel extends AccessPanel {
                 rehearsal.setTargetMm(((Number) size.getValue()).doubleValue());
             }
         });
+        Controls.describe(lesion, "Lesion", "The lesion of this body that is the target");
+        lesion.setName("rehearsal.lesion");
+        lesion.addActionListener(e -> {
+            int chosen = lesion.getSelectedIndex();
+            if (updating || chosen < 0) {
+                return;
+            }
+            if (chosen < lesions.size()) {
+                rehearsal.setTarget(lesions.get(chosen));
+            } else if (!setTarget.isSelected()) {
+                setTarget.doClick();
+            }
+        });
         practiceRow.add(setTarget);
         practiceRow.add(new JLabel("Size"));
         practiceRow.add(size, "growx");
         practiceRow.add(new JLabel("mm"));
-        addAll(progress, motion, directions, practiceRow);
+        addAll(progress, motion, directions, lesion, practiceRow);
         follow(session);
     }
 
@@ -61,10 +83,29 @@ final class TargetPanel extends AccessPanel {
         boolean practice = rehearsal.exercise().isEmpty();
         practiceRow.setVisible(practice);
         setTarget.setSelected(rehearsal.pickMode().mode() == PickMode.Kind.TARGET);
-        setEnabled(isReady() && practice, setTarget, size);
+        showLesions();
+        lesion.setVisible(practice && !lesions.isEmpty());
+        setEnabled(isReady() && practice, setTarget, size, lesion);
         showProgress();
         showMotion();
         updating = false;
+    }
+
+    /** Lists the lesions of the body and selects the one that is the target. */
+    private void showLesions() {
+        if (!lesions.equals(rehearsal.lesions())) {
+            lesions = rehearsal.lesions();
+            lesion.removeAllItems();
+            lesions.forEach(one -> lesion.addItem(
+                    NumberFormats.text("%s, %.0f mm", one.label(), one.target().diameterMm())));
+            lesion.addItem(OTHER_PLACE);
+        }
+        Optional<double[]> at = rehearsal.study().map(study -> study.target().restMm());
+        int chosen = lesions.size();
+        for (int i = 0; i < lesions.size() && at.isPresent(); i++) {
+            chosen = Arrays.equals(lesions.get(i).target().restMm(), at.get()) ? i : chosen;
+        }
+        lesion.setSelectedIndex(lesions.isEmpty() ? -1 : chosen);
     }
 
     private void showProgress() {

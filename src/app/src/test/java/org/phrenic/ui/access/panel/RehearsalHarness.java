@@ -20,17 +20,17 @@ final class RehearsalHarness {
 
     private final WindowHarness window;
 
-    RehearsalHarness(String name) throws Exception {
-        window = new WindowHarness(
-                name,
-                Scenario.defaults()
-                        .with(
-                                "preset=rapid-shallow",
-                                "rate_per_min=70",
-                                "resolution=low",
-                                "lungs=embedded",
-                                "sternum=kinematic",
-                                "threads=1"));
+    /** @param more settings of the scenario, each {@code key=value} */
+    RehearsalHarness(String name, String... more) throws Exception {
+        Scenario fast = Scenario.defaults()
+                .with(
+                        "preset=rapid-shallow",
+                        "rate_per_min=70",
+                        "resolution=low",
+                        "lungs=embedded",
+                        "sternum=kinematic",
+                        "threads=1");
+        window = new WindowHarness(name, fast.with(more));
         WindowHarness.doOnEdt(() -> {
             window.control(JButton.class, "Rehearse liver access").doClick();
             window.control(JComboBox.class, "Speed").setSelectedItem(PlaybackSpeed.FLAT_OUT);
