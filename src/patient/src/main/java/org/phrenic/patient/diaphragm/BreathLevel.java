@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -31,6 +32,8 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
          * Tops of the lungs' bases: T8 and T9 at end-expiration, T11/T12 and T12 at full inspiration (physiology C2).
          */
         DOMES("the domes", "T8 and T9", new double[] {8, 9}, new double[] {11.5, 12}),
+        /** The same in a scan without bones, against the spine that the costal surfaces of the lungs imply. */
+        SHAPE("the domes, by the shape of the lungs alone,", "T8 and T9", new double[] {8, 9}, new double[] {11.5, 12}),
         /**
          * Lowest points of the lungs, in a scan that ends below the domes: beside the spine at rib 10 at
          * end-expiration, two ribs lower at full inspiration.
@@ -68,8 +71,9 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
     private static final int LAST_LEVEL = StructureName.FIRST_LUMBAR + 2;
 
     /**
-     * Estimates the level of a body; empty if the scan shows too few bones, and neither the dome below a lung nor its
-     * lower end. A scan that ends below the top of a completed lung's base does not show the domes.
+     * Estimates the level of a body; empty if the scan shows neither the dome below a lung nor its lower end. A scan
+     * that ends below the top of a completed lung's base does not show the domes. Of a scan with few bones and two
+     * whole lungs the level is known only if it is clearly one at inspiration.
      *
      * @param scanned body as scanned, LPS, mm
      * @param completed the same body, completed
@@ -83,10 +87,13 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
                 .filter(kind -> kind == StructureKind.VERTEBRA || kind == StructureKind.RIB)
                 .count();
         List<double[]> spine = spine(completed.thorax());
-        if (bones < LEAST_BONES || spine.size() < 2) {
+        if (spine.size() < 2 || (bones < LEAST_BONES && !showsWholeLungs(scanned))) {
             return Optional.empty();
         }
         double[] domes = {dome(scanned, completed, Side.RIGHT, spine), dome(scanned, completed, Side.LEFT, spine)};
+        if (bones < LEAST_BONES) {
+            return measured(Mark.SHAPE, domes, spine).filter(BreathLevel::isInspired);
+        }
         double[] borders = {border(scanned, Side.RIGHT), border(scanned, Side.LEFT)};
         double[] ends = {lowerEnd(scanned, Side.RIGHT), lowerEnd(scanned, Side.LEFT)};
         return measured(Mark.DOMES, domes, spine)
@@ -184,6 +191,14 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
         return body.thorax().structuresOf(StructureKind.LUNG).stream()
                 .filter(s -> s.side() == side)
                 .toList();
+    }
+
+    private static boolean showsWholeLungs(PatientBody scanned) {
+        return Stream.of(Side.RIGHT, Side.LEFT)
+                        .noneMatch(side -> lobes(scanned, side).isEmpty())
+                && scanned.structures().stream()
+                        .filter(s -> s.structure().kind() == StructureKind.LUNG)
+                        .allMatch(PatientStructure::isComplete);
     }
 
     /** Whether the scan ends above the lower end of a lobe. */

@@ -30,7 +30,10 @@ public final class DiaphragmCompletion {
                 .filter(s -> s.structure().kind() != StructureKind.DIAPHRAGM)
                 .toList());
         Thorax bare = new Thorax(
-                body.name(), rest.stream().map(PatientStructure::structure).toList(), List.of());
+                body.name(),
+                rest.stream().map(PatientStructure::structure).toList(),
+                List.of(),
+                body.thorax().notInScan());
         Structure sheet;
         try {
             sheet = new Structure(NAME, StructureKind.DIAPHRAGM, 0, Side.MIDLINE, DiaphragmBuilder.build(bare));

@@ -156,8 +156,10 @@ final class LungBase {
 
     /** The bases of the right and the left lung, as far as the body has them. */
     static List<LungBase> of(Thorax body) {
-        List<TriangleMesh> organs =
-                ContactingOrgans.abdominal(body).stream().map(Structure::mesh).toList();
+        List<TriangleMesh> organs = ContactingOrgans.abdominal(body).stream()
+                .filter(organ -> !body.notInScan().contains(organ.name()))
+                .map(Structure::mesh)
+                .toList();
         return Arrays.stream(new Side[] {Side.RIGHT, Side.LEFT})
                 .flatMap(side -> merged(body, side).stream().map(lung -> new LungBase(side, lung, organs)))
                 .toList();

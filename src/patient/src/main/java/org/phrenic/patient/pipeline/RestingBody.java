@@ -27,8 +27,14 @@ public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean
         return level.filter(BreathLevel::isInspired).isPresent();
     }
 
-    /** The body of the same scan at end-expiration, completed anew. */
+    /**
+     * The body of the same scan at end-expiration, completed anew. Of a scan without bones, whose cage comes from the
+     * lungs as they were, the whole body is moved.
+     */
     RestingBody atEndExpiration(PatientBody scanned, Thorax template) {
+        if (level.orElseThrow().mark() == BreathLevel.Mark.SHAPE) {
+            return new RestingBody(EndExpiration.of(body, body, level.orElseThrow()), level, true);
+        }
         PatientBody rest = EndExpiration.of(scanned, body, level.orElseThrow());
         return new RestingBody(BodyCompletion.complete(rest, template), level, true);
     }
@@ -68,6 +74,6 @@ public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean
     }
 
     private static String key(BreathLevel level, String side) {
-        return (level.mark() == BreathLevel.Mark.DOMES ? "dome_" : "lung_border_") + side + "_vertebra";
+        return (level.mark() == BreathLevel.Mark.LOWER_BORDERS ? "lung_border_" : "dome_") + side + "_vertebra";
     }
 }

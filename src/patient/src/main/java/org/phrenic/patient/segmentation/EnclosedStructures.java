@@ -105,6 +105,9 @@ public final class EnclosedStructures {
      * @return a note on what was given, if anything was
      */
     public Optional<String> fillOrgans() {
+        if (s.names().stream().noneMatch(this::contains)) {
+            return Optional.empty();
+        }
         byte[] filled = s.voxels.clone();
         Map<String, Integer> given = new TreeMap<>();
         for (int v = 0; v < filled.length; v++) {

@@ -177,6 +177,31 @@ class EndExpirationTest {
         return s.withMesh(s.mesh().withPositions(p));
     }
 
+    /** A body of which the scan shows the lungs alone: the rest comes from a template. */
+    private static PatientBody completed(boolean inspired) {
+        List<PatientStructure> all = body(inspired, s -> true).structures().stream()
+                .map(s -> s.structure().kind() == StructureKind.LUNG
+                        ? s
+                        : new PatientStructure(
+                                s.structure(), PatientStructure.Source.VIRTUAL, Optional.empty(), Optional.empty()))
+                .toList();
+        return new PatientBody("patient", all, List.of(), List.of());
+    }
+
+    @Test
+    void ofLungsAloneTheLevelIsToldByTheirShapeIfTheyAreInspired() {
+        PatientBody lungs = body(true, s -> s.kind() == StructureKind.LUNG);
+        BreathLevel level = BreathLevel.of(lungs, completed(true)).orElseThrow();
+        assertThat(level.mark()).isEqualTo(BreathLevel.Mark.SHAPE);
+        assertThat(level.share()).isCloseTo(LEVEL.share(), within(1e-9));
+        assertThat(level.stated()).contains("by the shape of the lungs alone, at T");
+        assertThat(BreathLevel.of(body(false, s -> s.kind() == StructureKind.LUNG), completed(false)))
+                .isEmpty();
+        PatientBody one = body(true, s -> s.name().equals("lung_R"));
+        assertThat(BreathLevel.of(one, completed(true))).isEmpty();
+        assertThat(BreathLevel.of(cutOff(lungs, 25), completed(true))).isEmpty();
+    }
+
     @Test
     void nothingIsSaidOfTheLevelWithoutBonesOrBasesOfLungs() {
         assertThat(level(body(true, s -> s.kind() == StructureKind.LUNG))).isEmpty();
