@@ -74,7 +74,8 @@ final class LabelFolder {
         return inner.stream()
                 .findFirst()
                 .flatMap(LabelFolder::merged)
-                .orElseThrow(() -> new BadInputException(folder + ": found no label volume, expected at least one"));
+                .orElseThrow(() -> new BadInputException(
+                        folder + ": found no label volume, expected one: images have to be segmented first"));
     }
 
     /** The label volumes of a folder as one; empty if it has none. */
