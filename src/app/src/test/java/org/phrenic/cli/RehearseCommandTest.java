@@ -112,8 +112,8 @@ class RehearseCommandTest {
     @Test
     void aPlanWithoutATargetOrWithTwoIsTold() throws IOException {
         told(rehearse("bad", "title: none\n"), "target");
-        told(rehearse("bad", "target: {diameter_mm: 10}\n"), "neither of rest_mm and seed");
-        told(rehearse("bad", "target: {rest_mm: [0, 0, 0], seed: 1}\n"), "both of rest_mm and seed");
+        told(rehearse("bad", "target: {diameter_mm: 10}\n"), "found none of rest_mm, seed and lesion");
+        told(rehearse("bad", "target: {rest_mm: [0, 0, 0], seed: 1}\n"), "found 2 of rest_mm, seed and lesion");
     }
 
     @Test

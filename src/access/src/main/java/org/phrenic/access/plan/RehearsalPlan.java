@@ -190,7 +190,8 @@ public record RehearsalPlan(
         target.requireOnly(List.of("rest_mm", "seed", "lesion", "diameter_mm"));
         long given = places.stream().filter(target::has).count();
         if (given != 1) {
-            throw yaml.bad("target", "found " + given + " of rest_mm, seed and lesion, expected one of them");
+            String found = given == 0 ? "none" : String.valueOf(given);
+            throw yaml.bad("target", "found " + found + " of rest_mm, seed and lesion, expected one of them");
         }
         if (target.has("rest_mm") && !target.has("diameter_mm")) {
             throw yaml.bad("target", "found no diameter_mm, expected one, in mm");
