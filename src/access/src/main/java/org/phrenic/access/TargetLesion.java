@@ -58,11 +58,6 @@ public record TargetLesion(double[] restMm, double diameterMm) {
         return new TargetLesion(restMm.clone(), diameterMm);
     }
 
-    /** Whether a place at end-expiration lies in the liver. */
-    static boolean isInLiver(MovingAnatomy scene, double[] restMm) {
-        return new TriangleTree(scene.liver().surface().rest()).isInside(restMm[0], restMm[1], restMm[2]);
-    }
-
     /**
      * Creates a target below a point of the liver surface.
      *

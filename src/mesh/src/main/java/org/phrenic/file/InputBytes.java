@@ -4,8 +4,10 @@ import java.io.IOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
 
-/** Reads whole input files and reports failures in one sentence. */
+/** Reads whole input files and lists folders of them; failures are reported in one sentence. */
 public final class InputBytes {
     private static final long MAX_BYTES = Integer.MAX_VALUE - 64;
 
@@ -48,6 +50,19 @@ public final class InputBytes {
             return size;
         } catch (IOException failure) {
             throw readFailure(file, failure);
+        }
+    }
+
+    /**
+     * The entries of a folder, in the order of their names.
+     *
+     * @throws BadInputException if it cannot be read
+     */
+    public static List<Path> list(Path folder) {
+        try (Stream<Path> entries = Files.list(folder)) {
+            return entries.sorted().toList();
+        } catch (IOException failure) {
+            throw readFailure(folder, failure);
         }
     }
 

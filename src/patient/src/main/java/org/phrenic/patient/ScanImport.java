@@ -110,13 +110,9 @@ public final class ScanImport {
         }
         if (segmentation.find(LabelTable.LUNGS) > 0) {
             progress.stage("telling the lungs apart");
-            if (segmentation.find("lung_R") > 0 && segmentation.find("lung_L") > 0) {
-                LungSplitter.join(segmentation);
-            } else {
-                LungSplitter.split(segmentation).ifPresent(problem -> {
-                    throw new BadInputException(file + ": " + problem);
-                });
-            }
+            LungSplitter.split(segmentation).ifPresent(problem -> {
+                throw new BadInputException(file + ": " + problem);
+            });
         }
         if (segmentation.find(LabelTable.COSTAL_CARTILAGES) > 0) {
             progress.stage("telling the cartilages apart");

@@ -3,13 +3,11 @@ package org.phrenic.simulation;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
-import java.util.List;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.LungAboveFluid;
 import org.phrenic.anatomy.Side;
-import org.phrenic.anatomy.Structure;
-import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.DiaphragmPart;
@@ -19,20 +17,6 @@ import org.phrenic.model.organ.LungPart;
 class LungAboveFluidTest {
     /** End of inspiration of the deep breath. */
     private static final double INSPIRED_S = 3.6;
-    /** Height of the lung below its apex, over that without fluid. */
-    private static final double HEIGHT = 0.65;
-
-    private static Structure shortened(Structure s) {
-        if (s.kind() != StructureKind.LUNG || s.side() != Side.RIGHT) {
-            return s;
-        }
-        double[] p = s.mesh().positions().clone();
-        double apex = s.mesh().bounds()[5];
-        for (int i = 2; i < p.length; i += 3) {
-            p[i] = apex - HEIGHT * (apex - p[i]);
-        }
-        return s.withMesh(s.mesh().withPositions(p));
-    }
 
     private static double descent(Simulation simulation, IntStream nodes) {
         double[] rest = simulation.scene().restPositions();
@@ -45,12 +29,7 @@ class LungAboveFluidTest {
 
     @Test
     void itsBaseGoesDownWithTheDome() {
-        Thorax thorax = new Thorax(
-                "fluid",
-                Runs.male().structures().stream()
-                        .map(LungAboveFluidTest::shortened)
-                        .toList(),
-                List.of());
+        Thorax thorax = LungAboveFluid.in(Runs.male());
         try (Simulation simulation = Simulation.of(Runs.scenario("preset=deep", "sternum=kinematic"), thorax)) {
             while (simulation.time() < INSPIRED_S) {
                 simulation.step();

@@ -54,7 +54,8 @@ final class LungBase {
     /** Height of the base above organs, mm, if it does not lie on the diaphragm; else 0. */
     private double partedMm;
 
-    private LungBase(Side side, TriangleMesh lung, List<TriangleMesh> organs) {
+    /** @param organs the organs below, if there are any */
+    private LungBase(Side side, TriangleMesh lung, Optional<TriangleTree> organs) {
         this.side = side;
         tree = new TriangleTree(lung);
         normals = MeshMeasure.triangleNormals(lung);
@@ -89,15 +90,12 @@ final class LungBase {
                 top = quantile(order, area, height, TOP_SHARE, middle + HEART_MM);
             }
         }
-        if (!organs.isEmpty()) {
-            compare(lung, MeshMerge.merge(organs));
-        }
+        organs.ifPresent(below -> compare(lung, below));
     }
 
     /** Compares the base with the roofs of the organs below; the top of a lung that is parted from them is theirs. */
-    private void compare(TriangleMesh lung, TriangleMesh organs) {
-        TriangleTree below = new TriangleTree(organs);
-        double[] roofs = MeshMeasure.triangleNormals(organs);
+    private void compare(TriangleMesh lung, TriangleTree below) {
+        double[] roofs = MeshMeasure.triangleNormals(below.mesh());
         TriangleTree.Hit hit = new TriangleTree.Hit();
         double[] area = new double[lung.triangleCount()];
         double[] gap = new double[area.length];
@@ -160,8 +158,10 @@ final class LungBase {
                 .filter(organ -> !body.notInScan().contains(organ.name()))
                 .map(Structure::mesh)
                 .toList();
+        Optional<TriangleTree> below =
+                organs.isEmpty() ? Optional.empty() : Optional.of(new TriangleTree(MeshMerge.merge(organs)));
         return Arrays.stream(new Side[] {Side.RIGHT, Side.LEFT})
-                .flatMap(side -> merged(body, side).stream().map(lung -> new LungBase(side, lung, organs)))
+                .flatMap(side -> merged(body, side).stream().map(lung -> new LungBase(side, lung, below)))
                 .toList();
     }
 

@@ -1,12 +1,11 @@
 package org.phrenic.patient.segmentation;
 
 import java.util.Optional;
-import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
- * Splits two lungs that share one label. The label is eroded until it separates into two large components. These are
- * then grown back, with each voxel assigned to the nearer one. The component closer to the patient's right is the right
- * lung.
+ * Splits a label that two lungs share. Where the lungs have labels as well, it holds vessels or the like, which go to
+ * the lung about them. Else the label is eroded until it separates into two large components. These are then grown
+ * back, with each voxel assigned to the nearer one. The component closer to the patient's right is the right lung.
  */
 public final class LungSplitter {
     /**
@@ -16,6 +15,8 @@ public final class LungSplitter {
     private static final double MIN_SHARE = 0.3;
 
     private static final int MAX_EROSIONS = 60;
+    private static final String RIGHT = "lung_R";
+    private static final String LEFT = "lung_L";
 
     private LungSplitter() {}
 
@@ -23,6 +24,10 @@ public final class LungSplitter {
     public static Optional<String> split(Segmentation segmentation) {
         int both = segmentation.find(LabelTable.LUNGS);
         VoxelRegion region = new VoxelRegion(segmentation, both);
+        if (segmentation.find(RIGHT) > 0 && segmentation.find(LEFT) > 0) {
+            join(segmentation, region);
+            return Optional.empty();
+        }
         region.computeDepths();
         byte[] piece = new byte[region.cells()];
         for (int erosion = 0; erosion < MAX_EROSIONS; erosion++) {
@@ -46,10 +51,8 @@ public final class LungSplitter {
      * Gives the voxels of the common segment to the lungs that have segments of their own, each to the lung from which
      * fewer steps through the common segment lead to it. Voxels that no lung leads to are discarded.
      */
-    public static void join(Segmentation s) {
-        byte both = (byte) s.find(LabelTable.LUNGS);
-        byte[] lungs = {(byte) s.find("lung_R"), (byte) s.find("lung_L")};
-        VoxelRegion region = new VoxelRegion(s, both & LabelGrid.MAX_BYTE_LABEL);
+    private static void join(Segmentation s, VoxelRegion region) {
+        byte[] lungs = {(byte) s.find(RIGHT), (byte) s.find(LEFT)};
         byte[] piece = new byte[region.cells()];
         int[] steps = s.steps();
         for (int cell = 0; cell < piece.length; cell++) {
@@ -92,8 +95,8 @@ public final class LungSplitter {
         region.growRegions(piece);
         // The x axis points to the patient's left.
         boolean firstIsRight = x[0] / count[0] < x[1] / count[1];
-        byte right = (byte) segmentation.segment("lung_R");
-        byte left = (byte) segmentation.segment("lung_L");
+        byte right = (byte) segmentation.segment(RIGHT);
+        byte left = (byte) segmentation.segment(LEFT);
         for (int cell = 0; cell < piece.length; cell++) {
             if (region.isMember(cell)) {
                 boolean isFirst = piece[cell] == first;
@@ -101,7 +104,7 @@ public final class LungSplitter {
                 segmentation.voxels[region.voxel(cell)] = piece[cell] == 0 ? 0 : isFirst == firstIsRight ? right : left;
             }
         }
-        segmentation.inheritFrom("lung_R", LabelTable.LUNGS);
-        segmentation.inheritFrom("lung_L", LabelTable.LUNGS);
+        segmentation.inheritFrom(RIGHT, LabelTable.LUNGS);
+        segmentation.inheritFrom(LEFT, LabelTable.LUNGS);
     }
 }

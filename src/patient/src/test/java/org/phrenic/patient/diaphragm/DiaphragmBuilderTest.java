@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.LungAboveFluid;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
@@ -134,27 +135,9 @@ class DiaphragmBuilderTest {
                 .isZero();
     }
 
-    /** As with fluid below it: the lung of the right ends at 0.65 of its height below the apex. */
-    private static Structure shortened(Structure s) {
-        if (s.kind() != StructureKind.LUNG || s.side() != Side.RIGHT) {
-            return s;
-        }
-        double[] p = s.mesh().positions().clone();
-        double apex = s.mesh().bounds()[5];
-        for (int i = 2; i < p.length; i += 3) {
-            p[i] = apex - 0.65 * (apex - p[i]);
-        }
-        return s.withMesh(s.mesh().withPositions(p));
-    }
-
     @Test
     void underALungThatEndsFarAboveTheLiverTheSheetLiesOnTheLiver() {
-        Thorax parted = new Thorax(
-                "patient",
-                without(StructureKind.DIAPHRAGM).structures().stream()
-                        .map(DiaphragmBuilderTest::shortened)
-                        .toList(),
-                List.of());
+        Thorax parted = LungAboveFluid.in(without(StructureKind.DIAPHRAGM));
         List<LungBase> bases = LungBase.of(parted);
         assertThat(bases.get(0).liesOnDiaphragm()).isFalse();
         assertThat(bases.get(0).note())

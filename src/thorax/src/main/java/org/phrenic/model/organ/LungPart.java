@@ -145,22 +145,28 @@ public final class LungPart {
 
     /** Least distance of a lung from the diaphragm if it is parted from it, mm; else 0. */
     private static double partedMm(List<Structure> lungs, Side side, ThoracicFace face) {
+        List<TriangleMesh> lobes = lungs.stream()
+                .filter(s -> s.side() == side)
+                .map(Structure::mesh)
+                .toList();
+        double enough = PARTED_SHARE
+                * lobes.stream().mapToInt(TriangleMesh::vertexCount).sum();
         TriangleTree.Hit onFace = new TriangleTree.Hit();
-        int vertices = 0;
         int near = 0;
         double least = PARTED_REACH_MM;
-        for (Structure s : lungs) {
-            TriangleMesh mesh = s.mesh();
-            for (int i = 0; i < mesh.vertexCount() && s.side() == side; i++) {
-                vertices++;
+        for (TriangleMesh mesh : lobes) {
+            for (int i = 0; i < mesh.vertexCount(); i++) {
                 if (face.closest(mesh.x(i), mesh.y(i), mesh.z(i), least + BASE_MM, onFace)) {
                     double distance = Math.sqrt(onFace.distanceSquared);
                     least = Math.min(least, distance);
                     near += distance < BASE_MM ? 1 : 0;
+                    if (near >= enough) {
+                        return 0;
+                    }
                 }
             }
         }
-        return near < PARTED_SHARE * vertices && least < PARTED_REACH_MM ? least : 0;
+        return least < PARTED_REACH_MM ? least : 0;
     }
 
     /** Scene nodes of the lungs. */

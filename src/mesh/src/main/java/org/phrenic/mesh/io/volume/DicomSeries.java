@@ -1,6 +1,5 @@
 package org.phrenic.mesh.io.volume;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -8,7 +7,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 import org.phrenic.mesh.io.dicom.DicomDataSet;
@@ -92,16 +90,12 @@ final class DicomSeries {
     }
 
     private static List<Path> list(Path folder) {
-        try (Stream<Path> entries = Files.list(folder)) {
-            List<Path> paths = entries.limit(MAX_FILES + 1L).sorted().toList();
-            if (paths.size() > MAX_FILES) {
-                throw new BadInputException(
-                        folder + ": found more than " + MAX_FILES + " files, expected a folder with one series");
-            }
-            return paths;
-        } catch (IOException failure) {
-            throw InputBytes.readFailure(folder, failure);
+        List<Path> paths = InputBytes.list(folder);
+        if (paths.size() > MAX_FILES) {
+            throw new BadInputException(
+                    folder + ": found more than " + MAX_FILES + " files, expected a folder with one series");
         }
+        return paths;
     }
 
     /** The slices in a folder, of the named series or, without names, of any. */

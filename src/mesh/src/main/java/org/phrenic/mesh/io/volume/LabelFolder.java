@@ -1,6 +1,5 @@
 package org.phrenic.mesh.io.volume;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -9,7 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 import org.phrenic.mesh.io.MeshFiles;
@@ -30,27 +28,20 @@ final class LabelFolder {
     /** Whether a folder holds volumes, itself or in a folder in it, and is no thorax folder. */
     static boolean isLabelFolder(Path folder) {
         return Files.isDirectory(folder)
-                && list(folder).stream().noneMatch(file -> MeshFiles.isMesh(file) || file.endsWith(THORAX_INDEX))
+                && InputBytes.list(folder).stream()
+                        .noneMatch(file -> MeshFiles.isMesh(file) || file.endsWith(THORAX_INDEX))
                 && (!volumes(folder).isEmpty() || !innerFolders(folder).isEmpty());
     }
 
-    private static List<Path> list(Path folder) {
-        try (Stream<Path> entries = Files.list(folder)) {
-            return entries.sorted().toList();
-        } catch (IOException failure) {
-            throw InputBytes.readFailure(folder, failure);
-        }
-    }
-
     private static List<Path> volumes(Path folder) {
-        return list(folder).stream()
+        return InputBytes.list(folder).stream()
                 .filter(file ->
                         Files.isRegularFile(file) && (VolumeFormats.isVolume(file) || DicomVolumes.isDicom(file)))
                 .toList();
     }
 
     private static List<Path> innerFolders(Path folder) {
-        return list(folder).stream()
+        return InputBytes.list(folder).stream()
                 .filter(inner -> Files.isDirectory(inner) && !volumes(inner).isEmpty())
                 .toList();
     }
