@@ -16,7 +16,6 @@ import org.phrenic.cli.report.NameRanges;
 import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
-import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.patient.ImportProgress;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.diaphragm.SheetQuality;
@@ -139,18 +138,13 @@ final class ImportCommand extends ReportingCommand {
                         out.toAbsolutePath().normalize().getFileName().toString(),
                         Optional.ofNullable(labels),
                         edgeMm,
-                        this::corrected,
+                        new GeometryOverride(Optional.ofNullable(axes), Optional.ofNullable(spacing)),
                         template(progress).map(thorax -> new ImportRequest.Completion(thorax, keepLevel)),
                         Optional.ofNullable(alignTo).map(ThoraxFolder::load)),
                 progress);
         result.write(out);
         print(result.report(), () -> text(result));
         return ExitCode.SUCCESS;
-    }
-
-    private LabelVolume corrected(LabelVolume read) {
-        LabelVolume turned = axes == null ? read : GeometryOverride.axes(read, axes);
-        return spacing == null ? turned : GeometryOverride.spacing(turned, spacing);
     }
 
     private Optional<Thorax> template(ImportProgress progress) {

@@ -374,16 +374,28 @@ class ImportRefusalTest {
     }
 
     @Test
-    void mirroredLungsAndExchangedLabelsAreRemarkedOn() throws IOException {
+    void mirroredLungsAreRemarkedOn() throws IOException {
         // Columns of the sample run to the left, and its right lung is the larger.
         assertThat(noted(scan(LITTLE, ScanSamples.voxels(), -4, 4, 4), "label,structure", "1,lungs"))
                 .contains("the left lung is larger than the right", "--axes");
+    }
+
+    @Test
+    void exchangedLabelsAreRefusedUnlessAxesAreStated() throws IOException {
         byte[] labels = ScanSamples.voxels();
         for (int v = 0; v < labels.length; v++) {
             labels[v] = labels[v] != ScanSamples.LUNGS ? 0 : (byte) (v % ScanSamples.COLUMNS < 30 ? 1 : 2);
         }
-        assertThat(noted(scan(LITTLE, labels, 4, 4, 4), "label,structure", "1,lung_L", "2,lung_R"))
-                .contains("the right lung lies on the left of the left one");
+        Path exchanged = scan(LITTLE, labels, 4, 4, 4);
+        String[] table = {"label,structure", "1,lung_L", "2,lung_R"};
+        assertRefused(
+                labelled(exchanged, table),
+                "structures lie as in people if columns, rows and slices run to RPS, where the file states LPS (or"
+                        + " labels of right and left are exchanged); expected --axes RPS, or --axes LPS to keep them");
+        CommandLineRun kept =
+                imported(exchanged, "--labels", table(table).toString(), "--complete", "none", "--axes", "LPS");
+        assertThat(kept.exitCode()).as(kept.err()).isEqualTo(ExitCode.SUCCESS);
+        assertThat(kept.out()).contains("the right lung lies on the left of the left one");
     }
 
     @Test

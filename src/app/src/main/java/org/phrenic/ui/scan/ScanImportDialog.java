@@ -4,6 +4,7 @@ import java.awt.Dimension;
 import java.awt.Window;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import javax.swing.DefaultCellEditor;
@@ -17,14 +18,18 @@ import javax.swing.JTable;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.patient.segmentation.GeometryOverride;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Dialogs;
 import org.phrenic.ui.widget.FileDialogs;
 
-/** Asks which label is which structure, what completes the body, and where its thorax folder goes. */
+/**
+ * Asks which label is which structure, how the volume lies in the body, what completes the body, and where its thorax
+ * folder goes.
+ */
 final class ScanImportDialog {
     /** The answers of the dialog. */
-    record Choice(ScanLabels labels, Optional<String> template, Path folder) {}
+    record Choice(ScanLabels labels, GeometryOverride geometry, Optional<String> template, Path folder) {}
 
     /** Receives the answers. */
     interface Start {
@@ -42,6 +47,8 @@ final class ScanImportDialog {
     private final JLabel recognised = new JLabel();
     private final JComboBox<String> template =
             new JComboBox<>(TEMPLATES.keySet().stream().sorted().toArray(String[]::new));
+    private final JTextField axes = new JTextField();
+    private final JTextField spacing = new JTextField();
     private final JTextField folder = new JTextField();
     private final JButton start = Dialogs.closing("Import", "Import the scan with these labels", () -> {});
 
@@ -49,6 +56,9 @@ final class ScanImportDialog {
         this.file = file;
         this.labels = labels;
         template.setSelectedItem("the virtual man");
+        axes.setText(labels.axes());
+        axes.setName("import.axes");
+        spacing.setText(labels.spacing());
         folder.setText(proposedFolder(file).toString());
         labels.addTableModelListener(e -> showRecognised());
         showRecognised();
@@ -66,7 +76,8 @@ final class ScanImportDialog {
     /** Shows the dialog; {@code import} receives the answers unless it is cancelled. */
     void show(Window owner, Start onStart) {
         start.setName("import.start");
-        start.addActionListener(e -> onStart.accept(new Choice(labels, template(), Path.of(folder.getText()))));
+        start.addActionListener(e -> onStart.accept(new Choice(
+                labels, labels.geometry(axes.getText(), spacing.getText()), template(), Path.of(folder.getText()))));
         JButton cancel = Dialogs.closing("Cancel", "Import nothing", () -> {});
         JDialog dialog = Dialogs.of(owner, "Import scan", content(), SIZE, Disclaimer.TEXT, cancel, start);
         dialog.setName("import");
@@ -75,7 +86,7 @@ final class ScanImportDialog {
 
     private JPanel content() {
         JPanel content =
-                new JPanel(new MigLayout("insets 14, gap 8, fill", "[][grow, fill][]", "[][][grow, fill][][]"));
+                new JPanel(new MigLayout("insets 14, gap 8, fill", "[][grow, fill][]", "[][][grow, fill][][][][]"));
         content.add(new JLabel(file.getFileName() + ", " + labels.size()), "span 3, wmin 0, wrap");
         content.add(recognised, "span 2, wmin 0");
         content.add(
@@ -85,6 +96,22 @@ final class ScanImportDialog {
                         labels::assignByNumber),
                 "wrap");
         content.add(new JScrollPane(table()), "span 3, grow, wrap");
+        content.add(new JLabel("Axes"));
+        content.add(
+                Controls.describe(
+                        axes,
+                        "Axes",
+                        "Sides of the body to which columns, rows and slices run: one each of L or R, P or A, S or I"),
+                "span 2, wmin 0, wrap");
+        labels.axesProblem()
+                .ifPresent(problem -> content.add(
+                        new JLabel("<html>" + problem.substring(0, 1).toUpperCase(Locale.ROOT) + problem.substring(1)
+                                + "."),
+                        "skip 1, span 2, wmin 0, wrap"));
+        content.add(new JLabel("Voxel, mm"));
+        content.add(
+                Controls.describe(spacing, "Voxel, mm", "Size of a voxel along columns, rows and slices"),
+                "span 2, wmin 0, wrap");
         content.add(new JLabel("Complete from"));
         content.add(
                 Controls.describe(template, "Complete from", "Where structures come from that the scan lacks"),

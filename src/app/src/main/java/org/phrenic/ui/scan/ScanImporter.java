@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
-import java.util.function.UnaryOperator;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.patient.pipeline.ImportPipeline;
 import org.phrenic.patient.pipeline.ImportRequest;
@@ -32,6 +31,8 @@ public final class ScanImporter {
     }
 
     private static final String LABELS_FILE = "labels.csv";
+    /** The body whose lungs tell how those of a scan lie. */
+    private static final String USUAL = "virtual/adult-male";
 
     private final Window owner;
     private final Session session;
@@ -55,7 +56,7 @@ public final class ScanImporter {
         }
         display.showProgress("reading " + file.getFileName(), 0);
         BackgroundWorker.execute(
-                () -> ScanLabels.read(file),
+                () -> ScanLabels.read(file, template(USUAL)),
                 labels -> {
                     display.showProgress("", 1);
                     new ScanImportDialog(file, labels).show(owner, choice -> run(file, choice));
@@ -93,7 +94,7 @@ public final class ScanImporter {
                     name,
                     labels,
                     Optional.empty(),
-                    UnaryOperator.identity(),
+                    choice.geometry(),
                     choice.template().map(body -> new ImportRequest.Completion(template(body), false)),
                     Optional.empty());
             ImportResult result = ImportPipeline.run(request, progress);

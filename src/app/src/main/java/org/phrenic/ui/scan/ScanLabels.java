@@ -10,12 +10,17 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.swing.table.AbstractTableModel;
+import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
+import org.phrenic.patient.segmentation.GeometryOverride;
 import org.phrenic.patient.segmentation.LabelGuess;
 import org.phrenic.patient.segmentation.LabelTable;
+import org.phrenic.patient.segmentation.LungMoments;
+import org.phrenic.patient.segmentation.StatedAxes;
+import org.phrenic.ui.session.NumberFormats;
 
 /** The labels of a volume as a table: number, name and size, and the structure that each one becomes. */
 final class ScanLabels extends AbstractTableModel {
@@ -32,9 +37,13 @@ final class ScanLabels extends AbstractTableModel {
     private final List<String> structures = new ArrayList<>();
     private final Map<Integer, String> numbered;
     private final String size;
+    private final String axes;
+    private final Optional<StatedAxes> contradicted;
+    private final String spacing;
     private boolean edited;
 
-    private ScanLabels(LabelVolume volume, Map<Integer, String> guess) {
+    private ScanLabels(LabelVolume volume, Optional<LabelTable> table, Thorax usual) {
+        Map<Integer, String> guess = table.map(LabelTable::structures).orElse(Map.of());
         numbered = LabelTable.totalSegmentator(volume).structures();
         int[] counts = volume.grid().counts();
         for (int label = 1; label < counts.length; label++) {
@@ -46,23 +55,50 @@ final class ScanLabels extends AbstractTableModel {
         }
         size = volume.grid().columns() + " x " + volume.grid().rows() + " x "
                 + volume.grid().slices() + " voxels";
+        axes = StatedAxes.letters(volume);
+        contradicted = table.flatMap(t -> StatedAxes.contradicted(volume, t, LungMoments.of(usual)));
+        spacing = IntStream.range(0, 3)
+                .mapToObj(direction -> NumberFormats.format(volume.grid().spacing(direction), 4))
+                .collect(Collectors.joining(", "));
     }
 
     /**
      * Reads the labels of a volume and guesses their structures.
      *
+     * @param usual a thorax whose lungs are of the usual shape
      * @throws BadInputException if the file is no label volume
      */
-    static ScanLabels read(Path file) {
+    static ScanLabels read(Path file, Thorax usual) {
         LabelVolume volume = LabelVolumeFiles.read(file);
-        return new ScanLabels(
-                volume,
-                LabelGuess.of(volume).table().map(LabelTable::structures).orElse(Map.of()));
+        return new ScanLabels(volume, LabelGuess.of(volume).table(), usual);
     }
 
     /** Columns, rows and slices of the volume, as text. */
     String size() {
         return size;
+    }
+
+    /** Sides of the body to which columns, rows and slices run: by the file, or as the structures lie. */
+    String axes() {
+        return contradicted.map(StatedAxes::seen).orElse(axes);
+    }
+
+    /** What the structures say against the axes of the file, one sentence without a full stop. */
+    Optional<String> axesProblem() {
+        return contradicted.map(StatedAxes::sentence);
+    }
+
+    /** Size of a voxel along columns, rows and slices by the file, mm. */
+    String spacing() {
+        return spacing;
+    }
+
+    /** The geometry that differs from the file's, or that the structures contradict. */
+    GeometryOverride geometry(String wantedAxes, String wantedSpacing) {
+        boolean keepsAxes = contradicted.isEmpty() && wantedAxes.strip().equalsIgnoreCase(axes);
+        return new GeometryOverride(
+                keepsAxes ? Optional.empty() : Optional.of(wantedAxes.strip()),
+                Optional.of(wantedSpacing).filter(text -> !text.equals(spacing)));
     }
 
     /** The number of labels that become a structure. */

@@ -254,7 +254,7 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
                 return Optional.of(String.format(
                         Locale.ROOT,
                         "the diaphragm leaves the rib cage by up to %.0f mm, with %.0f %% of its vertices; bones and"
-                                + " lungs of the scan do not belong together",
+                                + " lungs of the scan do not belong together, or the file states its spacing wrongly",
                         farthest,
                         outsidePercent));
             }
@@ -262,7 +262,8 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
                 return Optional.of(String.format(
                         Locale.ROOT,
                         "%.0f %% of the vertices of lungs and organs lie on the wrong side of the diaphragm; the scan"
-                                + " shows too little of them, or bones and organs do not belong together",
+                                + " shows too little of them, bones and organs do not belong together, or the file"
+                                + " states its spacing wrongly",
                         throughPercent));
             }
             double margin = IntStream.range(0, sheet.vertexCount())

@@ -20,6 +20,8 @@ import org.phrenic.patient.registration.BodyCompletion;
 import org.phrenic.patient.registration.ScanAlignment;
 import org.phrenic.patient.segmentation.LabelGuess;
 import org.phrenic.patient.segmentation.LabelTable;
+import org.phrenic.patient.segmentation.LungMoments;
+import org.phrenic.patient.segmentation.StatedAxes;
 
 /** Turns a scan or a folder of meshes into a body: reads it, meshes its labels, and completes or aligns the body. */
 public final class ImportPipeline {
@@ -34,10 +36,12 @@ public final class ImportPipeline {
         if (Files.isDirectory(request.file()) && !LabelVolumeFiles.isVolume(request.file())) {
             scanned = MeshFolder.read(request.file(), request.name());
         } else {
-            LabelVolume volume = request.geometry().apply(LabelVolumeFiles.read(request.file()));
+            LabelVolume volume = request.geometry().apply(LabelVolumeFiles.read(request.file()), file);
             grid = Optional.of(volume.grid());
+            LabelTable table = table(request, volume, progress);
+            checkAxes(request, volume, table);
             scanned = new ScanImport(volume, file, MeshingSettings.PAPER, request.edgeMm(), progress)
-                    .run(table(request, volume, progress), request.name());
+                    .run(table, request.name());
         }
         if (request.alignTo().isPresent()) {
             ScanAlignment.Aligned aligned = aligned(request, scanned);
@@ -51,6 +55,19 @@ public final class ImportPipeline {
             throw new BadInputException(file + ": " + why);
         });
         return result;
+    }
+
+    /** Refuses a volume whose structures contradict the axes of the file, unless the request states axes. */
+    private static void checkAxes(ImportRequest request, LabelVolume volume, LabelTable table) {
+        if (request.geometry().axes().isPresent()) {
+            return;
+        }
+        Optional<Thorax> known =
+                request.alignTo().or(() -> request.completion().map(ImportRequest.Completion::template));
+        StatedAxes.contradicted(volume, table, known.flatMap(LungMoments::of)).ifPresent(axes -> {
+            throw new BadInputException(request.file() + ": " + axes.sentence() + "; expected --axes " + axes.seen()
+                    + ", or --axes " + axes.stated() + " to keep them");
+        });
     }
 
     private static LabelTable table(ImportRequest request, LabelVolume volume, ImportProgress progress) {
@@ -72,7 +89,12 @@ public final class ImportPipeline {
         ImportRequest.Completion completion = request.completion().orElseThrow();
         Thorax template = completion.template();
         progress.stage("bringing " + template.name() + " to the scan for what it lacks");
-        RestingBody resting = RestingBody.asScanned(scanned, BodyCompletion.complete(scanned, template));
+        RestingBody resting;
+        try {
+            resting = RestingBody.asScanned(scanned, BodyCompletion.complete(scanned, template));
+        } catch (BadInputException problem) {
+            throw new BadInputException(request.file() + ": " + problem.getMessage(), problem);
+        }
         if (resting.isInspired() && !completion.keepLevel()) {
             progress.stage("bringing the scan from inspiration to end-expiration");
             resting = resting.atEndExpiration(scanned, template);

@@ -2,9 +2,8 @@ package org.phrenic.patient.pipeline;
 
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.function.UnaryOperator;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.patient.segmentation.GeometryOverride;
 
 /**
  * What an import is asked for.
@@ -15,7 +14,8 @@ import org.phrenic.mesh.io.volume.LabelVolume;
  *     guesses
  * @param edgeMm edge length of the triangles, mm; empty uses a length by structure (see
  *     {@link org.phrenic.patient.ScanImport})
- * @param geometry correction of the volume's axes and spacing; the identity where the file states them correctly
+ * @param geometry axes and spacing of the volume where the file states them wrongly; without axes those of the file are
+ *     judged by the places of the structures
  * @param completion how the body is completed; empty leaves it as scanned
  * @param alignTo body of an earlier scan of the same patient; the new scan is brought to it rigidly and not completed
  */
@@ -24,7 +24,7 @@ public record ImportRequest(
         String name,
         Optional<String> labels,
         Optional<Double> edgeMm,
-        UnaryOperator<LabelVolume> geometry,
+        GeometryOverride geometry,
         Optional<Completion> completion,
         Optional<Thorax> alignTo) {
     /**
@@ -42,7 +42,7 @@ public record ImportRequest(
                 name,
                 labels,
                 Optional.empty(),
-                UnaryOperator.identity(),
+                GeometryOverride.NONE,
                 Optional.of(new Completion(template, false)),
                 Optional.empty());
     }

@@ -15,6 +15,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
+import org.phrenic.patient.BodyPlausibility;
 import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.LungOutline;
 import org.phrenic.patient.PatientBody;
@@ -53,6 +54,7 @@ public final class BodyCompletion {
     private final List<Structure> template = new ArrayList<>();
     private final List<SharedStructure> shared = new ArrayList<>();
     private final List<RibFit> ribs = new ArrayList<>();
+    private Optional<String> sizeNote = Optional.empty();
 
     private BodyCompletion(PatientBody body, Thorax template) {
         this.body = body;
@@ -117,6 +119,7 @@ public final class BodyCompletion {
      * Returns the completed body. A body without bones, lungs and liver is returned with a note and is not completed.
      *
      * @param template template thorax, LPS, mm, at end-expiration
+     * @throws org.phrenic.file.BadInputException without the file's name, if people are not of the body's size
      */
     public static PatientBody complete(PatientBody body, Thorax template) {
         BodyCompletion completion = new BodyCompletion(body, template);
@@ -147,7 +150,11 @@ public final class BodyCompletion {
                 organs.add(new SurfacePair(s.organ(), s.scan(), s.template(), false));
             }
         }
-        BoneFit bones = new BoneFit(rough.align(organs), plane, rest, shared, organs);
+        TemplateMap start = rough.align(organs);
+        BodyPlausibility size = new BodyPlausibility(start.affine().factors(), whole.name());
+        size.require();
+        sizeNote = size.note();
+        BoneFit bones = new BoneFit(start, plane, rest, shared, organs);
         TemplateMap map = bones.fit();
         ribs.addAll(bones.ribs());
         template.addAll(rest.parallelStream().map(s -> placed(s, map)).toList());
@@ -201,7 +208,7 @@ public final class BodyCompletion {
             }
         }
         all.sort(Comparator.comparing(s -> s.structure().name()));
-        List<String> notes = new ArrayList<>();
+        List<String> notes = new ArrayList<>(sizeNote.stream().toList());
         notes.add(String.format(
                 Locale.ROOT,
                 "%d structures come from %s, brought to the %d that it shares with the scan",

@@ -73,6 +73,11 @@ final class SymmetricAffine implements PointTransform {
         return new SymmetricAffine(plane, product / square, inPlane);
     }
 
+    /** Factors from side to side, from back to front and along the body. */
+    double[] factors() {
+        return new double[] {across, Math.hypot(inPlane[0], inPlane[3]), Math.hypot(inPlane[1], inPlane[4])};
+    }
+
     @Override
     public void apply(double[] points) {
         for (int i = 0; i < points.length; i += 3) {

@@ -1,37 +1,72 @@
 package org.phrenic.patient.segmentation;
 
 import java.util.Locale;
+import java.util.Optional;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 
-/** Replaces the axes or spacing of a file by values given by the user. The centre of the volume keeps its position. */
-public final class GeometryOverride {
-    private static final String SIDES = "LRPASI";
+/**
+ * Axes or spacing that take the place of those that a file states. The centre of the volume keeps its position.
+ *
+ * @param axes sides of the body toward which columns, rows and slices run, such as {@code LPS}; empty for the file's
+ * @param spacing voxel size along columns, rows and slices, mm, such as {@code 1.75,1.75,1.25}; empty for the file's
+ */
+public record GeometryOverride(Optional<String> axes, Optional<String> spacing) {
+    /** What the file states. */
+    public static final GeometryOverride NONE = new GeometryOverride(Optional.empty(), Optional.empty());
+
+    private static final double MIN_SPACING_MM = 0.1;
     private static final double MAX_SPACING_MM = 50;
 
-    private GeometryOverride() {}
+    /**
+     * Returns the volume with these axes and this spacing.
+     *
+     * @throws BadInputException if a value is invalid, or the voxels are of no size that scans of people have
+     */
+    public LabelVolume apply(LabelVolume volume, String file) {
+        LabelVolume turned = axes.map(letters -> axes(volume, letters)).orElse(volume);
+        LabelVolume sized = spacing.map(text -> spacing(turned, text)).orElse(turned);
+        LabelGrid grid = sized.grid();
+        for (int direction = 0; direction < 3; direction++) {
+            if (grid.spacing(direction) < MIN_SPACING_MM || grid.spacing(direction) > MAX_SPACING_MM) {
+                throw new BadInputException(String.format(
+                        Locale.ROOT,
+                        "%s: found voxels of %.3g x %.3g x %.3g mm, expected %.1f to %.0f mm; see --spacing",
+                        file,
+                        grid.spacing(0),
+                        grid.spacing(1),
+                        grid.spacing(2),
+                        MIN_SPACING_MM,
+                        MAX_SPACING_MM));
+            }
+        }
+        return sized;
+    }
 
     /**
-     * Returns the volume with other axes.
+     * Returns the volume with other axes. Directions oblique to the axes of the body stay so.
      *
      * @param letters sides of the body toward which columns, rows and slices run, such as {@code LPS}: one letter each
      *     of L or R, P or A, S or I
      * @throws BadInputException if the letters are invalid
      */
     public static LabelVolume axes(LabelVolume volume, String letters) {
-        String axes = letters.toUpperCase(Locale.ROOT);
+        BodyAxes turned;
+        try {
+            turned = BodyAxes.of(volume.grid(), letters.toUpperCase(Locale.ROOT));
+        } catch (IllegalArgumentException e) {
+            throw new BadInputException(
+                    "--axes: found '" + letters
+                            + "', expected three letters, one each of L or R, P or A, S or I, such as LPS or RAS",
+                    e);
+        }
+        double[] stated = volume.grid().toMm();
         double[] toMm = new double[12];
-        boolean[] taken = new boolean[3];
-        for (int direction = 0; direction < 3; direction++) {
-            int side = axes.length() == 3 ? SIDES.indexOf(axes.charAt(direction)) : -1;
-            if (side < 0 || taken[side / 2]) {
-                throw new BadInputException("--axes: found '" + letters
-                        + "', expected three letters, one each of L or R, P or A, S or I, such as LPS or RAS");
+        for (int row = 0; row < 3; row++) {
+            for (int direction = 0; direction < 3; direction++) {
+                toMm[4 * row + direction] = turned.sign(row) * stated[4 * turned.from(row) + direction];
             }
-            taken[side / 2] = true;
-            toMm[4 * (side / 2) + direction] =
-                    (side % 2 == 0 ? 1 : -1) * volume.grid().spacing(direction);
         }
         return centred(volume, toMm);
     }
@@ -49,9 +84,9 @@ public final class GeometryOverride {
         double[] toMm = new double[12];
         for (int direction = 0; direction < 3; direction++) {
             double spacing = parts.length == 3 ? number(parts[direction]) : Double.NaN;
-            if (!(spacing > 0 && spacing <= MAX_SPACING_MM)) {
+            if (!(spacing >= MIN_SPACING_MM && spacing <= MAX_SPACING_MM)) {
                 throw new BadInputException("--spacing: found '" + text
-                        + "', expected the size of a voxel along columns, rows and slices in mm, above 0 to 50,"
+                        + "', expected the size of a voxel along columns, rows and slices in mm, 0.1 to 50,"
                         + " such as 1.75,1.75,1.25");
             }
             double[] next = place(grid, direction);

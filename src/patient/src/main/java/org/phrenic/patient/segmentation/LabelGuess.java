@@ -51,19 +51,28 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
         }
         ToolNumbers numbers = ToolNumbers.of(volume.grid());
         LabelPlaces places = numbers.places();
-        boolean fits = places.compared() >= LabelPlaces.ENOUGH && places.share() >= LEAST_SHARE;
-        if (fits) {
-            return new LabelGuess(
-                    Source.TOTALSEGMENTATOR,
-                    Optional.of(new LabelTable(numbers.structures()).withRest(volume)),
-                    places.share(),
-                    String.format(
-                            Locale.ROOT,
-                            "labels are taken for TotalSegmentator's numbers: %.0f %% of %d comparisons of places fit",
-                            100 * places.share(),
-                            places.compared()));
+        if (places.compared() >= LabelPlaces.ENOUGH && places.share() >= LEAST_SHARE) {
+            return ofNumbers(volume, numbers, places.share(), "");
+        }
+        Optional<BodyAxes> other = StatedAxes.ofNumbers(places);
+        if (other.isPresent()) {
+            String letters = other.get().letters(volume.grid());
+            return ofNumbers(volume, numbers, places.share(other.get()), " if the axes are " + letters);
         }
         return new LabelGuess(Source.NONE, Optional.empty(), places.share(), problem(volume, counts, places));
+    }
+
+    private static LabelGuess ofNumbers(LabelVolume volume, ToolNumbers numbers, double share, String condition) {
+        return new LabelGuess(
+                Source.TOTALSEGMENTATOR,
+                Optional.of(new LabelTable(numbers.structures()).withRest(volume)),
+                share,
+                String.format(
+                        Locale.ROOT,
+                        "labels are taken for TotalSegmentator's numbers: %.0f %% of %d comparisons of places fit%s",
+                        100 * share,
+                        numbers.places().compared(),
+                        condition));
     }
 
     private static String problem(LabelVolume volume, int[] counts, LabelPlaces places) {

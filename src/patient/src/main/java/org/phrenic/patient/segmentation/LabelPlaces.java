@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
@@ -11,12 +12,14 @@ import java.util.stream.IntStream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
+import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
  * Whether labels lie where their structures lie in people: right ribs and lung to the right of the left ones, ribs and
- * vertebrae in descending order, lungs above the liver, liver to the right of the spleen. Ribs are compared where both
- * lie in one sector about the body's axis: of ribs that the scan cuts off, middles tell nothing.
+ * vertebrae in descending order, lungs above the liver, liver to the right of the spleen, sternum and organs in front
+ * of the spine. Ribs are compared where both lie in one sector about the body's axis: of ribs that the scan cuts off,
+ * middles tell nothing.
  */
 final class LabelPlaces {
     /** Least number of comparisons for a judgement. */
@@ -26,13 +29,24 @@ final class LabelPlaces {
     private static final int SECTORS = 36;
     /** Least number of voxels of a sector that counts, over that of the fullest one: the rest may be specks. */
     private static final double LEAST_SECTOR = 0.2;
+    /** Share of the comparisons along a coordinate that have to hold. */
+    private static final double MOST = 0.8;
+
+    private static final List<String> IN_FRONT_OF_SPINE =
+            List.of("sternum", "sternum_manubrium", "sternum_body", "heart", "liver", "stomach");
 
     private final Map<String, double[]> centres = new TreeMap<>();
     /** Of each rib the sum of heights (mm) and the number of voxels in each sector. */
     private final Map<String, double[][]> ribs = new TreeMap<>();
 
-    private int right;
-    private int compared;
+    private final List<Relation> relations = new ArrayList<>();
+
+    /** A vector between two structures of which one coordinate is positive in people. */
+    private record Relation(int axis, double[] apart) {
+        boolean holds(BodyAxes axes) {
+            return axes.coordinate(apart, axis) > 0;
+        }
+    }
 
     /** @param structures structure by label */
     LabelPlaces(LabelGrid grid, Map<Integer, String> structures) {
@@ -119,62 +133,118 @@ final class LabelPlaces {
 
     private void compare() {
         List<StructureName> names = new ArrayList<>();
-        List<double[]> places = new ArrayList<>();
         List<String> structures = new ArrayList<>();
-        centres.forEach((structure, centre) -> StructureName.parse(structure).ifPresent(name -> {
+        centres.keySet().forEach(structure -> StructureName.parse(structure).ifPresent(name -> {
             structures.add(structure);
             names.add(name);
-            places.add(centre);
         }));
         for (int a = 0; a < names.size(); a++) {
             for (int b = 0; b < names.size(); b++) {
-                StructureName one = names.get(a);
-                StructureName other = names.get(b);
-                boolean sided = one.side() == Side.RIGHT && other.side() == Side.LEFT;
-                if (sided
-                        && one.kind() == other.kind()
-                        && one.level() == other.level()
-                        && !one.kind().isNamed()) {
-                    // The x axis points to the patient's left.
-                    judge(places.get(a)[0] < places.get(b)[0]);
-                }
-                boolean next =
-                        one.kind() == other.kind() && one.side() == other.side() && other.level() == one.level() + 1;
-                if (next && one.kind() == StructureKind.VERTEBRA) {
-                    judge(places.get(a)[2] > places.get(b)[2]);
-                } else if (next && one.kind() == StructureKind.RIB) {
-                    heightAbove(structures.get(a), structures.get(b)).ifPresent(above -> judge(above > 0));
-                }
+                comparePair(structures.get(a), names.get(a), structures.get(b), names.get(b));
             }
         }
-        judge("liver", "spleen", 0);
-        judge("liver", "lung_R", 2);
-        judge("spleen", "lung_L", 2);
-        judge("kidney_R", "kidney_L", 0);
-        judge("urinary_bladder", "heart", 2);
+        expect("liver", "spleen", 0);
+        expect("liver", "lung_R", 2);
+        expect("liver", LabelTable.LUNGS, 2);
+        expect("spleen", "lung_L", 2);
+        expect("kidney_R", "kidney_L", 0);
+        expect("urinary_bladder", "heart", 2);
+        spine().ifPresent(spine -> IN_FRONT_OF_SPINE.stream()
+                .map(centres::get)
+                .filter(Objects::nonNull)
+                .forEach(front -> relations.add(new Relation(1, apart(front, spine)))));
     }
 
-    private void judge(boolean fits) {
-        right += fits ? 1 : 0;
-        compared++;
+    private void comparePair(String one, StructureName name, String other, StructureName otherName) {
+        double[] apart = apart(centres.get(one), centres.get(other));
+        boolean sided = name.side() == Side.RIGHT && otherName.side() == Side.LEFT;
+        if (sided
+                && name.kind() == otherName.kind()
+                && name.level() == otherName.level()
+                && !name.kind().isNamed()) {
+            relations.add(new Relation(0, apart));
+        }
+        boolean next = name.kind() == otherName.kind()
+                && name.side() == otherName.side()
+                && otherName.level() == name.level() + 1;
+        if (next && name.kind() == StructureKind.VERTEBRA) {
+            relations.add(new Relation(2, apart(centres.get(other), centres.get(one))));
+        } else if (next && name.kind() == StructureKind.RIB) {
+            heightAbove(one, other)
+                    .ifPresent(above -> relations.add(new Relation(2, new double[] {-apart[0], -apart[1], above})));
+        }
     }
 
-    /** Judges that the first structure has the smaller coordinate. */
-    private void judge(String less, String more, int axis) {
-        Optional<double[]> a = Optional.ofNullable(centres.get(less));
-        Optional<double[]> b = Optional.ofNullable(centres.get(more));
-        if (a.isPresent() && b.isPresent()) {
-            judge(a.get()[axis] < b.get()[axis]);
+    private static double[] apart(double[] from, double[] to) {
+        return new double[] {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+    }
+
+    /** Mean of the centres of the vertebrae. */
+    private Optional<double[]> spine() {
+        List<double[]> spine = centres.entrySet().stream()
+                .filter(entry -> isOf(entry.getKey(), StructureKind.VERTEBRA))
+                .map(Map.Entry::getValue)
+                .toList();
+        return spine.isEmpty()
+                ? Optional.empty()
+                : Optional.of(IntStream.range(0, 3)
+                        .mapToDouble(axis -> spine.stream()
+                                .mapToDouble(centre -> centre[axis])
+                                .average()
+                                .orElseThrow())
+                        .toArray());
+    }
+
+    /** Expects the first structure at the smaller coordinate. */
+    private void expect(String less, String more, int axis) {
+        if (centres.containsKey(less) && centres.containsKey(more)) {
+            relations.add(new Relation(axis, apart(centres.get(less), centres.get(more))));
         }
     }
 
     /** Number of comparisons made. */
     int compared() {
-        return compared;
+        return relations.size();
     }
 
-    /** Share of the comparisons that hold. */
+    /** Whether structures are compared along a coordinate. */
+    boolean compares(int axis) {
+        return relations.stream().anyMatch(r -> r.axis() == axis);
+    }
+
+    /** Share of the comparisons that hold in the axes that the file states. */
     double share() {
-        return compared == 0 ? 0 : (double) right / compared;
+        return share(BodyAxes.STATED);
+    }
+
+    /** Share of the comparisons that hold in other axes; 0 without comparisons. */
+    double share(BodyAxes axes) {
+        return relations.stream().mapToInt(r -> r.holds(axes) ? 1 : 0).average().orElse(0);
+    }
+
+    /**
+     * How nearly the compared structures lie along the coordinates by which they are compared: the mean cosine, of each
+     * coordinate alike.
+     */
+    double alignment(BodyAxes axes) {
+        return IntStream.range(0, 3)
+                .mapToObj(axis -> relations.stream()
+                        .filter(r -> r.axis() == axis)
+                        .mapToDouble(r -> axes.coordinate(r.apart(), axis) / Vectors.length(r.apart()))
+                        .average())
+                .flatMapToDouble(OptionalDouble::stream)
+                .average()
+                .orElse(0);
+    }
+
+    /** Whether most of the comparisons along each coordinate hold in these axes. */
+    boolean fit(BodyAxes axes) {
+        return IntStream.range(0, 3)
+                .allMatch(axis -> relations.stream()
+                                .filter(r -> r.axis() == axis)
+                                .mapToInt(r -> r.holds(axes) ? 1 : 0)
+                                .average()
+                                .orElse(1)
+                        >= MOST);
     }
 }

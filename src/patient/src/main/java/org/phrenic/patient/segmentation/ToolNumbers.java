@@ -2,7 +2,9 @@ package org.phrenic.patient.segmentation;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Function;
 import org.phrenic.document.CsvTable;
 import org.phrenic.document.ShippedFile;
 import org.phrenic.mesh.voxel.LabelGrid;
@@ -20,26 +22,40 @@ record ToolNumbers(String file, Map<Integer, String> structures, LabelPlaces pla
 
     /** The numbers of the version that fits a volume better; version 2 where both fit alike. */
     static ToolNumbers of(LabelGrid grid) {
+        List<ToolNumbers> versions =
+                FILES.stream().map(file -> present(file, grid)).toList();
+        ToolNumbers best = better(versions, places -> Optional.of(BodyAxes.STATED));
+        return best.places.share() > 0.5 ? best : better(versions, StatedAxes::ofNumbers);
+    }
+
+    private static ToolNumbers present(String file, LabelGrid grid) {
         int[] counts = grid.counts();
-        ToolNumbers best = null;
-        for (String file : FILES) {
-            Map<Integer, String> structures = new TreeMap<>();
-            CsvTable table = table(file);
-            double[] labels = table.numbers("label");
-            for (int row = 0; row < labels.length; row++) {
-                if (labels[row] < counts.length && counts[(int) labels[row]] > 0) {
-                    structures.put((int) labels[row], table.texts("structure").get(row));
-                }
+        Map<Integer, String> structures = new TreeMap<>();
+        CsvTable table = table(file);
+        double[] labels = table.numbers("label");
+        for (int row = 0; row < labels.length; row++) {
+            if (labels[row] < counts.length && counts[(int) labels[row]] > 0) {
+                structures.put((int) labels[row], table.texts("structure").get(row));
             }
-            ToolNumbers numbers = new ToolNumbers(file, structures, new LabelPlaces(grid, structures));
-            best = best == null || numbers.score() > Math.max(0, best.score()) ? numbers : best;
+        }
+        return new ToolNumbers(file, structures, new LabelPlaces(grid, structures));
+    }
+
+    private static ToolNumbers better(List<ToolNumbers> versions, Function<LabelPlaces, Optional<BodyAxes>> axesOf) {
+        ToolNumbers best = versions.get(0);
+        for (ToolNumbers version : versions) {
+            if (version.score(axesOf) > Math.max(0, best.score(axesOf))) {
+                best = version;
+            }
         }
         return best;
     }
 
-    /** Comparisons of places that hold without those that fail. */
-    private double score() {
-        return places.compared() * (2 * places.share() - 1);
+    /** Comparisons of places that hold in some axes without those that fail; negative without axes. */
+    private double score(Function<LabelPlaces, Optional<BodyAxes>> axesOf) {
+        return axesOf.apply(places)
+                .map(axes -> places.compared() * (2 * places.share(axes) - 1))
+                .orElse(-1.0);
     }
 
     /** Structure by the name that the tool gives to a label. */

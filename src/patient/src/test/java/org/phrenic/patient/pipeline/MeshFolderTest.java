@@ -7,7 +7,6 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.anatomy.Resolution;
@@ -17,6 +16,7 @@ import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.VtpWriter;
+import org.phrenic.patient.segmentation.GeometryOverride;
 
 /** A folder of bones without a diaphragm, named as other programs name them, in cm and RAS. */
 class MeshFolderTest {
@@ -30,7 +30,7 @@ class MeshFolderTest {
                         "bones",
                         Optional.empty(),
                         Optional.empty(),
-                        UnaryOperator.identity(),
+                        GeometryOverride.NONE,
                         Optional.empty(),
                         Optional.empty()),
                 (count, total, structure) -> {});

@@ -1,6 +1,7 @@
 package org.phrenic.patient.registration;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -12,6 +13,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.cage.RibEnds;
 import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
@@ -66,6 +68,41 @@ class BodyCompletionTest {
                 .byArea()
                 .mean();
         assertThat(off).as("from %.1f mm as the template lies", before).isLessThan(0.5 * before);
+    }
+
+    private static PatientBody stretched(Thorax patient, double across, double deep, double tall) {
+        double[] factor = {across, deep, tall};
+        List<PatientStructure> organs = new ArrayList<>();
+        for (StructureKind kind : List.of(StructureKind.LUNG, StructureKind.RIB, StructureKind.VERTEBRA)) {
+            for (Structure s : patient.structuresOf(kind)) {
+                double[] p = s.mesh().positions().clone();
+                for (int i = 0; i < p.length; i++) {
+                    p[i] *= factor[i % 3];
+                }
+                organs.add(scanned(s.withMesh(s.mesh().withPositions(p)), ""));
+            }
+        }
+        return new PatientBody("patient", organs, ExpectedStructures.missing(organs), List.of());
+    }
+
+    /** The woman is 0.9 times as large as the man. Voxels of 3 mm that a file states as 1 mm give a third of her. */
+    @Test
+    void aBodyOfNoPersonsSizeIsRefused() {
+        Thorax patient = thorax("adult-female");
+        Thorax template = thorax("adult-male");
+        assertThatThrownBy(() -> BodyCompletion.complete(stretched(patient, 0.333, 0.333, 0.333), template))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageMatching("found a body 0\\.3\\d times as large as adult-male, expected 0.5 to 1.7 times;"
+                        + " is the spacing right\\? see --spacing");
+        assertThatThrownBy(() -> BodyCompletion.complete(stretched(patient, 1, 1, 2), template))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("times as tall as adult-male, expected more even proportions");
+        assertThat(BodyCompletion.complete(stretched(patient, 0.8, 1.25, 1), template)
+                        .canBreathe())
+                .isTrue();
+        assertThat(BodyCompletion.complete(stretched(patient, 1, 1, 0.6), template)
+                        .notes())
+                .anyMatch(note -> note.contains("expected more even proportions"));
     }
 
     private static TriangleMesh diaphragm(Thorax thorax) {

@@ -4,10 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.ScanSamples;
 
@@ -27,10 +29,27 @@ class GeometryOverrideTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"1.75", "1,2", "1,2,0", "1,2,-3", "a,b,c", "1,2,3,4", "1,2,NaN", "1,2,99"})
+    @ValueSource(strings = {"1.75", "1,2", "1,2,0", "1,2,-3", "a,b,c", "1,2,3,4", "1,2,NaN", "1,2,99", "1,2,0.05"})
     void anythingElseIsRefusedInOneSentence(String text) {
         assertThatThrownBy(() -> GeometryOverride.spacing(ScanSamples.volume(), text))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("--spacing: found '" + text + "', expected");
+    }
+
+    /** A file in metres whose header says nothing of units has voxels of microns. */
+    @Test
+    void voxelsOfNoScanAreRefused() {
+        LabelVolume metres = ScanSamples.volume();
+        double[] toMm = metres.grid().toMm();
+        for (int i = 0; i < toMm.length; i++) {
+            toMm[i] /= 1000;
+        }
+        LabelVolume volume = new LabelVolume(metres.grid().withAffine(toMm), metres.names(), metres.notes());
+        assertThatThrownBy(() -> GeometryOverride.NONE.apply(volume, "scan"))
+                .isInstanceOf(BadInputException.class)
+                .hasMessage("scan: found voxels of 0.00400 x 0.00400 x 0.00400 mm, expected 0.1 to 50 mm; see"
+                        + " --spacing");
+        GeometryOverride stated = new GeometryOverride(Optional.empty(), Optional.of("4,4,4"));
+        assertThat(stated.apply(volume, "scan").grid().spacing(2)).isCloseTo(4, within(1e-9));
     }
 }

@@ -94,8 +94,25 @@ class LabelGuessTest {
         assertThat(guess.table().orElseThrow().structures())
                 .containsEntry(92, "rib_01_L")
                 .containsEntry(115, "rib_12_R");
-        // Upside down nearly all comparisons of heights fail.
-        LabelGuess none = LabelGuess.of(cage(-CageVoxels.SPACING_MM, Map.of()));
+    }
+
+    /** Numbers fit upside down, and the axes are told; numbers in any order fit in no axes. */
+    @Test
+    void numbersOfTotalSegmentatorAreTakenWhereTheirPlacesFitInOtherAxes() {
+        LabelGuess guess = LabelGuess.of(cage(-CageVoxels.SPACING_MM, Map.of()));
+        assertThat(guess.source()).isEqualTo(LabelGuess.Source.TOTALSEGMENTATOR);
+        assertThat(guess.reason()).endsWith("fit if the axes are LPS");
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        for (int v = 0; v < cage.labels.length; v++) {
+            int label = cage.labels[v] & 0xff;
+            cage.labels[v] = (byte) (label == 0 ? 0 : 32 + (37 * label + 11) % 84);
+        }
+        double s = CageVoxels.SPACING_MM;
+        LabelGrid grid =
+                LabelGrid.of(CageVoxels.COLUMNS, CageVoxels.ROWS, CageVoxels.SLICES, cage.labels, new double[] {
+                    s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0
+                });
+        LabelGuess none = LabelGuess.of(new LabelVolume(grid, Map.of(), List.of()));
         assertThat(none.source()).isEqualTo(LabelGuess.Source.NONE);
         assertThatThrownBy(() -> none.require("scan"))
                 .isInstanceOf(BadInputException.class)

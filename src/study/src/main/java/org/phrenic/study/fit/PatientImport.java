@@ -82,8 +82,7 @@ public record PatientImport(
                         pair.name(),
                         named ? Optional.empty() : Optional.of(LabelTable.LUNGS),
                         Optional.empty(),
-                        volume ->
-                                axes.map(a -> GeometryOverride.axes(volume, a)).orElse(volume),
+                        new GeometryOverride(axes, Optional.empty()),
                         template.map(t -> new ImportRequest.Completion(t, true)),
                         alignTo),
                 SILENT);

@@ -1,0 +1,65 @@
+package org.phrenic.ui.scan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.patient.ScanSamples;
+import org.phrenic.patient.segmentation.GeometryOverride;
+
+/** What the dialog of an import proposes for the geometry of a volume. */
+class ScanLabelsTest {
+    private static final Thorax USUAL = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
+
+    @TempDir
+    private Path folder;
+
+    /** Two lungs, the right one the larger, and a liver below it; slices are 4 mm apart in this direction. */
+    private Path scan(String up) throws IOException {
+        byte[] labels = ScanSamples.voxels();
+        for (int v = 0; v < labels.length; v++) {
+            boolean right = v % ScanSamples.COLUMNS < 30;
+            labels[v] = (byte) (labels[v] == ScanSamples.LIVER ? 3 : labels[v] == 0 ? 0 : right ? 1 : 2);
+        }
+        String header = "NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\nsizes: "
+                + ScanSamples.COLUMNS + " " + ScanSamples.ROWS + " " + ScanSamples.SLICES
+                + "\nspace directions: (4,0,0) (0,4,0) (0,0," + up + ")\nencoding: raw\nspace origin: (0,0,0)\n"
+                + "Segment0_LabelValue:=1\nSegment0_Name:=right lung\n"
+                + "Segment1_LabelValue:=2\nSegment1_Name:=left lung\n"
+                + "Segment2_LabelValue:=3\nSegment2_Name:=liver\n\n";
+        Path file = folder.resolve("scan.seg.nrrd");
+        Files.write(file, header.getBytes(StandardCharsets.US_ASCII));
+        return Files.write(file, labels, StandardOpenOption.APPEND);
+    }
+
+    @Test
+    void axesAndSpacingOfTheFileAreProposedAndKept() throws IOException {
+        ScanLabels labels = ScanLabels.read(scan("4"), USUAL);
+        assertThat(labels.axes()).isEqualTo("LPS");
+        assertThat(labels.axesProblem()).isEmpty();
+        assertThat(labels.spacing()).isEqualTo("4, 4, 4");
+        assertThat(labels.geometry(" lps", labels.spacing())).isEqualTo(GeometryOverride.NONE);
+        assertThat(labels.geometry("RAS", "4, 4, 5"))
+                .isEqualTo(new GeometryOverride(Optional.of("RAS"), Optional.of("4, 4, 5")));
+    }
+
+    /** A liver above the lungs: other axes are proposed, and whoever keeps those of the file states them. */
+    @Test
+    void axesThatTheStructuresContradictAreReplaced() throws IOException {
+        ScanLabels labels = ScanLabels.read(scan("-4"), USUAL);
+        assertThat(labels.axes()).isEqualTo("LPS");
+        assertThat(labels.axesProblem())
+                .hasValueSatisfying(problem -> assertThat(problem).contains("run to LPS", "the file states LPI"));
+        assertThat(labels.geometry(labels.axes(), labels.spacing()).axes()).contains("LPS");
+        assertThat(labels.geometry("LPI", labels.spacing()).axes()).contains("LPI");
+    }
+}
