@@ -30,6 +30,9 @@ final class BoneFit {
     private static final double VERTEBRA_SIGMA_MM = 1;
     private static final int STERNUM_POINTS = 50;
     private static final double STERNUM_SIGMA_MM = 2;
+    /** Height of the lower end of a sternum, mm. */
+    private static final double STERNUM_END_MM = 10;
+
     private static final int CARTILAGE_POINTS = 6;
     private static final double CARTILAGE_SIGMA_MM = 4;
     private static final int LUNG_POINTS = 80;
@@ -51,6 +54,8 @@ final class BoneFit {
     private final List<Structure> template;
     private final List<RibFit> ribs = new ArrayList<>();
     private final List<SurfacePair> surfaces = new ArrayList<>();
+    /** Lower ends of sterna that the scan cuts off above. */
+    private final PointPairs sternumEnds = new PointPairs();
 
     /**
      * @param start first alignment of the template
@@ -73,9 +78,29 @@ final class BoneFit {
                 ribs.add(new RibFit(s));
             } else if (s.kind() == StructureKind.STERNUM || s.kind() == StructureKind.COSTAL_CARTILAGE) {
                 surfaces.add(new SurfacePair(s.organ(), s.scan(), s.template(), true));
+                if (s.kind() == StructureKind.STERNUM
+                        && !s.isComplete()
+                        && !s.cutAt().contains("I")) {
+                    sternumEnds.add(lowerEnd(s.template()), lowerEnd(s.scan()), STERNUM_SIGMA_MM);
+                }
             }
         }
         surfaces.addAll(organs);
+    }
+
+    private static double[] lowerEnd(TriangleMesh sternum) {
+        double bound = sternum.bounds()[2] + STERNUM_END_MM;
+        double[] end = new double[3];
+        int count = 0;
+        for (int v = 0; v < sternum.vertexCount(); v++) {
+            if (sternum.z(v) < bound) {
+                count++;
+                end[0] += sternum.x(v);
+                end[1] += sternum.y(v);
+                end[2] += sternum.z(v);
+            }
+        }
+        return new double[] {end[0] / count, end[1] / count, end[2] / count};
     }
 
     /** Ribs that scan and template share, after the fit. */
@@ -89,6 +114,7 @@ final class BoneFit {
         for (int round = 0; round < SLIDING_ROUNDS + COURSE_ROUNDS; round++) {
             PointPairs pairs = new PointPairs();
             pairs.addAll(spine);
+            pairs.addAll(sternumEnds);
             for (RibFit rib : ribs) {
                 rib.place(map);
                 if (round >= SLIDING_ROUNDS) {

@@ -41,8 +41,10 @@ final class RibComponents {
     static final class Rib {
         final IntList voxels = new IntList();
         final TreeMap<Integer, Integer> segments = new TreeMap<>();
-        /** Which of the directions about the body's long axis the rib covers. */
-        final boolean[] angles = new boolean[ANGLES];
+        /** Number of voxels, and sum of their heights (mm), in each direction about the body's long axis. */
+        final int[] inDirection = new int[ANGLES];
+
+        final double[] heights = new double[ANGLES];
         /** Ends of the volume that the rib reaches, as {@link Segmentation#ends}. */
         int ends;
 
@@ -51,6 +53,15 @@ final class RibComponents {
         /** Share of the rib's voxels that carry a segment number. */
         double share(int segment) {
             return segments.getOrDefault(segment, 0) / (double) voxels.size();
+        }
+
+        /** Mean height above another rib in the directions of both, mm; of the centres if they share none. */
+        double heightAbove(Rib other) {
+            return IntStream.range(0, ANGLES)
+                    .filter(bin -> inDirection[bin] > 0 && other.inDirection[bin] > 0)
+                    .mapToDouble(bin -> heights[bin] / inDirection[bin] - other.heights[bin] / other.inDirection[bin])
+                    .average()
+                    .orElse(centre[2] - other.centre[2]);
         }
 
         int dominantSegment() {
@@ -113,7 +124,8 @@ final class RibComponents {
             int voxel = rib.voxels.get(i);
             double angle = StrictMath.atan2(s.coordinate(voxel, 1) - middle[1], s.coordinate(voxel, 0) - middle[0]);
             int bin = (int) ((angle + Math.PI) / (2 * Math.PI) * ANGLES);
-            rib.angles[Math.min(ANGLES - 1, bin)] = true;
+            rib.inDirection[Math.min(ANGLES - 1, bin)]++;
+            rib.heights[Math.min(ANGLES - 1, bin)] += s.coordinate(voxel, 2);
         }
     }
 
@@ -188,7 +200,8 @@ final class RibComponents {
         a.ends |= b.ends;
         b.segments.forEach((segment, count) -> a.segments.merge(segment, count, Integer::sum));
         for (int bin = 0; bin < ANGLES; bin++) {
-            a.angles[bin] |= b.angles[bin];
+            a.inDirection[bin] += b.inDirection[bin];
+            a.heights[bin] += b.heights[bin];
         }
     }
 
@@ -198,9 +211,9 @@ final class RibComponents {
         int ofA = 0;
         int ofB = 0;
         for (int bin = 0; bin < ANGLES; bin++) {
-            common += a.angles[bin] && b.angles[bin] ? 1 : 0;
-            ofA += a.angles[bin] ? 1 : 0;
-            ofB += b.angles[bin] ? 1 : 0;
+            common += a.inDirection[bin] > 0 && b.inDirection[bin] > 0 ? 1 : 0;
+            ofA += a.inDirection[bin] > 0 ? 1 : 0;
+            ofB += b.inDirection[bin] > 0 ? 1 : 0;
         }
         return Math.max(0, common - 1) / (double) Math.min(ofA, ofB);
     }

@@ -19,7 +19,8 @@ import org.phrenic.mesh.voxel.LabelGrid;
 /**
  * Numbers of ribs. Where a label holds parts of two ribs, or all ribs share one label, the connected ribs are numbered
  * from top to bottom on each side. The numbers are those of least cost: the height of a rib's vertebral end above or
- * below the vertebra of its number, and the share of its voxels that carry another number.
+ * below the vertebra of its number, the share of its voxels that carry another number, and numbers left out. Of a rib
+ * whose vertebral end is cut off the vertebra lies higher than what is left.
  */
 final class RibNumbering {
     private static final int RIBS = 12;
@@ -29,13 +30,19 @@ final class RibNumbering {
     private static final double VOTE = 0.5;
     /** Share of a rib's voxels nearest to the spine that make its vertebral end. */
     private static final double END_SHARE = 0.03;
+    /** Cost of a number without a rib between two ribs. */
+    private static final double GAP = 0.3;
+    /** Greatest distance of a vertebral end from the median plane, mm. */
+    private static final double HEAD_MM = 60;
+    /** Weight of the height above what is left of a rib whose vertebral end is cut off. */
+    private static final double ABOVE_CUT = 0.2;
     /** Distance of the medial ends of ribs from the median plane, mm. */
     private static final double BESIDE_MM = 15;
 
     private final Segmentation s;
     private final int common;
     private final RibComponents components;
-    /** Height of the body of each thoracic vertebra by number, mm; NaN if unknown. */
+    /** Height of the body of each thoracic vertebra by number, mm; NaN if none is known. */
     private final double[] vertebraZ = new double[RIBS + 1];
 
     private RibNumbering(Segmentation s, byte[] group) {
@@ -83,16 +90,20 @@ final class RibNumbering {
         int stray = 0;
         for (Side side : List.of(Side.RIGHT, Side.LEFT)) {
             List<Integer> onSide = new ArrayList<>();
-            double[] endZ = new double[ribs.size()];
+            VertebralEnd[] ends = new VertebralEnd[ribs.size()];
             for (int i = 0; i < ribs.size(); i++) {
                 if (side(ribs.get(i), middle) == side) {
                     onSide.add(i);
-                    endZ[i] = endHeight(ribs.get(i), middle);
+                    ends[i] = vertebralEnd(ribs.get(i), middle);
                 }
             }
             stray += dropStrays(onSide);
-            onSide.sort(Comparator.comparingDouble(i -> -endZ[i]));
-            int[] numbers = numbers(onSide, endZ, side, found);
+            List<Integer> unsorted = List.copyOf(onSide);
+            onSide.sort(Comparator.comparingLong((Integer i) -> unsorted.stream()
+                            .filter(other -> ribs.get(other).heightAbove(ribs.get(i)) > 0)
+                            .count())
+                    .thenComparingDouble(i -> -ends[i].z()));
+            int[] numbers = numbers(onSide, ends, side, found);
             for (int i = 0; i < numbers.length; i++) {
                 nameOf[onSide.get(i)] = name(numbers[i], side);
                 numbered.add(nameOf[onSide.get(i)]);
@@ -162,6 +173,14 @@ final class RibNumbering {
         return before - onSide.size();
     }
 
+    /**
+     * The end of a rib toward the spine.
+     *
+     * @param z height, mm
+     * @param isCut whether the scan cuts the rib off before it reaches the spine
+     */
+    private record VertebralEnd(double z, boolean isCut) {}
+
     private static String name(int number, Side side) {
         return String.format(Locale.ROOT, "rib_%02d_%s", number, side == Side.RIGHT ? "R" : "L");
     }
@@ -171,7 +190,8 @@ final class RibNumbering {
     }
 
     /**
-     * Heights of vertebral bodies: means over the anterior halves of the vertebrae, interpolated between known ones.
+     * Heights of vertebral bodies: means over the anterior halves of the vertebrae. Those that the scan does not show
+     * are taken to follow at the usual distance.
      */
     private void findVertebrae() {
         Arrays.fill(vertebraZ, Double.NaN);
@@ -206,10 +226,16 @@ final class RibNumbering {
                 }
             }
         }
+        for (int level = RIBS - 1; level > 0; level--) {
+            vertebraZ[level] = Double.isNaN(vertebraZ[level]) ? vertebraZ[level + 1] + VERTEBRA_MM : vertebraZ[level];
+        }
+        for (int level = 2; level <= RIBS; level++) {
+            vertebraZ[level] = Double.isNaN(vertebraZ[level]) ? vertebraZ[level - 1] - VERTEBRA_MM : vertebraZ[level];
+        }
     }
 
-    /** Height of a rib's vertebral end: the part of its posterior half that is nearest to the median plane. */
-    private double endHeight(RibComponents.Rib rib, double middle) {
+    /** The vertebral end of a rib: the part of its posterior half that is nearest to the median plane. */
+    private VertebralEnd vertebralEnd(RibComponents.Rib rib, double middle) {
         int n = rib.voxels.size();
         double[][] points = new double[n][];
         int count = 0;
@@ -222,45 +248,60 @@ final class RibNumbering {
         double[][] posterior = Arrays.copyOf(points, count);
         Arrays.sort(posterior, Comparator.comparingDouble((double[] p) -> p[0]).thenComparingDouble(p -> p[1]));
         int end = Math.max(1, (int) (END_SHARE * n));
-        return Arrays.stream(posterior)
+        double z = Arrays.stream(posterior)
                 .limit(end)
                 .mapToDouble(p -> p[1])
                 .average()
                 .orElse(rib.centre[2]);
+        return new VertebralEnd(z, rib.ends != 0 && posterior.length > 0 && posterior[0][0] > HEAD_MM);
     }
 
     /** Increasing numbers of least total cost for ribs from top to bottom. */
-    private int[] numbers(List<Integer> ribs, double[] endZ, Side side, String found) {
+    private int[] numbers(List<Integer> ribs, VertebralEnd[] ends, Side side, String found) {
         int n = ribs.size();
         if (n > RIBS || (n < RIBS && common > 0 && !hasVertebrae())) {
             throw new BadInputException(found + ", which cannot be told apart: found " + n + " connected ribs on the "
                     + side.name().toLowerCase(Locale.ROOT)
                     + (n > RIBS ? ", expected at most 12" : " and no vertebrae, expected 12, or labelled vertebrae"));
         }
-        double[][] least = new double[n + 1][RIBS + 1];
-        for (int i = 1; i <= n; i++) {
-            Arrays.fill(least[i], Double.POSITIVE_INFINITY);
-            for (int number = i; number <= RIBS - n + i; number++) {
-                double cost = least[i - 1][number - 1] + cost(ribs.get(i - 1), endZ, number, side);
-                least[i][number] = Math.min(least[i][number - 1], cost);
+        double[][] least = new double[n][RIBS + 1];
+        int[][] before = new int[n][RIBS + 1];
+        for (int i = 0; i < n; i++) {
+            for (int number = i + 1; number <= RIBS - n + i + 1; number++) {
+                double cost = cost(ribs.get(i), ends, number, side);
+                least[i][number] = i == 0 ? cost : Double.POSITIVE_INFINITY;
+                for (int above = i; i > 0 && above < number; above++) {
+                    double sum = least[i - 1][above] + GAP * (number - above - 1) + cost;
+                    if (sum < least[i][number]) {
+                        least[i][number] = sum;
+                        before[i][number] = above;
+                    }
+                }
             }
         }
         int[] numbers = new int[n];
-        int number = RIBS;
-        for (int i = n; i > 0; i--) {
-            while (number > i && least[i][number - 1] <= least[i][number]) {
-                number--;
-            }
-            numbers[i - 1] = number--;
+        for (int i = n - 1; i >= 0; i--) {
+            numbers[i] = i == n - 1 ? lowest(least[i], n) : before[i + 1][numbers[i + 1]];
         }
         return numbers;
     }
 
-    private double cost(int rib, double[] endZ, int number, Side side) {
+    /** The number of least cost of the lowest of n ribs. */
+    private static int lowest(double[] least, int n) {
+        return IntStream.rangeClosed(n, RIBS)
+                .boxed()
+                .min(Comparator.comparingDouble(number -> least[number]))
+                .orElseThrow();
+    }
+
+    private double cost(int rib, VertebralEnd[] ends, int number, Side side) {
         int segment = s.find(name(number, side));
         double vote = 1 - (segment > 0 ? components.ribs().get(rib).share(segment) : 0);
-        double z = vertebraZ[number];
-        return hasVertebrae() ? (Double.isNaN(z) ? 1 : Math.abs(endZ[rib] - z) / VERTEBRA_MM) + VOTE * vote : vote;
+        if (!hasVertebrae()) {
+            return vote;
+        }
+        double above = (vertebraZ[number] - ends[rib].z()) / VERTEBRA_MM;
+        return Math.abs(above) * (ends[rib].isCut() && above > 0 ? ABOVE_CUT : 1) + VOTE * vote;
     }
 
     /**

@@ -2,9 +2,11 @@ package org.phrenic.patient.registration;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
@@ -18,6 +20,7 @@ import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
+import org.phrenic.mesh.edit.MeshRepair;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
 import org.phrenic.patient.ExpectedStructures;
@@ -126,6 +129,38 @@ class BodyCompletionTest {
         // Ribs 7 and 8 are next to bones of the scan; T1 is 180 mm above the highest of them.
         assertThat(headError(body, patient, "rib_07_R")).isLessThan(4);
         assertThat(headError(body, patient, "rib_01_L")).isLessThan(20);
+    }
+
+    /** Of a sternum that is 40 mm shorter than the woman's the scan shows the lower half, with ribs 5 to 12. */
+    @Test
+    void theSternumEndsWhereTheScanShowsItsLowerEnd() {
+        Thorax patient = thorax("adult-female");
+        TriangleMesh sternum = PatientBody.merged(patient.structuresOf(StructureKind.STERNUM).stream())
+                .orElseThrow();
+        double low = sternum.bounds()[2] + 40;
+        double middle = 0.5 * (sternum.bounds()[2] + sternum.bounds()[5]);
+        int[] t = sternum.triangles();
+        int[] part = IntStream.range(0, sternum.triangleCount())
+                .filter(i -> IntStream.range(3 * i, 3 * i + 3)
+                        .allMatch(c -> sternum.z(t[c]) > low && sternum.z(t[c]) < middle))
+                .flatMap(i -> IntStream.range(3 * i, 3 * i + 3).map(c -> t[c]))
+                .toArray();
+        TriangleMesh piece = MeshRepair.repair(new TriangleMesh(sternum.positions(), part), 0, 0)
+                .mesh();
+        List<PatientStructure> seen = new ArrayList<>();
+        seen.add(scanned(new Structure("sternum", StructureKind.STERNUM, 0, Side.MIDLINE, piece), "S"));
+        for (Structure s : patient.structures()) {
+            boolean bone = s.kind() == StructureKind.RIB || s.kind() == StructureKind.VERTEBRA;
+            if (bone && s.level() >= 5) {
+                seen.add(scanned(s, ""));
+            }
+        }
+        PatientBody scan = new PatientBody("patient", seen, ExpectedStructures.missing(seen), List.of());
+        PatientBody body = BodyCompletion.complete(scan, thorax("adult-male"));
+        double end = PatientBody.merged(body.thorax().structuresOf(StructureKind.STERNUM).stream())
+                .orElseThrow()
+                .bounds()[2];
+        assertThat(end).isCloseTo(low, within(8.0));
     }
 
     /** The right side is scanned, and of the left lung a piece of 0.6 % of its volume before the heart. */

@@ -4,12 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Random;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 class SegmentationRepairTest {
@@ -62,6 +65,58 @@ class SegmentationRepairTest {
         SegmentationRepair.mend(s);
         assertThat(counts(s)).isEqualTo(truth);
         assertThat(s.labels("rib_07_L")).containsExactly(CageVoxels.rib(7, false), CageVoxels.rib(8, false));
+    }
+
+    /**
+     * A scan of the abdomen that cuts off the backs of ribs 5 to 8, steep ones, of which what is left begins at one
+     * height. In front of the body's axis ribs 7 to 11 carry the next number.
+     */
+    @Test
+    void ribsWhoseVertebralEndsAreCutOffKeepTheirOrder() {
+        CageVoxels cage = new CageVoxels();
+        for (int number = 5; number <= 12; number++) {
+            cage.ball(44.5, 50, 122 - 7 * number, 3.2, CageVoxels.vertebra(number));
+            for (int step = 0; step <= 400; step++) {
+                double angle = Math.PI * step / 400;
+                double x = 36 * StrictMath.sin(angle) + 6;
+                double z = 122 - 7 * number - 36 * angle / Math.PI;
+                int slipped = number >= 7 && number <= 11 && angle > Math.PI / 2 ? number + 1 : number;
+                cage.ball(44.5 - x, 30 + 22 * StrictMath.cos(angle), z, 1.6, CageVoxels.rib(slipped, true));
+            }
+        }
+        int slices = 62;
+        double s = CageVoxels.SPACING_MM;
+        byte[] lower = Arrays.copyOf(cage.labels, CageVoxels.COLUMNS * CageVoxels.ROWS * slices);
+        LabelGrid grid = LabelGrid.of(
+                CageVoxels.COLUMNS, CageVoxels.ROWS, slices, lower, new double[] {s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0});
+        Segmentation cut =
+                new Segmentation(new LabelVolume(grid, Map.of(), List.of()), CageVoxels.table(false), "scan");
+        assertThat(SegmentationRepair.numberRibs(cut)).isPresent();
+        for (int number = 5; number <= 12; number++) {
+            double angle = 0.9 * Math.PI;
+            double[] front = {
+                44.5 - 36 * StrictMath.sin(angle) - 6, 30 + 22 * StrictMath.cos(angle), 122 - 7 * number - 32.4
+            };
+            assertThat(nameNear(cut, front)).isEqualTo(String.format(Locale.ROOT, "rib_%02d_R", number));
+        }
+    }
+
+    /** Name of the structure at the voxel nearest to a place in voxels of the cage. */
+    private static String nameNear(Segmentation s, double[] place) {
+        int nearest = 0;
+        double least = Double.POSITIVE_INFINITY;
+        for (int v = 0; v < s.voxels.length; v++) {
+            double square = 0;
+            for (int axis = 0; axis < 3; axis++) {
+                double d = s.coordinate(v, axis) - CageVoxels.SPACING_MM * place[axis];
+                square += d * d;
+            }
+            if (square < least) {
+                least = square;
+                nearest = v;
+            }
+        }
+        return s.names().get(s.segmentAt(nearest) - 1);
     }
 
     /** A first rib in two pieces that meet with their ends, seen from the body's axis in the same directions. */
