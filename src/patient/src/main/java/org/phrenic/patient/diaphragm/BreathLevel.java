@@ -98,6 +98,7 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
         double[] ends = {lowerEnd(scanned, Side.RIGHT), lowerEnd(scanned, Side.LEFT)};
         return measured(Mark.DOMES, domes, spine)
                 .or(() -> measured(Mark.LOWER_BORDERS, borders, spine))
+                .or(() -> measured(Mark.DOMES, new double[] {topOfLiver(scanned), Double.NaN}, spine))
                 .or(() -> measured(Mark.LOWER_BORDERS, ends, spine).filter(BreathLevel::isInspired));
     }
 
@@ -169,6 +170,19 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
                 .filter(top ->
                         !cut || (top > lowerEnd(scanned, side) + SHOWN_DOME_MM && levelAt(spine, top) < LOWEST_DOME))
                 .findFirst()
+                .orElse(Double.NaN);
+    }
+
+    /** Top of a liver that the scan shows below the right lung, else NaN: there the right dome lies. */
+    private static double topOfLiver(PatientBody scanned) {
+        double upperEnd = lobes(scanned, Side.RIGHT).stream()
+                .mapToDouble(s -> s.mesh().bounds()[5])
+                .max()
+                .orElse(Double.NEGATIVE_INFINITY);
+        return scanned.thorax().structuresOf(StructureKind.LIVER).stream()
+                .mapToDouble(s -> s.mesh().bounds()[5])
+                .filter(top -> top < upperEnd - ABOVE_DOMES_MM)
+                .max()
                 .orElse(Double.NaN);
     }
 

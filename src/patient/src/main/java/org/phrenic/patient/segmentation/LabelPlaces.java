@@ -17,9 +17,9 @@ import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
  * Whether labels lie where their structures lie in people: right ribs and lung to the right of the left ones, ribs and
- * vertebrae in descending order, lungs above the liver, liver to the right of the spleen, sternum and organs in front
- * of the spine. Ribs are compared where both lie in one sector about the body's axis: of ribs that the scan cuts off,
- * middles tell nothing.
+ * vertebrae in descending order, lungs above the liver, upper lobes above lower ones, liver to the right of the spleen,
+ * sternum and organs in front of the spine. Ribs are compared where both lie in one sector about the body's axis: of
+ * ribs that the scan cuts off, middles tell nothing.
  */
 final class LabelPlaces {
     /** Least number of comparisons for a judgement. */
@@ -50,6 +50,11 @@ final class LabelPlaces {
 
     /** @param structures structure by label */
     LabelPlaces(LabelGrid grid, Map<Integer, String> structures) {
+        this(grid, structures, Map.of());
+    }
+
+    /** @param below label of the lower lobe of a lung by that of the upper one */
+    LabelPlaces(LabelGrid grid, Map<Integer, String> structures, Map<Integer, Integer> below) {
         double[][] sums = new double[LabelGrid.MAX_LABEL + 1][];
         structures.keySet().forEach(label -> sums[label] = new double[4]);
         int voxel = 0;
@@ -75,13 +80,24 @@ final class LabelPlaces {
         });
         totals.forEach((structure, sum) -> {
             if (sum[3] > 0) {
-                double[] centre = new double[3];
-                grid.voxelToMm(sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3], centre);
-                centres.put(structure, centre);
+                centres.put(structure, centre(grid, sum));
             }
         });
         measureRibs(grid, structures);
         compare();
+        below.forEach((upper, lower) -> {
+            double[] one = sums[lower];
+            double[] other = sums[upper];
+            if (one != null && other != null && one[3] > 0 && other[3] > 0) {
+                relations.add(new Relation(2, apart(centre(grid, one), centre(grid, other))));
+            }
+        });
+    }
+
+    private static double[] centre(LabelGrid grid, double[] sum) {
+        double[] centre = new double[3];
+        grid.voxelToMm(sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3], centre);
+        return centre;
     }
 
     private void measureRibs(LabelGrid grid, Map<Integer, String> structures) {

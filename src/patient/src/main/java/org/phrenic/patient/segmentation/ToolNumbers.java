@@ -38,7 +38,20 @@ record ToolNumbers(String file, Map<Integer, String> structures, LabelPlaces pla
                 structures.put((int) labels[row], table.texts("structure").get(row));
             }
         }
-        return new ToolNumbers(file, structures, new LabelPlaces(grid, structures));
+        return new ToolNumbers(file, structures, new LabelPlaces(grid, structures, lobes(table)));
+    }
+
+    /** Label of the lower lobe of each lung by that of the upper one. */
+    private static Map<Integer, Integer> lobes(CsvTable table) {
+        List<String> names = table.texts("name");
+        double[] labels = table.numbers("label");
+        Map<Integer, Integer> lobes = new TreeMap<>();
+        for (String side : List.of("right", "left")) {
+            int upper = names.indexOf("lung_upper_lobe_" + side);
+            int lower = names.indexOf("lung_lower_lobe_" + side);
+            lobes.put((int) labels[upper], (int) labels[lower]);
+        }
+        return lobes;
     }
 
     private static ToolNumbers better(List<ToolNumbers> versions, Function<LabelPlaces, Optional<BodyAxes>> axesOf) {

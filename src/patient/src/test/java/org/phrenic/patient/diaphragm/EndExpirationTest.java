@@ -147,7 +147,20 @@ class EndExpirationTest {
         assertThat(level.mark()).isEqualTo(BreathLevel.Mark.DOMES);
         assertThat(level.right()).isCloseTo(LEVEL.right(), within(0.2));
         assertThat(level.left()).isCloseTo(LEVEL.left(), within(0.2));
-        assertThat(BreathLevel.of(cutOff(INSPIRED, 95), INSPIRED)).isEmpty();
+        PatientBody noLiver = body(true, s -> s.kind() != StructureKind.LIVER);
+        assertThat(BreathLevel.of(cutOff(noLiver, 95), noLiver)).isEmpty();
+    }
+
+    /** The top of the liver in the last slices of a scan that ends at the domes. */
+    @Test
+    void theLiverTellsTheRightDomeWhereTheScanCutsTheLungsOff() {
+        BreathLevel level = BreathLevel.of(cutOff(INSPIRED, 95), INSPIRED).orElseThrow();
+        assertThat(level.mark()).isEqualTo(BreathLevel.Mark.DOMES);
+        assertThat(level.right()).isCloseTo(LEVEL.right(), within(0.6));
+        assertThat(level.left()).isNaN();
+        PatientBody resting = body(false, s -> true);
+        assertThat(BreathLevel.of(cutOff(resting, 95), resting).filter(BreathLevel::isInspired))
+                .isEmpty();
     }
 
     @Test
@@ -155,6 +168,7 @@ class EndExpirationTest {
         PatientBody low = new PatientBody(
                 "patient",
                 INSPIRED.structures().stream()
+                        .filter(s -> s.structure().kind() != StructureKind.LIVER)
                         .map(s -> s.structure().kind() == StructureKind.LUNG
                                 ? s.withStructure(moved(s.structure(), -40))
                                 : s)

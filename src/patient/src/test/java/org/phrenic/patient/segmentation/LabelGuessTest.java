@@ -119,6 +119,29 @@ class LabelGuessTest {
                 .hasMessageContaining("not where TotalSegmentator's structures of these numbers lie");
     }
 
+    /** Lobes 10 to 14 of a scan of the lungs alone: upper and lower left, upper, middle and lower right. */
+    @Test
+    void fiveLobesAloneAreRecognisedByTheirNumbers() {
+        double[][] centres = {{60, 30, 90}, {60, 40, 60}, {25, 30, 90}, {25, 20, 70}, {25, 40, 60}};
+        CageVoxels lungs = new CageVoxels();
+        for (int lobe = 0; lobe < centres.length; lobe++) {
+            lungs.ball(centres[lobe][0], centres[lobe][1], centres[lobe][2], 9, 10 + lobe);
+        }
+        double s = CageVoxels.SPACING_MM;
+        double[] toMm = {s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0};
+        LabelGrid grid = LabelGrid.of(CageVoxels.COLUMNS, CageVoxels.ROWS, CageVoxels.SLICES, lungs.labels, toMm);
+        LabelGuess guess = LabelGuess.of(new LabelVolume(grid, Map.of(), List.of()));
+        assertThat(guess.source()).isEqualTo(LabelGuess.Source.TOTALSEGMENTATOR);
+        assertThat(guess.table().orElseThrow().structures())
+                .containsEntry(11, "lung_L")
+                .containsEntry(13, "lung_R");
+        // Upside down the sides alone are right, which is not enough.
+        toMm[10] = -s;
+        assertThat(LabelGuess.of(new LabelVolume(grid.withAffine(toMm), Map.of(), List.of()))
+                        .source())
+                .isEqualTo(LabelGuess.Source.NONE);
+    }
+
     /** Ribs 1 left to 12 right are 92 to 115 in version 2 and 58 to 81 in version 1, L5 to T1 27 to 43 and 18 to 34. */
     @Test
     void numbersOfTheFirstVersionAreTakenWhereTheyFitBetter() {
