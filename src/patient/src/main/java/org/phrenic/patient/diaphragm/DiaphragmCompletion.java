@@ -8,6 +8,7 @@ import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
@@ -34,9 +35,12 @@ public final class DiaphragmCompletion {
                 rest.stream().map(PatientStructure::structure).toList(),
                 List.of(),
                 body.thorax().notInScan());
+        MedianFrame frame = MedianFrame.of(bare);
+        Thorax straight = frame.toFrame(bare);
         Structure sheet;
         try {
-            sheet = new Structure(NAME, StructureKind.DIAPHRAGM, 0, Side.MIDLINE, DiaphragmBuilder.build(bare));
+            TriangleMesh built = frame.toScan(DiaphragmBuilder.build(straight));
+            sheet = new Structure(NAME, StructureKind.DIAPHRAGM, 0, Side.MIDLINE, built);
         } catch (IllegalArgumentException e) {
             return body.withNotes(List.of("no diaphragm is built: " + e.getMessage()));
         }
@@ -44,7 +48,7 @@ public final class DiaphragmCompletion {
         rest.sort(Comparator.comparing(s -> s.structure().name()));
         List<String> notes =
                 new ArrayList<>(List.of("the diaphragm is built from the organs and bones that it touches"));
-        LungBase.of(bare).forEach(base -> base.note().ifPresent(notes::add));
+        LungBase.of(straight).forEach(base -> base.note().ifPresent(notes::add));
         return new PatientBody(body.name(), rest, ExpectedStructures.missing(rest), body.notes()).withNotes(notes);
     }
 

@@ -74,11 +74,12 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
     }
 
     /**
-     * Measures the sheet of a body.
+     * Measures the sheet of a body in LPS, along and across its median plane.
      *
      * @return empty if the body has no diaphragm, no ribs or no lower thoracic vertebrae
      */
-    public static Optional<SheetQuality> of(Thorax body) {
+    public static Optional<SheetQuality> of(Thorax scanned) {
+        Thorax body = MedianFrame.of(scanned).toFrame(scanned);
         List<Structure> sheets = body.structuresOf(StructureKind.DIAPHRAGM);
         if (sheets.isEmpty() || sheets.get(0).mesh().triangleCount() == 0) {
             return Optional.empty();

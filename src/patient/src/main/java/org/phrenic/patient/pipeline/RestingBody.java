@@ -8,6 +8,7 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.diaphragm.BreathLevel;
 import org.phrenic.patient.diaphragm.EndExpiration;
+import org.phrenic.patient.diaphragm.MedianFrame;
 import org.phrenic.patient.registration.BodyCompletion;
 
 /**
@@ -19,7 +20,8 @@ import org.phrenic.patient.registration.BodyCompletion;
 public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean moved) {
     /** A completed body at the breath level of its scan, with a note if that is one at inspiration. */
     static RestingBody asScanned(PatientBody scanned, PatientBody completed) {
-        return new RestingBody(completed, BreathLevel.of(scanned, completed), false);
+        MedianFrame frame = MedianFrame.of(completed.thorax());
+        return new RestingBody(completed, BreathLevel.of(frame.toFrame(scanned), frame.toFrame(completed)), false);
     }
 
     /** Whether the scan is clearly one at inspiration. */
@@ -32,10 +34,13 @@ public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean
      * lungs as they were, the whole body is moved.
      */
     RestingBody atEndExpiration(PatientBody scanned, Thorax template) {
+        MedianFrame frame = MedianFrame.of(body.thorax());
+        PatientBody straight = frame.toFrame(body);
         if (level.orElseThrow().mark() == BreathLevel.Mark.SHAPE) {
-            return new RestingBody(EndExpiration.of(body, body, level.orElseThrow()), level, true);
+            return new RestingBody(
+                    frame.toScan(EndExpiration.of(straight, straight, level.orElseThrow())), level, true);
         }
-        PatientBody rest = EndExpiration.of(scanned, body, level.orElseThrow());
+        PatientBody rest = frame.toScan(EndExpiration.of(frame.toFrame(scanned), straight, level.orElseThrow()));
         return new RestingBody(BodyCompletion.complete(rest, template), level, true);
     }
 

@@ -1,0 +1,121 @@
+package org.phrenic.patient.diaphragm;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.engine.kinematics.RigidMotion;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.patient.PatientBody;
+
+/**
+ * The frame of a body whose median plane is the plane x = const. A patient lies turned on the table or bent to a side;
+ * what is built along the axes of LPS is built in this frame and brought back. The plane is normal to the mean vector
+ * from right ribs to left ones of the same level.
+ */
+public final class MedianFrame {
+    /**
+     * Angle up to which a body counts as straight, degrees: people are not quite symmetric. Seven scans have up to 2.4.
+     */
+    private static final double STRAIGHT_DEG = 3;
+
+    private static final int RIBS = 12;
+
+    private final Optional<RigidMotion> toFrame;
+
+    private MedianFrame(Optional<RigidMotion> toFrame) {
+        this.toFrame = toFrame;
+    }
+
+    /** The frame of a body in LPS, mm; that of the body itself if it lies straight or has no pair of ribs. */
+    public static MedianFrame of(Thorax body) {
+        double[] left = new double[3];
+        double[] middle = new double[3];
+        int pairs = 0;
+        for (int level = 1; level <= RIBS; level++) {
+            Optional<double[]> r =
+                    body.find(StructureKind.RIB, level, Side.RIGHT).map(s -> centre(s.mesh()));
+            Optional<double[]> l =
+                    body.find(StructureKind.RIB, level, Side.LEFT).map(s -> centre(s.mesh()));
+            for (int axis = 0; axis < 3 && r.isPresent() && l.isPresent(); axis++) {
+                left[axis] += l.get()[axis] - r.get()[axis];
+                middle[axis] += 0.5 * (l.get()[axis] + r.get()[axis]);
+            }
+            pairs += r.isPresent() && l.isPresent() ? 1 : 0;
+        }
+        double length = Math.sqrt(left[0] * left[0] + left[1] * left[1] + left[2] * left[2]);
+        if (pairs == 0 || !(left[0] > 0)) {
+            return new MedianFrame(Optional.empty());
+        }
+        double[] n = {left[0] / length, left[1] / length, left[2] / length};
+        if (n[0] > Math.cos(Math.toRadians(STRAIGHT_DEG))) {
+            return new MedianFrame(Optional.empty());
+        }
+        // The least rotation that brings n to the x axis.
+        double f = 1 / (1 + n[0]);
+        double[] rotation = {
+            n[0], n[1], n[2], -n[1], 1 - f * n[1] * n[1], -f * n[1] * n[2], -n[2], -f * n[1] * n[2], 1 - f * n[2] * n[2]
+        };
+        double[] c = {middle[0] / pairs, middle[1] / pairs, middle[2] / pairs};
+        double[] shift = new double[3];
+        for (int row = 0; row < 3; row++) {
+            shift[row] =
+                    c[row] - rotation[3 * row] * c[0] - rotation[3 * row + 1] * c[1] - rotation[3 * row + 2] * c[2];
+        }
+        return new MedianFrame(Optional.of(RigidMotion.of(rotation, shift)));
+    }
+
+    private static double[] centre(TriangleMesh mesh) {
+        double[] p = mesh.positions();
+        double[] centre = new double[3];
+        for (int i = 0; i < p.length; i++) {
+            centre[i % 3] += p[i] / mesh.vertexCount();
+        }
+        return centre;
+    }
+
+    /** The body in this frame. */
+    Thorax toFrame(Thorax body) {
+        if (toFrame.isEmpty()) {
+            return body;
+        }
+        List<Structure> moved = new ArrayList<>();
+        body.structures().forEach(s -> moved.add(s.withMesh(moved(s.mesh(), toFrame.get()))));
+        return new Thorax(body.name(), moved, body.notes(), body.notInScan(), body.organs());
+    }
+
+    /** The body in this frame. */
+    public PatientBody toFrame(PatientBody body) {
+        return toFrame.map(motion -> moved(body, motion)).orElse(body);
+    }
+
+    /** A body of this frame in the axes of the scan. */
+    public PatientBody toScan(PatientBody body) {
+        return toFrame.map(motion -> moved(body, motion.inverse())).orElse(body);
+    }
+
+    /** A surface of this frame in the axes of the scan. */
+    TriangleMesh toScan(TriangleMesh mesh) {
+        return toFrame.map(motion -> moved(mesh, motion.inverse())).orElse(mesh);
+    }
+
+    private static PatientBody moved(PatientBody body, RigidMotion motion) {
+        return new PatientBody(
+                body.name(),
+                body.structures().stream()
+                        .map(s -> s.withStructure(
+                                s.structure().withMesh(moved(s.structure().mesh(), motion))))
+                        .toList(),
+                body.missing(),
+                body.notes());
+    }
+
+    private static TriangleMesh moved(TriangleMesh mesh, RigidMotion motion) {
+        double[] p = mesh.positions().clone();
+        motion.apply(p);
+        return mesh.withPositions(p);
+    }
+}
