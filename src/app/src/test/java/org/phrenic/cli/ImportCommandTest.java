@@ -74,7 +74,10 @@ class ImportCommandTest {
     void infoSaysWhatAVolumeHolds() {
         CommandLineRun run = CommandLineRun.of("info", volume.toString());
         assertThat(run.exitCode()).isEqualTo(ExitCode.SUCCESS);
-        assertThat(run.out()).contains("label volume", "60  40  50", "1 lungs", "5 liver");
+        assertThat(run.out())
+                .contains("label volume", "60  40  50", "1 lungs", "5 liver")
+                .containsPattern("axes +LPS")
+                .doesNotContain("contradicted");
     }
 
     @Test

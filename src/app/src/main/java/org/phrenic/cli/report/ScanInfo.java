@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlDocument;
@@ -14,6 +15,7 @@ import org.phrenic.document.YamlMap;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.patient.segmentation.LabelGuess;
 import org.phrenic.patient.segmentation.LabelTable;
+import org.phrenic.patient.segmentation.StatedAxes;
 
 /** What {@code phrenic info} says of scans: the labels of a volume, and the import that made a thorax folder. */
 final class ScanInfo {
@@ -23,7 +25,7 @@ final class ScanInfo {
 
     private ScanInfo() {}
 
-    /** Adds the labels of a volume with their names, guessed structures and sizes. */
+    /** Adds the axes of a volume and its labels with their names, guessed structures and sizes. */
     static void putLabels(Map<String, Object> info, LabelVolume volume) {
         LabelGuess guess = LabelGuess.of(volume);
         Map<Integer, String> structures =
@@ -40,6 +42,10 @@ final class ScanInfo {
                         .with("ml", counts[label] * volume.grid().voxelVolume() / MM3_PER_ML));
             }
         }
+        info.put("axes", StatedAxes.letters(volume));
+        guess.table()
+                .flatMap(table -> StatedAxes.contradicted(volume, table, Optional.empty()))
+                .ifPresent(axes -> info.put("axes_contradicted", axes.sentence()));
         info.put("label_table", guess.reason());
         info.put("labels", labels);
     }
