@@ -89,10 +89,7 @@ public final class LabelNames {
 
     /** The structure that a label's name stands for; empty if the name is unknown. */
     public static Optional<String> structure(String name) {
-        String plain = JOINED_WORDS
-                .matcher(name)
-                .replaceAll(" ")
-                .toLowerCase(Locale.ROOT)
+        String plain = LabelWords.english(JOINED_WORDS.matcher(name).replaceAll(" "))
                 .replaceAll("[^a-z0-9]+", " ")
                 .strip();
         String ofTool = OF_TOTALSEGMENTATOR.get(plain.replace(' ', '_'));

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -68,6 +69,47 @@ class LabelGuessTest {
     })
     void namesOfFilesStandForStructures(String name, String structure) {
         assertThat(LabelNames.structure(name)).contains(structure);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "Leber, liver",
+        "Lunge rechts, lung_R",
+        "linker Lungenflügel, lung_L",
+        "linker_Lungenfluegel, lung_L",
+        "5. Rippe links, rib_05_L",
+        "Rippen, ribs",
+        "BWK 5, vertebra_T05",
+        "LWK1, vertebra_L01",
+        "Th12, vertebra_T12",
+        "Wirbelsäule, bone_spine",
+        "foie, liver",
+        "Poumon gauche, lung_L",
+        "cote_7_droite, rib_07_R",
+        "cœur, heart",
+        "pulmón derecho, lung_R",
+        "riñón izquierdo, kidney_L",
+        "hígado, liver",
+        "polmone sinistro, lung_L",
+        "rene destro, kidney_R",
+        "coração, heart",
+        "pulmo dexter, lung_R",
+        "hepar, liver",
+        "右肺, lung_R",
+        "左肺上叶, lung_L",
+        "肝臓, liver",
+        "肋骨, ribs",
+        "右肾, kidney_R",
+    })
+    void namesInOtherLanguagesAreKnown(String name, String structure) {
+        assertThat(LabelNames.structure(name)).contains(structure);
+    }
+
+    /** Words of other languages leave English names as they are. */
+    @Test
+    void noEnglishNameHoldsAWordOfAnotherLanguage() {
+        assertThat(ToolNumbers.byName().keySet())
+                .allSatisfy(name -> assertThat(LabelWords.english(name)).isEqualTo(name.toLowerCase(Locale.ROOT)));
     }
 
     @Test

@@ -1,0 +1,65 @@
+package org.phrenic.patient.segmentation;
+
+import java.text.Normalizer;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.phrenic.document.CsvTable;
+import org.phrenic.document.ShippedFile;
+
+/**
+ * Anatomical words of other languages in the names of labels, put into English. The words are in
+ * {@code data/labels/words.csv}; accents may be missing or written out (Rippe, côte or cote, Lungenflügel or
+ * Lungenfluegel).
+ */
+final class LabelWords {
+    private static final String FILE = "words.csv";
+    private static final Pattern MARKS = Pattern.compile("\\p{M}+");
+    private static final Pattern WORD = Pattern.compile("\\p{L}+");
+    /** Thoracic and lumbar vertebrae as German and Latin name them: BWK 5, LWK 1, Th5. */
+    private static final Pattern THORACIC = Pattern.compile("\\b(?:bwk|th) ?(?=\\d)");
+
+    private static final Pattern LUMBAR = Pattern.compile("\\blwk ?(?=\\d)");
+
+    private static final Map<String, String> ENGLISH = new TreeMap<>();
+    /** Words of scripts that write no spaces, the longest first. */
+    private static final List<String> UNSPACED;
+
+    static {
+        CsvTable table = CsvTable.parse(FILE, ShippedFile.text("labels/" + FILE));
+        List<String> words = table.texts("word");
+        for (int row = 0; row < words.size(); row++) {
+            String english = table.texts("english").get(row);
+            ENGLISH.put(words.get(row), english);
+            ENGLISH.put(bare(words.get(row)), english);
+            ENGLISH.put(
+                    bare(words.get(row).replace("ä", "ae").replace("ö", "oe").replace("ü", "ue")), english);
+        }
+        UNSPACED = ENGLISH.keySet().stream()
+                .filter(word -> word.codePoints().anyMatch(Character::isIdeographic))
+                .sorted(Comparator.comparingInt(String::length).reversed().thenComparing(Comparator.naturalOrder()))
+                .toList();
+    }
+
+    private LabelWords() {}
+
+    private static String bare(String word) {
+        return MARKS.matcher(Normalizer.normalize(word, Normalizer.Form.NFD)).replaceAll("");
+    }
+
+    /** A name in lower case in which known words of other languages are English ones. */
+    static String english(String name) {
+        String text = Normalizer.normalize(name, Normalizer.Form.NFC).toLowerCase(Locale.ROOT);
+        for (String word : UNSPACED) {
+            text = text.replace(word, " " + ENGLISH.get(word) + " ");
+        }
+        text = WORD.matcher(text)
+                .replaceAll(word -> Matcher.quoteReplacement(
+                        ENGLISH.getOrDefault(word.group(), ENGLISH.getOrDefault(bare(word.group()), word.group()))));
+        return LUMBAR.matcher(THORACIC.matcher(text).replaceAll("t")).replaceAll("l");
+    }
+}
