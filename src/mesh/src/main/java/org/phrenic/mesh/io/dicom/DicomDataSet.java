@@ -12,8 +12,6 @@ import org.phrenic.file.Numbers;
 
 /** Elements of a DICOM file, or of an item of a sequence. Values are decoded when they are asked for. */
 public final class DicomDataSet {
-    private static final String UTF_8 = "ISO_IR 192";
-
     private final DicomBytes bytes;
     private final Map<Integer, DicomElement> elements = new HashMap<>();
     private final Charset charset;
@@ -26,8 +24,7 @@ public final class DicomDataSet {
         bytes.walk(from, to, isOpen, depth, elements);
         boolean isStated = has(DicomTag.SPECIFIC_CHARACTER_SET);
         Charset outer = around == null ? StandardCharsets.ISO_8859_1 : around.charset;
-        boolean unicode = isStated && string(DicomTag.SPECIFIC_CHARACTER_SET).contains(UTF_8);
-        charset = unicode ? StandardCharsets.UTF_8 : isStated ? StandardCharsets.ISO_8859_1 : outer;
+        charset = isStated ? DicomCharsets.of(string(DicomTag.SPECIFIC_CHARACTER_SET)) : outer;
     }
 
     /** Name of the file, for messages. */

@@ -5,6 +5,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.IntConsumer;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.dicom.DicomDataSet;
@@ -17,9 +20,12 @@ import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
  * Reader of DICOM segmentations (PS3.3, A.51 and C.8.20), binary ones, whose segments may overlap, and label maps.
- * Labels are segment numbers, names are segment labels.
+ * Labels are segment numbers, names are segment labels, or their coded types where these are mere numbers.
  */
 final class DicomSegmentation {
+    /** Labels that programs give to segments without a name: Segment 1, Seg_2, 3. */
+    private static final Pattern NUMBERED = Pattern.compile("(?i)(segment|seg|label)?[ _.-]*\\d*");
+
     private final DicomDataSet image;
     private final DicomPixels pixels;
     private final FunctionalGroups groups;
@@ -49,7 +55,7 @@ final class DicomSegmentation {
         Map<Integer, String> names = new TreeMap<>();
         for (DicomDataSet segment : image.items(DicomTag.SEGMENT_SEQUENCE)) {
             int number = segment.whole(DicomTag.SEGMENT_NUMBER, 0, LabelGrid.MAX_LABEL);
-            if (names.put(number, segment.text(DicomTag.SEGMENT_LABEL, "")) != null) {
+            if (names.put(number, name(segment)) != null) {
                 throw segment.badInput(DicomTag.SEGMENT_NUMBER, "found " + number + " twice, expected it once");
             }
         }
@@ -69,6 +75,21 @@ final class DicomSegmentation {
             grid = painter.grid(affine);
         }
         return new LabelVolume(grid, LabelPainter.named(names), notes);
+    }
+
+    /** The label of a segment; the meaning of its type, with its side, where the label is no more than a number. */
+    private static String name(DicomDataSet segment) {
+        String label = segment.text(DicomTag.SEGMENT_LABEL, "");
+        if (!NUMBERED.matcher(label).matches()) {
+            return label;
+        }
+        String meaning = segment.items(DicomTag.SEGMENTED_PROPERTY_TYPE_CODE_SEQUENCE).stream()
+                .flatMap(type -> Stream.concat(
+                        type.items(DicomTag.SEGMENTED_PROPERTY_TYPE_MODIFIER_CODE_SEQUENCE).stream(), Stream.of(type)))
+                .map(code -> code.text(DicomTag.CODE_MEANING, ""))
+                .collect(Collectors.joining(" "))
+                .strip();
+        return meaning.isEmpty() ? label : meaning;
     }
 
     /** Each pixel of a label map is the number of its segment. */

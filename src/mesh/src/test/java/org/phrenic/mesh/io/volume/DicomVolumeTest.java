@@ -72,6 +72,17 @@ class DicomVolumeTest {
         assertThat(volume.notes().toString().contains("fewest voxels")).isEqualTo(overlap);
     }
 
+    /** A segment labelled "Seg 1" in place of "liver", whose coded type says Liver. */
+    @Test
+    void aSegmentWithoutANameIsNamedByItsType() throws IOException {
+        byte[] bytes = Files.readAllBytes(resource("map_seg.dcm"));
+        String text = new String(bytes, StandardCharsets.ISO_8859_1);
+        assertThat(text.split("liver ", -1)).as("the label stands there once").hasSize(2);
+        byte[] numbered = text.replace("liver ", "Seg 1 ").getBytes(StandardCharsets.ISO_8859_1);
+        LabelVolume volume = LabelVolumeFiles.read(Files.write(folder.resolve("numbered.dcm"), numbered));
+        assertThat(volume.names()).isEqualTo(Map.of(1, "Liver", 2, "cyst", 3, "Milz ä"));
+    }
+
     @Test
     void aFileWithoutEndingIsKnownByItsContent() throws IOException {
         Path bare = Files.copy(resource("apart_seg.dcm"), folder.resolve("1.2.826.0.1"));
