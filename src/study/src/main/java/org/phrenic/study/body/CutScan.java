@@ -44,9 +44,14 @@ final class CutScan {
 
     private CutScan(Thorax body, BodyCut cut) {
         this.cut = cut;
-        this.body = cut == BodyCut.TURNED ? turned(body) : body;
+        this.body = inScan(body, cut);
         double[][] straight = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         axes = cut == BodyCut.OBLIQUE ? rotation(new double[] {1, 1, 1}) : straight;
+    }
+
+    /** A body in the position in which a scan shows it. */
+    static Thorax inScan(Thorax body, BodyCut cut) {
+        return cut == BodyCut.TURNED ? turned(body) : body;
     }
 
     static LabelGrid of(Thorax body, BodyCut cut) {

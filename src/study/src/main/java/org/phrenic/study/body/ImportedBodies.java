@@ -36,7 +36,7 @@ public final class ImportedBodies {
                             stem + ", scanned: " + cut.description(),
                             source.height(),
                             () -> imported(scanned(name, source.thorax().get(), cut, template.get(), folder), folder),
-                            Optional.of(source.thorax()));
+                            Optional.of(() -> CutScan.inScan(source.thorax().get(), cut)));
                 })
                 .toList();
     }

@@ -38,6 +38,32 @@ class CutScanTest {
                 .isCloseTo(1, within(0.03));
     }
 
+    /** What a rebuilt body is held against lies where the scan shows it. */
+    @Test
+    void aTurnedScanShowsTheTurnedBody() {
+        double[] liver = MeshMeasure.centreOfMass(
+                CutScan.inScan(MAN, BodyCut.TURNED).find("liver").orElseThrow().mesh());
+        LabelGrid turned = CutScan.of(MAN, BodyCut.TURNED);
+        double[] sum = new double[3];
+        double[] p = new double[3];
+        int voxels = count(turned, LIVER);
+        int voxel = 0;
+        for (int k = 0; k < turned.slices(); k++) {
+            for (int j = 0; j < turned.rows(); j++) {
+                for (int i = 0; i < turned.columns(); i++) {
+                    if (turned.label(voxel++) == LIVER) {
+                        turned.voxelToMm(i, j, k, p);
+                        for (int axis = 0; axis < 3; axis++) {
+                            sum[axis] += p[axis] / voxels;
+                        }
+                    }
+                }
+            }
+        }
+        assertThat(sum).containsExactly(liver, within(0.5));
+        assertThat(CutScan.inScan(MAN, BodyCut.OBLIQUE)).isSameAs(MAN);
+    }
+
     @Test
     void aFieldOfViewThatHoldsNothingIsRefused() {
         Thorax skinAlone = new Thorax("skin alone", MAN.structuresOf(StructureKind.SKIN), List.of());
