@@ -22,6 +22,9 @@ public record StatedAxes(String stated, String seen, boolean sidesAlone) {
     /** Least number of comparisons that tell axes of labels whose structures are not certain. */
     private static final int ENOUGH_FOR_NUMBERS = 12;
 
+    /** Least number of comparisons whose mean cosines tell: of two organs one may lie in any direction. */
+    private static final int ENOUGH_TO_ALIGN = 12;
+
     /** Difference of the mean cosines from which axes are worse than others. */
     private static final double MISALIGNED = 0.2;
 
@@ -71,6 +74,9 @@ public record StatedAxes(String stated, String seen, boolean sidesAlone) {
     /** Axes in which structures lie as in people, and nearly as much along the coordinates as in any others. */
     private static List<BodyAxes> fitting(LabelPlaces places) {
         List<BodyAxes> all = BodyAxes.all().stream().filter(places::fit).toList();
+        if (places.compared() < ENOUGH_TO_ALIGN) {
+            return all;
+        }
         double best = all.stream().mapToDouble(places::alignment).max().orElse(0);
         return all.stream()
                 .filter(axes -> places.alignment(axes) > best - MISALIGNED)
