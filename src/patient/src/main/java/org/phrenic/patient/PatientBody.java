@@ -3,6 +3,7 @@ package org.phrenic.patient;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -38,6 +39,17 @@ public record PatientBody(String name, List<PatientStructure> structures, List<S
 
     private boolean has(StructureKind kind) {
         return structures.stream().anyMatch(s -> s.structure().kind() == kind);
+    }
+
+    /** Returns a copy in which each structure is changed alike, as by a motion. */
+    public PatientBody withEach(UnaryOperator<Structure> change) {
+        return new PatientBody(
+                name,
+                structures.stream()
+                        .map(s -> s.withStructure(change.apply(s.structure())))
+                        .toList(),
+                missing,
+                notes);
     }
 
     /** Returns a copy with additional notes. */

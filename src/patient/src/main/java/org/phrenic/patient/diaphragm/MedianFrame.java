@@ -1,7 +1,5 @@
 package org.phrenic.patient.diaphragm;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
@@ -9,6 +7,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.kinematics.RigidMotion;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.Vectors;
 import org.phrenic.patient.PatientBody;
 
 /**
@@ -46,7 +45,7 @@ public final class MedianFrame {
             }
             pairs += r.isPresent() && l.isPresent() ? 1 : 0;
         }
-        double length = Math.sqrt(left[0] * left[0] + left[1] * left[1] + left[2] * left[2]);
+        double length = Vectors.length(left);
         if (pairs == 0 || !(left[0] > 0)) {
             return new MedianFrame(Optional.empty());
         }
@@ -79,22 +78,25 @@ public final class MedianFrame {
 
     /** The body in this frame. */
     Thorax toFrame(Thorax body) {
-        if (toFrame.isEmpty()) {
-            return body;
-        }
-        List<Structure> moved = new ArrayList<>();
-        body.structures().forEach(s -> moved.add(s.withMesh(moved(s.mesh(), toFrame.get()))));
-        return new Thorax(body.name(), moved, body.notes(), body.notInScan(), body.organs());
+        return toFrame.map(motion -> new Thorax(
+                        body.name(),
+                        body.structures().stream().map(s -> moved(s, motion)).toList(),
+                        body.notes(),
+                        body.notInScan(),
+                        body.organs()))
+                .orElse(body);
     }
 
     /** The body in this frame. */
     public PatientBody toFrame(PatientBody body) {
-        return toFrame.map(motion -> moved(body, motion)).orElse(body);
+        return toFrame.map(motion -> body.withEach(s -> moved(s, motion))).orElse(body);
     }
 
     /** A body of this frame in the axes of the scan. */
     public PatientBody toScan(PatientBody body) {
-        return toFrame.map(motion -> moved(body, motion.inverse())).orElse(body);
+        return toFrame.map(RigidMotion::inverse)
+                .map(motion -> body.withEach(s -> moved(s, motion)))
+                .orElse(body);
     }
 
     /** A surface of this frame in the axes of the scan. */
@@ -102,15 +104,8 @@ public final class MedianFrame {
         return toFrame.map(motion -> moved(mesh, motion.inverse())).orElse(mesh);
     }
 
-    private static PatientBody moved(PatientBody body, RigidMotion motion) {
-        return new PatientBody(
-                body.name(),
-                body.structures().stream()
-                        .map(s -> s.withStructure(
-                                s.structure().withMesh(moved(s.structure().mesh(), motion))))
-                        .toList(),
-                body.missing(),
-                body.notes());
+    private static Structure moved(Structure structure, RigidMotion motion) {
+        return structure.withMesh(moved(structure.mesh(), motion));
     }
 
     private static TriangleMesh moved(TriangleMesh mesh, RigidMotion motion) {

@@ -92,12 +92,12 @@ public final class ImportPipeline {
         RestingBody resting;
         try {
             resting = RestingBody.asScanned(scanned, BodyCompletion.complete(scanned, template));
+            if (resting.isInspired() && !completion.keepLevel()) {
+                progress.stage("bringing the scan from inspiration to end-expiration");
+                resting = resting.atEndExpiration(scanned, template);
+            }
         } catch (BadInputException problem) {
             throw new BadInputException(request.file() + ": " + problem.getMessage(), problem);
-        }
-        if (resting.isInspired() && !completion.keepLevel()) {
-            progress.stage("bringing the scan from inspiration to end-expiration");
-            resting = resting.atEndExpiration(scanned, template);
         }
         progress.stage("building the diaphragm from the organs and bones that it touches");
         return resting.with(SkinEnvelope.complete(DiaphragmCompletion.complete(resting.body())));

@@ -137,13 +137,7 @@ public record ScanAlignment(
     public static Aligned aligned(Thorax first, PatientBody second) {
         ScanAlignment alignment = of(first, second.thorax());
         PointTransform motion = alignment.motion::apply;
-        PatientBody body = new PatientBody(
-                second.name(),
-                second.structures().stream()
-                        .map(s -> s.withStructure(motion.apply(s.structure())))
-                        .toList(),
-                second.missing(),
-                second.notes());
+        PatientBody body = second.withEach(motion::apply);
         List<String> notes = new ArrayList<>(List.of(alignment.sentence(first.name())));
         LungDistances.between(first, body.thorax())
                 .forEach((side, d) -> notes.add("lungs, " + side + ", off " + first.name() + ": whole "

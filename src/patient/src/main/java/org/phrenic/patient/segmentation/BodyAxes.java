@@ -2,6 +2,7 @@ package org.phrenic.patient.segmentation;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
@@ -40,22 +41,21 @@ final class BodyAxes {
     /**
      * The axes under which columns, rows and slices of a grid run to these sides of the body.
      *
-     * @param letters one each of L or R, P or A, S or I
-     * @throws IllegalArgumentException if they are others
+     * @param letters one each of L or R, P or A, S or I; empty if they are others
      */
-    static BodyAxes of(LabelGrid grid, String letters) {
+    static Optional<BodyAxes> of(LabelGrid grid, String letters) {
         int[] along = along(grid);
         int[] from = {-1, -1, -1};
         int[] sign = new int[3];
         for (int direction = 0; direction < 3; direction++) {
             int side = letters.length() == 3 ? SIDES.indexOf(letters.charAt(direction)) : -1;
             if (side < 0 || from[side / 2] >= 0) {
-                throw new IllegalArgumentException(letters);
+                return Optional.empty();
             }
             from[side / 2] = along[direction];
             sign[side / 2] = (side % 2 == 0 ? 1 : -1) * (grid.toMm()[4 * along[direction] + direction] > 0 ? 1 : -1);
         }
-        return new BodyAxes(from, sign);
+        return Optional.of(new BodyAxes(from, sign));
     }
 
     /** Coordinate (0, 1 or 2) of a vector in these axes. */

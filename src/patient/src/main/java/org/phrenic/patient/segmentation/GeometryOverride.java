@@ -52,15 +52,9 @@ public record GeometryOverride(Optional<String> axes, Optional<String> spacing) 
      * @throws BadInputException if the letters are invalid
      */
     public static LabelVolume axes(LabelVolume volume, String letters) {
-        BodyAxes turned;
-        try {
-            turned = BodyAxes.of(volume.grid(), letters.toUpperCase(Locale.ROOT));
-        } catch (IllegalArgumentException e) {
-            throw new BadInputException(
-                    "--axes: found '" + letters
-                            + "', expected three letters, one each of L or R, P or A, S or I, such as LPS or RAS",
-                    e);
-        }
+        BodyAxes turned = BodyAxes.of(volume.grid(), letters.toUpperCase(Locale.ROOT))
+                .orElseThrow(() -> new BadInputException("--axes: found '" + letters
+                        + "', expected three letters, one each of L or R, P or A, S or I, such as LPS or RAS"));
         double[] stated = volume.grid().toMm();
         double[] toMm = new double[12];
         for (int row = 0; row < 3; row++) {

@@ -89,7 +89,7 @@ final class LabelPlaces {
             double[] one = sums[lower];
             double[] other = sums[upper];
             if (one != null && other != null && one[3] > 0 && other[3] > 0) {
-                relations.add(new Relation(2, apart(centre(grid, one), centre(grid, other))));
+                relations.add(new Relation(2, Vectors.subtract(centre(grid, other), centre(grid, one))));
             }
         });
     }
@@ -168,11 +168,11 @@ final class LabelPlaces {
         spine().ifPresent(spine -> IN_FRONT_OF_SPINE.stream()
                 .map(centres::get)
                 .filter(Objects::nonNull)
-                .forEach(front -> relations.add(new Relation(1, apart(front, spine)))));
+                .forEach(front -> relations.add(new Relation(1, Vectors.subtract(spine, front)))));
     }
 
     private void comparePair(String one, StructureName name, String other, StructureName otherName) {
-        double[] apart = apart(centres.get(one), centres.get(other));
+        double[] apart = Vectors.subtract(centres.get(other), centres.get(one));
         boolean sided = name.side() == Side.RIGHT && otherName.side() == Side.LEFT;
         if (sided
                 && name.kind() == otherName.kind()
@@ -184,15 +184,11 @@ final class LabelPlaces {
                 && name.side() == otherName.side()
                 && otherName.level() == name.level() + 1;
         if (next && name.kind() == StructureKind.VERTEBRA) {
-            relations.add(new Relation(2, apart(centres.get(other), centres.get(one))));
+            relations.add(new Relation(2, Vectors.subtract(centres.get(one), centres.get(other))));
         } else if (next && name.kind() == StructureKind.RIB) {
             heightAbove(one, other)
                     .ifPresent(above -> relations.add(new Relation(2, new double[] {-apart[0], -apart[1], above})));
         }
-    }
-
-    private static double[] apart(double[] from, double[] to) {
-        return new double[] {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
     }
 
     /** Mean of the centres of the vertebrae. */
@@ -214,7 +210,7 @@ final class LabelPlaces {
     /** Expects the first structure at the smaller coordinate. */
     private void expect(String less, String more, int axis) {
         if (centres.containsKey(less) && centres.containsKey(more)) {
-            relations.add(new Relation(axis, apart(centres.get(less), centres.get(more))));
+            relations.add(new Relation(axis, Vectors.subtract(centres.get(more), centres.get(less))));
         }
     }
 

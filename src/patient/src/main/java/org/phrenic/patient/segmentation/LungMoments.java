@@ -27,8 +27,8 @@ public final class LungMoments {
     /** Third moments with indices in ascending order. */
     private final double[][][] third = new double[3][3][3];
 
-    private LungMoments(LabelGrid grid, IntPredicate isLung) {
-        int[] box = grid.box(isLung);
+    /** @param box of the voxels of lungs, as {@link LabelGrid#box} */
+    private LungMoments(LabelGrid grid, int[] box, IntPredicate isLung) {
         double[] mean = new double[3];
         long[] count = new long[1];
         each(grid, box, isLung, p -> {
@@ -90,10 +90,11 @@ public final class LungMoments {
      * @throws IllegalArgumentException if there are none
      */
     static LungMoments of(LabelGrid grid, IntPredicate isLung) {
-        if (grid.box(isLung)[5] < 0) {
+        int[] box = grid.box(isLung);
+        if (box[5] < 0) {
             throw new IllegalArgumentException("no voxel of a lung");
         }
-        return new LungMoments(grid, isLung);
+        return new LungMoments(grid, box, isLung);
     }
 
     /** Moments of the lungs of a thorax in LPS, in voxels of 4 mm; of a thorax without closed lungs none are known. */

@@ -19,11 +19,11 @@ import org.phrenic.mesh.voxel.LabelGrid;
  * @param sidesAlone whether right and left alone differ, as they do if labels are exchanged
  */
 public record StatedAxes(String stated, String seen, boolean sidesAlone) {
-    /** Least number of comparisons that tell axes of labels whose structures are not certain. */
-    private static final int ENOUGH_FOR_NUMBERS = 12;
-
-    /** Least number of comparisons whose mean cosines tell: of two organs one may lie in any direction. */
-    private static final int ENOUGH_TO_ALIGN = 12;
+    /**
+     * Least number of comparisons whose mean cosines tell axes, as one of two organs may lie in any direction, and that
+     * tell axes of labels whose structures are not certain.
+     */
+    private static final int ENOUGH = 12;
 
     /** Difference of the mean cosines from which axes are worse than others. */
     private static final double MISALIGNED = 0.2;
@@ -74,7 +74,7 @@ public record StatedAxes(String stated, String seen, boolean sidesAlone) {
     /** Axes in which structures lie as in people, and nearly as much along the coordinates as in any others. */
     private static List<BodyAxes> fitting(LabelPlaces places) {
         List<BodyAxes> all = BodyAxes.all().stream().filter(places::fit).toList();
-        if (places.compared() < ENOUGH_TO_ALIGN) {
+        if (places.compared() < ENOUGH) {
             return all;
         }
         double best = all.stream().mapToDouble(places::alignment).max().orElse(0);
@@ -86,7 +86,7 @@ public record StatedAxes(String stated, String seen, boolean sidesAlone) {
     /** Axes in which labels would lie as the structures of a tool's numbers do, if they lie so in no stated ones. */
     static Optional<BodyAxes> ofNumbers(LabelPlaces places) {
         return BodyAxes.all().stream()
-                .filter(axes -> places.compared() >= ENOUGH_FOR_NUMBERS && places.fit(axes))
+                .filter(axes -> places.compared() >= ENOUGH && places.fit(axes))
                 .max(Comparator.comparingDouble(places::alignment));
     }
 

@@ -24,8 +24,9 @@ record ToolNumbers(String file, Map<Integer, String> structures, LabelPlaces pla
     static ToolNumbers of(LabelGrid grid) {
         List<ToolNumbers> versions =
                 FILES.stream().map(file -> present(file, grid)).toList();
-        ToolNumbers best = better(versions, places -> Optional.of(BodyAxes.STATED));
-        return best.places.share() > 0.5 ? best : better(versions, StatedAxes::ofNumbers);
+        Function<LabelPlaces, Optional<BodyAxes>> stated = places -> Optional.of(BodyAxes.STATED);
+        ToolNumbers best = better(versions, stated);
+        return best.score(stated) > 0 ? best : better(versions, StatedAxes::ofNumbers);
     }
 
     private static ToolNumbers present(String file, LabelGrid grid) {

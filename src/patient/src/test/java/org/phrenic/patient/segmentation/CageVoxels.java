@@ -69,11 +69,16 @@ final class CageVoxels {
         return labels[i + COLUMNS * (j + ROWS * k)] & LabelGrid.MAX_BYTE_LABEL;
     }
 
-    Segmentation segmentation(LabelTable table) {
+    /** The voxels in LPS, the first one at the origin. */
+    LabelVolume volume() {
         double s = SPACING_MM;
         LabelGrid grid =
                 LabelGrid.of(COLUMNS, ROWS, SLICES, labels.clone(), new double[] {s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0});
-        return new Segmentation(new LabelVolume(grid, Map.of(), java.util.List.of()), table, "scan");
+        return new LabelVolume(grid, Map.of(), java.util.List.of());
+    }
+
+    Segmentation segmentation(LabelTable table) {
+        return new Segmentation(volume(), table, "scan");
     }
 
     /** The table of TotalSegmentator, with all ribs under one label of the table if wanted. */

@@ -149,12 +149,7 @@ class LabelGuessTest {
             int label = cage.labels[v] & 0xff;
             cage.labels[v] = (byte) (label == 0 ? 0 : 32 + (37 * label + 11) % 84);
         }
-        double s = CageVoxels.SPACING_MM;
-        LabelGrid grid =
-                LabelGrid.of(CageVoxels.COLUMNS, CageVoxels.ROWS, CageVoxels.SLICES, cage.labels, new double[] {
-                    s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0
-                });
-        LabelGuess none = LabelGuess.of(new LabelVolume(grid, Map.of(), List.of()));
+        LabelGuess none = LabelGuess.of(cage.volume());
         assertThat(none.source()).isEqualTo(LabelGuess.Source.NONE);
         assertThatThrownBy(() -> none.require("scan"))
                 .isInstanceOf(BadInputException.class)
@@ -169,19 +164,14 @@ class LabelGuessTest {
         for (int lobe = 0; lobe < centres.length; lobe++) {
             lungs.ball(centres[lobe][0], centres[lobe][1], centres[lobe][2], 9, 10 + lobe);
         }
-        double s = CageVoxels.SPACING_MM;
-        double[] toMm = {s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0};
-        LabelGrid grid = LabelGrid.of(CageVoxels.COLUMNS, CageVoxels.ROWS, CageVoxels.SLICES, lungs.labels, toMm);
-        LabelGuess guess = LabelGuess.of(new LabelVolume(grid, Map.of(), List.of()));
+        LabelGuess guess = LabelGuess.of(lungs.volume());
         assertThat(guess.source()).isEqualTo(LabelGuess.Source.TOTALSEGMENTATOR);
         assertThat(guess.table().orElseThrow().structures())
                 .containsEntry(11, "lung_L")
                 .containsEntry(13, "lung_R");
         // Upside down the sides alone are right, which is not enough.
-        toMm[10] = -s;
-        assertThat(LabelGuess.of(new LabelVolume(grid.withAffine(toMm), Map.of(), List.of()))
-                        .source())
-                .isEqualTo(LabelGuess.Source.NONE);
+        LabelVolume down = GeometryOverride.axes(lungs.volume(), "LPI");
+        assertThat(LabelGuess.of(down).source()).isEqualTo(LabelGuess.Source.NONE);
     }
 
     /** Ribs 1 left to 12 right are 92 to 115 in version 2 and 58 to 81 in version 1, L5 to T1 27 to 43 and 18 to 34. */

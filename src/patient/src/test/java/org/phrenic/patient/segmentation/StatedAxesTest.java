@@ -75,12 +75,7 @@ class StatedAxesTest {
         voxels.ball(25, 30, 80, 12, 1);
         voxels.ball(65, 30, 80, 12, 2);
         voxels.ball(30, 30, 50, 8, LIVER);
-        double s = CageVoxels.SPACING_MM;
-        LabelGrid grid =
-                LabelGrid.of(CageVoxels.COLUMNS, CageVoxels.ROWS, CageVoxels.SLICES, voxels.labels, new double[] {
-                    s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0
-                });
-        LabelVolume volume = new LabelVolume(grid, Map.of(), List.of());
+        LabelVolume volume = voxels.volume();
         LabelTable table = new LabelTable(Map.of(1, "lung_R", 2, "lung_L", LIVER, "liver"));
         assertThat(StatedAxes.contradicted(volume, table, Optional.empty())).isEmpty();
         assertThat(StatedAxes.contradicted(GeometryOverride.axes(volume, "LAS"), table, Optional.empty()))
