@@ -19,10 +19,10 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.patient.ImportProgress;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.diaphragm.SheetQuality;
+import org.phrenic.patient.label.GeometryOverride;
 import org.phrenic.patient.pipeline.ImportPipeline;
 import org.phrenic.patient.pipeline.ImportRequest;
 import org.phrenic.patient.pipeline.ImportResult;
-import org.phrenic.patient.segmentation.GeometryOverride;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
@@ -77,9 +77,9 @@ final class ImportCommand extends ReportingCommand {
     @Option(
             names = "--labels",
             paramLabel = "MAP",
-            description =
-                    "Which label is which structure: a CSV file, totalsegmentator, or lungs (label 1 is both lungs). "
-                            + "Without it, the volume's own names, or TotalSegmentator's numbers where they fit.")
+            description = "Which label is which structure: a CSV file, the name of a tool or data set such as "
+                    + "totalsegmentator or vista3d, or lungs (label 1 is both lungs). Without it, the volume's "
+                    + "own names, or the numbers that fit.")
     private String labels;
 
     @Option(names = "--out", paramLabel = "DIR", required = true, description = "The thorax folder to write.")

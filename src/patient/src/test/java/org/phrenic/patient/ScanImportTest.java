@@ -18,9 +18,9 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.mesh.voxel.LabelGrid;
-import org.phrenic.patient.segmentation.GeometryOverride;
-import org.phrenic.patient.segmentation.LabelGuess;
-import org.phrenic.patient.segmentation.LabelTable;
+import org.phrenic.patient.label.GeometryOverride;
+import org.phrenic.patient.label.LabelGuess;
+import org.phrenic.patient.label.LabelTable;
 
 class ScanImportTest {
     private static final LabelTable MAP =
@@ -167,9 +167,10 @@ class ScanImportTest {
     void namesOfTotalSegmentatorAreKnownByNameAndByNumber() {
         LabelVolume named = ScanSamples.volume(l -> l, Map.of(1, "lung_lower_lobe_right", 5, "liver", 9, "brain"));
         assertThat(LabelGuess.of(named).require("scan").structures()).isEqualTo(Map.of(1, "lung_R", 5, "liver"));
-        assertThat(LabelTable.totalSegmentator(named).structures())
+        assertThat(LabelTable.of(LabelTable.TOTALSEGMENTATOR, named).structures())
                 .isEqualTo(Map.of(1, "lung_R", 5, "liver", 9, "brain"));
-        assertThat(LabelTable.totalSegmentator(ScanSamples.volume()).structures())
+        assertThat(LabelTable.of(LabelTable.TOTALSEGMENTATOR, ScanSamples.volume())
+                        .structures())
                 .hasSize(117)
                 .containsEntry(5, "liver")
                 .containsEntry(92, "rib_01_L")

@@ -13,9 +13,9 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.mesh.io.volume.LabelVolume;
-import org.phrenic.patient.segmentation.LabelGuess;
-import org.phrenic.patient.segmentation.LabelTable;
-import org.phrenic.patient.segmentation.StatedAxes;
+import org.phrenic.patient.label.LabelGuess;
+import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.label.StatedAxes;
 
 /** What {@code phrenic info} says of scans: the labels of a volume, and the import that made a thorax folder. */
 final class ScanInfo {

@@ -18,7 +18,7 @@ import javax.swing.JTable;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.document.report.Disclaimer;
-import org.phrenic.patient.segmentation.GeometryOverride;
+import org.phrenic.patient.label.GeometryOverride;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Dialogs;
 import org.phrenic.ui.widget.FileDialogs;
@@ -88,13 +88,9 @@ final class ScanImportDialog {
         JPanel content =
                 new JPanel(new MigLayout("insets 14, gap 8, fill", "[][grow, fill][]", "[][][grow, fill][][][][]"));
         content.add(new JLabel(file.getFileName() + ", " + labels.size()), "span 3, wmin 0, wrap");
-        content.add(recognised, "span 2, wmin 0");
-        content.add(
-                Controls.button(
-                        "TotalSegmentator",
-                        "Assign structures by the label numbers of TotalSegmentator",
-                        labels::assignByNumber),
-                "wrap");
+        content.add(recognised, "span 2, wmin 0, split 2, growx");
+        content.add(new JLabel("Numbers of"));
+        content.add(numbers(), "wrap");
         content.add(new JScrollPane(table()), "span 3, grow, wrap");
         content.add(new JLabel("Axes"));
         content.add(
@@ -123,6 +119,17 @@ final class ScanImportDialog {
                                 content, "Thorax folder")
                         .ifPresent(chosen -> folder.setText(chosen.toString()))));
         return content;
+    }
+
+    private JComboBox<String> numbers() {
+        JComboBox<String> numbers = new JComboBox<>(labels.tools().toArray(String[]::new));
+        numbers.setSelectedItem(null);
+        numbers.setPrototypeDisplayValue("totalsegmentator");
+        numbers.addActionListener(e -> labels.assignByNumber((String) numbers.getSelectedItem()));
+        return Controls.describe(
+                numbers,
+                "Numbers of",
+                "Assign structures by the label numbers of a segmentation tool or a public data set");
     }
 
     private JTable table() {

@@ -15,11 +15,11 @@ import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
-import org.phrenic.patient.segmentation.GeometryOverride;
-import org.phrenic.patient.segmentation.LabelGuess;
-import org.phrenic.patient.segmentation.LabelTable;
-import org.phrenic.patient.segmentation.LungMoments;
-import org.phrenic.patient.segmentation.StatedAxes;
+import org.phrenic.patient.label.GeometryOverride;
+import org.phrenic.patient.label.LabelGuess;
+import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.label.LungMoments;
+import org.phrenic.patient.label.StatedAxes;
 import org.phrenic.ui.session.NumberFormats;
 
 /** The labels of a volume as a table: number, name and size, and the structure that each one becomes. */
@@ -35,7 +35,9 @@ final class ScanLabels extends AbstractTableModel {
 
     private final List<Row> rows = new ArrayList<>();
     private final List<String> structures = new ArrayList<>();
-    private final Map<Integer, String> numbered;
+    /** Structures by label, as the numbers of each tool or data set have them. */
+    private final Map<String, Map<Integer, String>> numbered;
+
     private final String size;
     private final String axes;
     private final Optional<StatedAxes> contradicted;
@@ -44,7 +46,7 @@ final class ScanLabels extends AbstractTableModel {
 
     private ScanLabels(LabelVolume volume, Optional<LabelTable> table, Thorax usual) {
         Map<Integer, String> guess = table.map(LabelTable::structures).orElse(Map.of());
-        numbered = LabelTable.totalSegmentator(volume).structures();
+        numbered = LabelTable.byTool(volume);
         int[] counts = volume.grid().counts();
         for (int label = 1; label < counts.length; label++) {
             if (counts[label] > 0) {
@@ -108,17 +110,23 @@ final class ScanLabels extends AbstractTableModel {
 
     /** Names of structures to choose from. */
     Set<String> known() {
-        Set<String> known = new TreeSet<>(numbered.values());
+        Set<String> known = new TreeSet<>();
+        numbered.values().forEach(table -> known.addAll(table.values()));
         known.add(LabelTable.LUNGS);
         known.add(LabelTable.RIBS);
         known.add(LabelTable.COSTAL_CARTILAGES);
         return known;
     }
 
-    /** Assigns structures by the label numbers of TotalSegmentator. */
-    void assignByNumber() {
+    /** Names of tools and public data sets whose label numbers are known. */
+    Set<String> tools() {
+        return numbered.keySet();
+    }
+
+    /** Assigns structures by the label numbers of one of {@link #tools}. */
+    void assignByNumber(String tool) {
         for (int row = 0; row < rows.size(); row++) {
-            structures.set(row, numbered.getOrDefault(rows.get(row).label(), NONE));
+            structures.set(row, numbered.get(tool).getOrDefault(rows.get(row).label(), NONE));
         }
         edited = true;
         fireTableDataChanged();

@@ -14,7 +14,7 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.patient.ScanSamples;
-import org.phrenic.patient.segmentation.GeometryOverride;
+import org.phrenic.patient.label.GeometryOverride;
 
 /** What the dialog of an import proposes for the geometry of a volume. */
 class ScanLabelsTest {

@@ -1,8 +1,6 @@
 package org.phrenic.patient.pipeline;
 
 import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.Map;
 import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.BadInputException;
@@ -16,12 +14,12 @@ import org.phrenic.patient.ScanImport;
 import org.phrenic.patient.SkinEnvelope;
 import org.phrenic.patient.diaphragm.DiaphragmCompletion;
 import org.phrenic.patient.diaphragm.SheetQuality;
+import org.phrenic.patient.label.LabelGuess;
+import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.label.LungMoments;
+import org.phrenic.patient.label.StatedAxes;
 import org.phrenic.patient.registration.BodyCompletion;
 import org.phrenic.patient.registration.ScanAlignment;
-import org.phrenic.patient.segmentation.LabelGuess;
-import org.phrenic.patient.segmentation.LabelTable;
-import org.phrenic.patient.segmentation.LungMoments;
-import org.phrenic.patient.segmentation.StatedAxes;
 
 /** Turns a scan or a folder of meshes into a body: reads it, meshes its labels, and completes or aligns the body. */
 public final class ImportPipeline {
@@ -76,13 +74,7 @@ public final class ImportPipeline {
             progress.stage(guess.reason());
             return guess.require(request.file().toString());
         }
-        String labels = request.labels().get();
-        if (labels.equals(LabelTable.LUNGS)) {
-            return new LabelTable(Map.of(1, LabelTable.LUNGS));
-        }
-        return labels.equals(LabelTable.TOTALSEGMENTATOR)
-                ? LabelTable.totalSegmentator(volume)
-                : LabelTable.read(Path.of(labels), volume);
+        return LabelTable.of(request.labels().get(), volume);
     }
 
     private static RestingBody completed(ImportRequest request, PatientBody scanned, ImportProgress progress) {

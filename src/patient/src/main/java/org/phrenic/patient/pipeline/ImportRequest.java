@@ -3,7 +3,7 @@ package org.phrenic.patient.pipeline;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.patient.segmentation.GeometryOverride;
+import org.phrenic.patient.label.GeometryOverride;
 
 /**
  * What an import is asked for.

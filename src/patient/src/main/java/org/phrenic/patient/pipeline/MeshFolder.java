@@ -8,7 +8,7 @@ import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
-import org.phrenic.patient.segmentation.LabelNames;
+import org.phrenic.patient.label.LabelNames;
 
 /** Reads a folder of meshes as a body to be completed. */
 final class MeshFolder {

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.label.LabelTable;
 
 /**
  * Splits costal cartilages that share one label. Each voxel is assigned to the rib with the shortest voxel path through

@@ -1,6 +1,7 @@
 package org.phrenic.patient.segmentation;
 
 import java.util.Optional;
+import org.phrenic.patient.label.LabelTable;
 
 /**
  * Splits a label that two lungs share. Where the lungs have labels as well, it holds vessels or the like, which go to

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 import org.phrenic.mesh.IntList;
+import org.phrenic.patient.label.LabelTable;
 
 /**
  * The ribs of a volume as connected parts of the union of all rib labels. Parts that lie end to end under one label are

@@ -15,6 +15,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.label.LabelTable;
 
 /**
  * Numbers of ribs. Where a label holds parts of two ribs, or all ribs share one label, the connected ribs are numbered

@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.label.LabelTable;
 
 /**
  * Voxels of the requested structures, cropped to their bounding box. The segment number of a structure is the index of

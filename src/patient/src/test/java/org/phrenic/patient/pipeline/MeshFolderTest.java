@@ -16,7 +16,7 @@ import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.VtpWriter;
-import org.phrenic.patient.segmentation.GeometryOverride;
+import org.phrenic.patient.label.GeometryOverride;
 
 /** A folder of bones without a diaphragm, named as other programs name them, in cm and RAS. */
 class MeshFolderTest {

@@ -4,33 +4,34 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.label.LabelTable;
 
 /**
  * A rib cage of voxels of 3 mm: twelve pairs of ribs as sloping half ellipses of 9 mm thickness, 24 mm apart, and
  * twelve vertebrae. Labels as of TotalSegmentator.
  */
-final class CageVoxels {
-    static final int COLUMNS = 90;
-    static final int ROWS = 60;
-    static final int SLICES = 130;
-    static final double SPACING_MM = 3;
+public final class CageVoxels {
+    public static final int COLUMNS = 90;
+    public static final int ROWS = 60;
+    public static final int SLICES = 130;
+    public static final double SPACING_MM = 3;
     private static final int FIRST_LEFT = 92;
     private static final int FIRST_RIGHT = 104;
     private static final int T1 = 43;
 
-    final byte[] labels = new byte[COLUMNS * ROWS * SLICES];
+    public final byte[] labels = new byte[COLUMNS * ROWS * SLICES];
 
     /** Label of a rib by its number and side. */
-    static int rib(int number, boolean right) {
+    public static int rib(int number, boolean right) {
         return (right ? FIRST_RIGHT : FIRST_LEFT) + number - 1;
     }
 
-    static int vertebra(int number) {
+    public static int vertebra(int number) {
         return T1 + 1 - number;
     }
 
     /** Adds ribs from a number to twelve. */
-    CageVoxels withRibs(int first) {
+    public CageVoxels withRibs(int first) {
         for (int number = first; number <= 12; number++) {
             for (int step = 0; step <= 400; step++) {
                 double angle = Math.PI * step / 400;
@@ -45,14 +46,14 @@ final class CageVoxels {
         return this;
     }
 
-    CageVoxels withVertebrae(int first) {
+    public CageVoxels withVertebrae(int first) {
         for (int number = first; number <= 12; number++) {
             ball(44.5, 50, 123 - 8 * number, 3.2, vertebra(number));
         }
         return this;
     }
 
-    void ball(double x, double y, double z, double radius, int label) {
+    public void ball(double x, double y, double z, double radius, int label) {
         for (int k = (int) (z - radius); k <= z + radius; k++) {
             for (int j = (int) (y - radius); j <= y + radius; j++) {
                 for (int i = (int) (x - radius); i <= x + radius; i++) {
@@ -70,7 +71,7 @@ final class CageVoxels {
     }
 
     /** The voxels in LPS, the first one at the origin. */
-    LabelVolume volume() {
+    public LabelVolume volume() {
         double s = SPACING_MM;
         LabelGrid grid =
                 LabelGrid.of(COLUMNS, ROWS, SLICES, labels.clone(), new double[] {s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0});
@@ -82,7 +83,7 @@ final class CageVoxels {
     }
 
     /** The table of TotalSegmentator, with all ribs under one label of the table if wanted. */
-    static LabelTable table(boolean commonRibs) {
+    public static LabelTable table(boolean commonRibs) {
         Map<Integer, String> structures = new TreeMap<>();
         for (int number = 1; number <= 12; number++) {
             structures.put(vertebra(number), String.format(java.util.Locale.ROOT, "vertebra_T%02d", number));

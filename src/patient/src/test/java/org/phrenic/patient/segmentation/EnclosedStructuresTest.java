@@ -16,6 +16,7 @@ import org.phrenic.patient.ImportProgress;
 import org.phrenic.patient.MeshingSettings;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.ScanImport;
+import org.phrenic.patient.label.LabelTable;
 
 /** A liver of a ball with a vessel through it, a lesion at its surface, and a vena cava beside it; voxels of 2 mm. */
 class EnclosedStructuresTest {

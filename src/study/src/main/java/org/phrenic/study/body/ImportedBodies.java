@@ -9,10 +9,10 @@ import java.util.function.Supplier;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.io.VtpWriter;
 import org.phrenic.mesh.io.volume.NiftiWriter;
+import org.phrenic.patient.label.LabelTable;
 import org.phrenic.patient.pipeline.ImportPipeline;
 import org.phrenic.patient.pipeline.ImportRequest;
 import org.phrenic.patient.pipeline.ImportResult;
-import org.phrenic.patient.segmentation.LabelTable;
 
 /** Bodies that are imported from scans, real or simulated, by the way that {@code phrenic import} takes. */
 public final class ImportedBodies {

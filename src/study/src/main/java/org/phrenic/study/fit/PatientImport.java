@@ -12,12 +12,12 @@ import org.phrenic.fit.TargetAlignment;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.patient.ImportProgress;
 import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.label.GeometryOverride;
+import org.phrenic.patient.label.LabelTable;
 import org.phrenic.patient.pipeline.ImportPipeline;
 import org.phrenic.patient.pipeline.ImportRequest;
 import org.phrenic.patient.pipeline.ImportResult;
 import org.phrenic.patient.registration.ScanAlignment;
-import org.phrenic.patient.segmentation.GeometryOverride;
-import org.phrenic.patient.segmentation.LabelTable;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 

@@ -25,7 +25,7 @@ import org.phrenic.fit.SyntheticPatient;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.fit.search.FitSearch;
 import org.phrenic.model.material.ActionLines;
-import org.phrenic.patient.segmentation.GeometryOverride;
+import org.phrenic.patient.label.GeometryOverride;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.PaperScenarios;
 import org.phrenic.study.fit.PatientImport;

@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.label;
 
 import java.util.Locale;
 import java.util.Map;
@@ -10,13 +10,13 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 
 /**
- * A label table guessed from a volume: by the names of labels in the file, else by the numbers of TotalSegmentator if
- * the labels lie where its structures lie.
+ * A label table guessed from a volume: by the names of labels in the file, else by the numbers of a tool or a public
+ * data set ({@link NumberTable}) whose structures lie where the labels do and are as large, one over another.
  *
  * @param source what the table is made from
  * @param table the table; empty if there is no guess
  * @param confidence from 0 to 1: share of the named labels whose names are known, or share of the comparisons of places
- *     that hold
+ *     and volumes that hold
  * @param reason one sentence without a full stop
  */
 public record LabelGuess(Source source, Optional<LabelTable> table, double confidence, String reason) {
@@ -24,13 +24,10 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
     public enum Source {
         /** Names of labels in the file. */
         NAMES,
-        /** Numbers of TotalSegmentator. */
-        TOTALSEGMENTATOR,
+        /** Numbers of a tool or a public data set. */
+        NUMBERS,
         NONE
     }
-
-    /** Least share of the comparisons of places for the numbers of TotalSegmentator. */
-    private static final double LEAST_SHARE = 0.85;
 
     private static final int MAX_LISTED = 8;
 
@@ -49,33 +46,35 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
                     "labels are taken by their names in the file, of which " + known.size() + " of " + present.size()
                             + " are known");
         }
-        ToolNumbers numbers = ToolNumbers.of(volume.grid());
-        LabelPlaces places = numbers.places();
-        if (places.compared() >= LabelPlaces.ENOUGH && places.share() >= LEAST_SHARE) {
-            return ofNumbers(volume, numbers, places.share(), "");
+        NumberMatch numbers = NumberMatch.best(NumberMatch.positions(volume.grid()), NumberTable.ALL);
+        if (numbers.fits()) {
+            return ofNumbers(volume, numbers, BodyAxes.STATED, "");
         }
-        Optional<BodyAxes> other = StatedAxes.ofNumbers(places);
+        Optional<BodyAxes> other = StatedAxes.ofNumbers(numbers.places());
         if (other.isPresent()) {
             String letters = other.get().letters(volume.grid());
-            return ofNumbers(volume, numbers, places.share(other.get()), " if the axes are " + letters);
+            return ofNumbers(volume, numbers, other.get(), " if the axes are " + letters);
         }
-        return new LabelGuess(Source.NONE, Optional.empty(), places.share(), problem(volume, counts, places));
+        return new LabelGuess(
+                Source.NONE, Optional.empty(), numbers.share(BodyAxes.STATED), problem(volume, counts, numbers));
     }
 
-    private static LabelGuess ofNumbers(LabelVolume volume, ToolNumbers numbers, double share, String condition) {
+    private static LabelGuess ofNumbers(LabelVolume volume, NumberMatch numbers, BodyAxes axes, String condition) {
+        double share = numbers.share(axes);
         return new LabelGuess(
-                Source.TOTALSEGMENTATOR,
+                Source.NUMBERS,
                 Optional.of(new LabelTable(numbers.structures()).withRest(volume)),
                 share,
                 String.format(
                         Locale.ROOT,
-                        "labels are taken for TotalSegmentator's numbers: %.0f %% of %d comparisons of places fit%s",
+                        "labels are taken for numbers of %s: %.0f %% of %d comparisons of places and volumes fit%s",
+                        numbers.table().title(),
                         100 * share,
-                        numbers.places().compared(),
+                        numbers.compared(),
                         condition));
     }
 
-    private static String problem(LabelVolume volume, int[] counts, LabelPlaces places) {
+    private static String problem(LabelVolume volume, int[] counts, NumberMatch numbers) {
         String labels = IntStream.range(1, counts.length)
                 .filter(label -> counts[label] > 0)
                 .limit(MAX_LISTED)
@@ -83,9 +82,9 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
                 .collect(Collectors.joining(", "));
         return "found labels " + labels
                 + (volume.names().isEmpty() ? " without names" : " with no name of a structure")
-                + (places.compared() < LabelPlaces.ENOUGH
-                        ? ""
-                        : ", not where TotalSegmentator's structures of these numbers lie");
+                + (numbers.isPossible()
+                        ? ", which fit numbers of " + numbers.table().title() + ", but hardly better than others"
+                        : ", which fit numbers of no known tool or data set");
     }
 
     /**
@@ -97,6 +96,6 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
     public LabelTable require(String file) {
         return table.orElseThrow(() -> new BadInputException(
                 file + ": " + reason + ", expected --labels with a table of label and structure, such as 1,lungs, or"
-                        + " --labels " + LabelTable.TOTALSEGMENTATOR));
+                        + " with one of " + String.join(", ", NumberTable.distinctNames())));
     }
 }

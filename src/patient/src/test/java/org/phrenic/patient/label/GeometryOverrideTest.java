@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.label;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

@@ -1,8 +1,9 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.label;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -32,7 +33,7 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     static final String SKIN = "skin";
     /** A label that is left out. */
     public static final String IGNORE = "ignore";
-    /** The built-in tables: {@link ToolNumbers}. */
+    /** The name of TotalSegmentator's tables. */
     public static final String TOTALSEGMENTATOR = "totalsegmentator";
 
     /** A few segments are kept free for parts that are told apart. */
@@ -55,13 +56,47 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
      * @throws BadInputException if the table cannot be read or contains an unknown structure
      */
     public static LabelTable read(Path file, LabelVolume volume) {
-        return of(file.toString(), CsvTable.read(file), volume, true);
+        return of(file.toString(), CsvTable.read(file), volume);
     }
 
-    /** The table for TotalSegmentator labels, of the version whose structures lie where the volume's labels do. */
-    public static LabelTable totalSegmentator(LabelVolume volume) {
-        ToolNumbers numbers = ToolNumbers.of(volume.grid());
-        return of(numbers.file(), numbers.table(), volume, false);
+    /**
+     * The table that {@code --labels} asks for: {@link #LUNGS} for a mask of both lungs, the name of a tool or a data
+     * set ({@link #byTool}), or a file. Of a tool's versions the one is taken that fits the volume, or the names of its
+     * labels if the volume has names.
+     *
+     * @throws BadInputException as {@link #read}
+     */
+    public static LabelTable of(String asked, LabelVolume volume) {
+        if (asked.equals(LUNGS)) {
+            return new LabelTable(Map.of(1, LUNGS));
+        }
+        List<NumberTable> tables = NumberTable.named(asked);
+        if (tables.isEmpty()) {
+            return read(Path.of(asked), volume);
+        }
+        if (!volume.names().isEmpty()) {
+            Map<Integer, String> named = new TreeMap<>();
+            tables.forEach(table -> volume.names().forEach((label, name) -> {
+                if (table.names().containsKey(name)) {
+                    named.putIfAbsent(label, table.names().get(name));
+                }
+            }));
+            return new LabelTable(named).withRest(volume);
+        }
+        NumberMatch match = NumberMatch.best(NumberMatch.positions(volume.grid()), tables);
+        LabelTable table = new LabelTable(match.table().structures());
+        return match.structures().isEmpty() ? table : table.withRest(volume);
+    }
+
+    /** Structures by label for each tool and public data set whose label numbers are known, by its name. */
+    public static Map<String, Map<Integer, String>> byTool(LabelVolume volume) {
+        LabelPositions positions = NumberMatch.positions(volume.grid());
+        Map<String, Map<Integer, String>> structures = new LinkedHashMap<>();
+        NumberTable.distinctNames()
+                .forEach(tool -> structures.put(
+                        tool,
+                        NumberMatch.best(positions, NumberTable.named(tool)).structures()));
+        return structures;
     }
 
     /** Returns a table in which a label without a known name that encloses all others is the skin, if none is. */
@@ -91,7 +126,7 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         return new LabelTable(all, missing).withOutline(volume);
     }
 
-    private static LabelTable of(String file, CsvTable table, LabelVolume volume, boolean tellAbsent) {
+    private static LabelTable of(String file, CsvTable table, LabelVolume volume) {
         List<String> structures = table.texts("structure");
         if (structures.isEmpty()) {
             throw new BadInputException(file + ": found no row, expected labels and their structures");
@@ -120,7 +155,7 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         if (map.isEmpty()) {
             throw new BadInputException(file + ": found no row for a label of the volume, expected some");
         }
-        LabelTable read = new LabelTable(map, tellAbsent ? absent : List.of());
+        LabelTable read = new LabelTable(map, absent);
         boolean fits = map.keySet().stream().anyMatch(label -> label < counts.length && counts[label] > 0);
         return fits ? read.withRest(volume) : read;
     }

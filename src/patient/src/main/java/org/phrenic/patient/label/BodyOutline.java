@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.label;
 
 import java.util.OptionalInt;
 import org.phrenic.anatomy.OrganNames;

@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.label;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.phrenic.anatomy.Side;
@@ -62,7 +63,8 @@ public final class LabelNames {
                 Pattern.compile("(?!.*vertebra)(.* )?(skin|body|torso|trunk|external)( .*)?"), LabelTable.SKIN);
     }
 
-    private static final Map<String, String> OF_TOTALSEGMENTATOR = Map.copyOf(ToolNumbers.byName());
+    /** Structures by names of labels of segmentation tools and public data sets. */
+    private static final Map<String, String> OF_TOOLS = ofTools();
 
     private static final Map<String, String> SYNONYMS = Map.ofEntries(
             Map.entry("esophagus", "oesophagus"),
@@ -87,12 +89,18 @@ public final class LabelNames {
 
     private LabelNames() {}
 
+    private static Map<String, String> ofTools() {
+        Map<String, String> all = new TreeMap<>();
+        NumberTable.ALL.forEach(table -> table.names().forEach(all::putIfAbsent));
+        return all;
+    }
+
     /** The structure that a label's name stands for; empty if the name is unknown. */
     public static Optional<String> structure(String name) {
         String plain = LabelWords.english(JOINED_WORDS.matcher(name).replaceAll(" "))
                 .replaceAll("[^a-z0-9]+", " ")
                 .strip();
-        String ofTool = OF_TOTALSEGMENTATOR.get(plain.replace(' ', '_'));
+        String ofTool = OF_TOOLS.get(plain.replace(' ', '_'));
         if (ofTool != null || LabelTable.isStructure(name)) {
             return Optional.of(ofTool != null ? ofTool : withUsualCase(name));
         }

@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.label;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -6,6 +6,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -56,8 +58,33 @@ class ShippedLabelsTest {
                         "44,heart_myocardium,heart", "81,rib_right_12,rib_12_R", "104,urinary_bladder,urinary_bladder");
     }
 
+    /** Every structure of a table is one that a thorax folder may hold, and names stand for the same structures. */
+    @Test
+    void tablesHoldKnownStructures() {
+        assertThat(NumberTable.ALL).hasSizeGreaterThan(10).allSatisfy(table -> assertThat(
+                        table.structures().values())
+                .as(table.title())
+                .allMatch(LabelTable::isStructure));
+        Map<String, String> names = new TreeMap<>();
+        NumberTable.ALL.forEach(table -> table.names()
+                .forEach((name, structure) -> assertThat(names.merge(name, structure, (a, b) -> a))
+                        .as(table.title() + ", " + name)
+                        .isEqualTo(structure)));
+    }
+
     @ParameterizedTest
-    @ValueSource(strings = {"totalsegmentator.csv", "totalsegmentator-v1.csv"})
+    @ValueSource(
+            strings = {
+                "totalsegmentator.csv",
+                "totalsegmentator-v1.csv",
+                "vista3d.csv",
+                "lungmask.csv",
+                "lungmask-lobes.csv",
+                "amos.csv",
+                "btcv.csv",
+                "flare.csv",
+                "word.csv"
+            })
     void whatIsNamedLeftOrRightBecomesAStructureOfThatSide(String file) throws IOException {
         for (String row : rows(file)) {
             String[] cells = row.split(",");

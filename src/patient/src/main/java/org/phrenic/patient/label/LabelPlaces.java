@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.label;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -7,7 +7,9 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
@@ -22,11 +24,6 @@ import org.phrenic.mesh.voxel.LabelGrid;
  * ribs that the scan cuts off, middles tell nothing.
  */
 final class LabelPlaces {
-    /** Least number of comparisons for a judgement. */
-    static final int ENOUGH = 3;
-
-    /** Number of sectors about the body's axis. */
-    private static final int SECTORS = 36;
     /** Least number of voxels of a sector that counts, over that of the fullest one: the rest may be specks. */
     private static final double LEAST_SECTOR = 0.2;
     /** Share of the comparisons along a coordinate that have to hold. */
@@ -50,80 +47,53 @@ final class LabelPlaces {
 
     /** @param structures structure by label */
     LabelPlaces(LabelGrid grid, Map<Integer, String> structures) {
-        this(grid, structures, Map.of());
+        this(new LabelPositions(grid, ribs(structures)), structures, Map.of());
     }
 
-    /** @param below label of the lower lobe of a lung by that of the upper one */
-    LabelPlaces(LabelGrid grid, Map<Integer, String> structures, Map<Integer, Integer> below) {
-        double[][] sums = new double[LabelGrid.MAX_LABEL + 1][];
-        structures.keySet().forEach(label -> sums[label] = new double[4]);
-        int voxel = 0;
-        for (int k = 0; k < grid.slices(); k++) {
-            for (int j = 0; j < grid.rows(); j++) {
-                for (int i = 0; i < grid.columns(); i++) {
-                    double[] sum = sums[grid.label(voxel++)];
-                    if (sum != null) {
-                        sum[0] += i;
-                        sum[1] += j;
-                        sum[2] += k;
-                        sum[3]++;
-                    }
+    /**
+     * @param structures structure by label
+     * @param below label of the lower lobe of a lung by that of the upper one
+     */
+    LabelPlaces(LabelPositions positions, Map<Integer, String> structures, Map<Integer, Integer> below) {
+        Map<String, Integer> voxels = new TreeMap<>();
+        structures.forEach((label, structure) -> {
+            int count = positions.count(label);
+            if (count > 0) {
+                int all = voxels.merge(structure, count, Integer::sum);
+                double[] centre = centres.computeIfAbsent(structure, s -> new double[3]);
+                for (int axis = 0; axis < 3; axis++) {
+                    centre[axis] += (positions.centre(label)[axis] - centre[axis]) * count / all;
+                }
+                if (isRib(structure)) {
+                    add(
+                            ribs.computeIfAbsent(structure, s -> new double[LabelPositions.SECTORS][2]),
+                            positions.sectors(label));
                 }
             }
-        }
-        Map<String, double[]> totals = new TreeMap<>();
-        structures.forEach((label, structure) -> {
-            double[] total = totals.computeIfAbsent(structure, s -> new double[4]);
-            for (int n = 0; n < 4; n++) {
-                total[n] += sums[label][n];
-            }
         });
-        totals.forEach((structure, sum) -> {
-            if (sum[3] > 0) {
-                centres.put(structure, centre(grid, sum));
-            }
-        });
-        measureRibs(grid, structures);
         compare();
         below.forEach((upper, lower) -> {
-            double[] one = sums[lower];
-            double[] other = sums[upper];
-            if (one != null && other != null && one[3] > 0 && other[3] > 0) {
-                relations.add(new Relation(2, Vectors.subtract(centre(grid, other), centre(grid, one))));
+            if (positions.count(upper) > 0 && positions.count(lower) > 0) {
+                relations.add(new Relation(2, Vectors.subtract(positions.centre(upper), positions.centre(lower))));
             }
         });
     }
 
-    private static double[] centre(LabelGrid grid, double[] sum) {
-        double[] centre = new double[3];
-        grid.voxelToMm(sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3], centre);
-        return centre;
+    /** Labels that are ribs. */
+    static Set<Integer> ribs(Map<Integer, String> structures) {
+        return structures.keySet().stream()
+                .filter(label -> isRib(structures.get(label)))
+                .collect(Collectors.toSet());
     }
 
-    private void measureRibs(LabelGrid grid, Map<Integer, String> structures) {
-        double[][][] sectors = new double[LabelGrid.MAX_LABEL + 1][][];
-        structures.forEach((label, structure) -> {
-            if (isOf(structure, StructureKind.RIB)) {
-                sectors[label] = ribs.computeIfAbsent(structure, s -> new double[SECTORS][2]);
-            }
-        });
-        double x = centres.values().stream().mapToDouble(c -> c[0]).average().orElse(0);
-        double y = centres.values().stream().mapToDouble(c -> c[1]).average().orElse(0);
-        double[] p = new double[3];
-        int voxel = 0;
-        for (int k = 0; k < grid.slices(); k++) {
-            for (int j = 0; j < grid.rows(); j++) {
-                for (int i = 0; i < grid.columns(); i++) {
-                    double[][] rib = sectors[grid.label(voxel++)];
-                    if (rib != null) {
-                        grid.voxelToMm(i, j, k, p);
-                        double turn = Math.atan2(p[1] - y, p[0] - x) / (2 * Math.PI) + 0.5;
-                        double[] sector = rib[Math.min(SECTORS - 1, (int) (SECTORS * turn))];
-                        sector[0] += p[2];
-                        sector[1]++;
-                    }
-                }
-            }
+    private static boolean isRib(String structure) {
+        return isOf(structure, StructureKind.RIB);
+    }
+
+    private static void add(double[][] sum, double[][] sectors) {
+        for (int sector = 0; sector < LabelPositions.SECTORS; sector++) {
+            sum[sector][0] += sectors[sector][0];
+            sum[sector][1] += sectors[sector][1];
         }
     }
 
@@ -137,7 +107,7 @@ final class LabelPlaces {
         double[][] two = ribs.get(other);
         double least = LEAST_SECTOR * most(one);
         double leastOfOther = LEAST_SECTOR * most(two);
-        return IntStream.range(0, SECTORS)
+        return IntStream.range(0, LabelPositions.SECTORS)
                 .filter(i -> one[i][1] > least && two[i][1] > leastOfOther)
                 .mapToDouble(i -> one[i][0] / one[i][1] - two[i][0] / two[i][1])
                 .average();
@@ -164,7 +134,12 @@ final class LabelPlaces {
         expect("liver", LabelTable.LUNGS, 2);
         expect("spleen", "lung_L", 2);
         expect("kidney_R", "kidney_L", 0);
+        expect("adrenal_gland_R", "adrenal_gland_L", 0);
+        expect("liver", "stomach", 0);
+        expect("gallbladder", "stomach", 0);
+        expect("gallbladder", "spleen", 0);
         expect("urinary_bladder", "heart", 2);
+        expect("urinary_bladder", "liver", 2);
         spine().ifPresent(spine -> IN_FRONT_OF_SPINE.stream()
                 .map(centres::get)
                 .filter(Objects::nonNull)

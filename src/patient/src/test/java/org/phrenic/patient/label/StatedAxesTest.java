@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.label;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -17,6 +17,7 @@ import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.mesh.voxel.MeshVoxelizer;
+import org.phrenic.patient.segmentation.CageVoxels;
 
 class StatedAxesTest {
     private static final int LIVER = 5;

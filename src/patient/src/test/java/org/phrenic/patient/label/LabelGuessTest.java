@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.label;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -6,12 +6,15 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.segmentation.CageVoxels;
 
 class LabelGuessTest {
     @ParameterizedTest
@@ -108,7 +111,8 @@ class LabelGuessTest {
     /** Words of other languages leave English names as they are. */
     @Test
     void noEnglishNameHoldsAWordOfAnotherLanguage() {
-        assertThat(ToolNumbers.byName().keySet())
+        assertThat(NumberTable.ALL)
+                .flatExtracting(table -> table.names().keySet())
                 .allSatisfy(name -> assertThat(LabelWords.english(name)).isEqualTo(name.toLowerCase(Locale.ROOT)));
     }
 
@@ -131,7 +135,7 @@ class LabelGuessTest {
     @Test
     void numbersOfTotalSegmentatorAreTakenWhereTheirPlacesFit() {
         LabelGuess guess = LabelGuess.of(cage(CageVoxels.SPACING_MM, Map.of()));
-        assertThat(guess.source()).isEqualTo(LabelGuess.Source.TOTALSEGMENTATOR);
+        assertThat(guess.source()).isEqualTo(LabelGuess.Source.NUMBERS);
         assertThat(guess.confidence()).isEqualTo(1);
         assertThat(guess.table().orElseThrow().structures())
                 .containsEntry(92, "rib_01_L")
@@ -142,7 +146,7 @@ class LabelGuessTest {
     @Test
     void numbersOfTotalSegmentatorAreTakenWhereTheirPlacesFitInOtherAxes() {
         LabelGuess guess = LabelGuess.of(cage(-CageVoxels.SPACING_MM, Map.of()));
-        assertThat(guess.source()).isEqualTo(LabelGuess.Source.TOTALSEGMENTATOR);
+        assertThat(guess.source()).isEqualTo(LabelGuess.Source.NUMBERS);
         assertThat(guess.reason()).endsWith("fit if the axes are LPS");
         CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
         for (int v = 0; v < cage.labels.length; v++) {
@@ -153,7 +157,7 @@ class LabelGuessTest {
         assertThat(none.source()).isEqualTo(LabelGuess.Source.NONE);
         assertThatThrownBy(() -> none.require("scan"))
                 .isInstanceOf(BadInputException.class)
-                .hasMessageContaining("not where TotalSegmentator's structures of these numbers lie");
+                .hasMessageContaining("which fit numbers of no known tool or data set");
     }
 
     /** Lobes 10 to 14 of a scan of the lungs alone: upper and lower left, upper, middle and lower right. */
@@ -165,7 +169,7 @@ class LabelGuessTest {
             lungs.ball(centres[lobe][0], centres[lobe][1], centres[lobe][2], 9, 10 + lobe);
         }
         LabelGuess guess = LabelGuess.of(lungs.volume());
-        assertThat(guess.source()).isEqualTo(LabelGuess.Source.TOTALSEGMENTATOR);
+        assertThat(guess.source()).isEqualTo(LabelGuess.Source.NUMBERS);
         assertThat(guess.table().orElseThrow().structures())
                 .containsEntry(11, "lung_L")
                 .containsEntry(13, "lung_R");
@@ -194,8 +198,68 @@ class LabelGuessTest {
                 .containsEntry(58, "rib_01_L")
                 .containsEntry(81, "rib_12_R")
                 .containsEntry(34, "vertebra_T01");
-        assertThat(LabelTable.totalSegmentator(first).structures()).containsEntry(81, "rib_12_R");
-        assertThat(LabelTable.totalSegmentator(second).structures()).containsEntry(115, "rib_12_R");
+        assertThat(LabelTable.of("totalsegmentator", first).structures()).containsEntry(81, "rib_12_R");
+        assertThat(LabelTable.of("totalsegmentator", second).structures()).containsEntry(115, "rib_12_R");
+    }
+
+    static List<NumberTable> tables() {
+        return NumberTable.ALL;
+    }
+
+    /** One trunk in the numbers of each tool: no table but its own is taken, and all of its labels come out. */
+    @ParameterizedTest
+    @MethodSource("tables")
+    void numbersOfEachToolAreToldFromThoseOfOthers(NumberTable table) {
+        LabelVolume trunk = TrunkVoxels.labelled(table);
+        LabelGuess guess = LabelGuess.of(trunk);
+        assertThat(guess.reason()).startsWith("labels are taken for numbers of " + table.title() + ":");
+        int[] counts = trunk.grid().counts();
+        Map<Integer, String> present = new TreeMap<>(table.structures());
+        present.keySet().removeIf(label -> label >= counts.length || counts[label] == 0);
+        assertThat(guess.table().orElseThrow().structures()).isEqualTo(present);
+    }
+
+    /** Liver and lungs stand in one place and have one volume in three tables: none is taken. */
+    @Test
+    void numbersThatFitSeveralToolsAreNotTaken() {
+        LabelVolume trunk = TrunkVoxels.labelled(NumberTable.named("ct-org").get(0));
+        byte[] labels = new byte[trunk.grid().voxelCount()];
+        for (int v = 0; v < labels.length; v++) {
+            labels[v] = (byte) (trunk.grid().label(v) == 1 ? 1 : 0);
+        }
+        LabelGrid liver = LabelGrid.of(
+                trunk.grid().columns(),
+                trunk.grid().rows(),
+                trunk.grid().slices(),
+                labels,
+                trunk.grid().toMm());
+        assertThat(LabelGuess.of(new LabelVolume(liver, Map.of(), List.of())).source())
+                .isEqualTo(LabelGuess.Source.NONE);
+    }
+
+    /** A spleen as large as a liver, and the reverse, is a volume in another order of labels. */
+    @Test
+    void volumesTellWhatPlacesLeaveOpen() {
+        NumberTable table = NumberTable.named("amos").get(0);
+        LabelVolume trunk = TrunkVoxels.labelled(table);
+        byte[] labels = new byte[trunk.grid().voxelCount()];
+        Map<Integer, Integer> exchanged = Map.of(6, 4, 4, 6, 7, 5, 5, 7);
+        for (int v = 0; v < labels.length; v++) {
+            int label = trunk.grid().label(v);
+            labels[v] = exchanged.getOrDefault(label, label).byteValue();
+        }
+        LabelVolumes volumes = LabelVolumes.of(
+                NumberMatch.positions(LabelGrid.of(
+                        trunk.grid().columns(),
+                        trunk.grid().rows(),
+                        trunk.grid().slices(),
+                        labels,
+                        trunk.grid().toMm())),
+                table.structures());
+        LabelVolumes right = LabelVolumes.of(NumberMatch.positions(trunk.grid()), table.structures());
+        assertThat(right.share()).isEqualTo(1);
+        assertThat(volumes.compared()).isEqualTo(right.compared());
+        assertThat(volumes.share()).isLessThan(0.6);
     }
 
     /**
@@ -217,7 +281,7 @@ class LabelGuessTest {
             3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 3, 0
         });
         LabelGuess guess = LabelGuess.of(new LabelVolume(parts, Map.of(), List.of()));
-        assertThat(guess.source()).isEqualTo(LabelGuess.Source.TOTALSEGMENTATOR);
+        assertThat(guess.source()).isEqualTo(LabelGuess.Source.NUMBERS);
         assertThat(guess.confidence()).isEqualTo(1);
     }
 

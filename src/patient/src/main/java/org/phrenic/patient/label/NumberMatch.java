@@ -1,0 +1,121 @@
+package org.phrenic.patient.label;
+
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Function;
+import java.util.stream.IntStream;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/**
+ * How well the numbers of a tool fit the labels of a volume.
+ *
+ * @param structures structure by label, of the labels that the volume has
+ * @param places whether these labels lie where their structures lie
+ * @param volumes whether they are as large as their structures, one over another
+ * @param unknown number of labels that the tool does not have
+ * @param lead comparisons by which it fits better than any table that makes other structures of the labels
+ */
+record NumberMatch(
+        NumberTable table,
+        Map<Integer, String> structures,
+        LabelPlaces places,
+        LabelVolumes volumes,
+        int unknown,
+        double lead) {
+    /** Least number of comparisons, if the volume does not have exactly the labels of the table. */
+    private static final int ENOUGH = 3;
+    /** Least lead before other tables in this case. */
+    private static final double CLEAR = 2;
+    /** Least number of comparisons otherwise: two lungs give one of places and one of volumes. */
+    private static final int ENOUGH_OF_ALL = 2;
+    /** Least share of the comparisons of places that hold. */
+    private static final double LEAST_OF_PLACES = 0.85;
+    /** Number of comparisons of places that decide without volumes: organs of patients have other sizes. */
+    private static final int DECISIVE = 12;
+    /** Least share of the comparisons of places and volumes that hold. */
+    private static final double LEAST_OF_ALL = 0.8;
+
+    /** Positions of the labels of a volume, in sectors of those that are ribs by any table. */
+    static LabelPositions positions(LabelGrid grid) {
+        Set<Integer> ribs = new HashSet<>();
+        NumberTable.ALL.forEach(table -> ribs.addAll(LabelPlaces.ribs(table.structures())));
+        return new LabelPositions(grid, ribs);
+    }
+
+    /** The table that fits a volume best; the first one of those that fit alike. */
+    static NumberMatch best(LabelPositions positions, List<NumberTable> tables) {
+        List<NumberMatch> all =
+                tables.stream().map(table -> of(table, positions)).toList();
+        Function<LabelPlaces, Optional<BodyAxes>> stated = places -> Optional.of(BodyAxes.STATED);
+        NumberMatch best = first(all, stated);
+        return best.score(stated) > 0 ? best : first(all, StatedAxes::ofNumbers);
+    }
+
+    private static NumberMatch of(NumberTable table, LabelPositions positions) {
+        Map<Integer, String> present = new TreeMap<>(table.structures());
+        present.keySet().removeIf(label -> positions.count(label) == 0);
+        int labels = (int) IntStream.rangeClosed(1, LabelGrid.MAX_LABEL)
+                .filter(label -> positions.count(label) > 0)
+                .count();
+        return new NumberMatch(
+                table,
+                present,
+                new LabelPlaces(positions, present, table.below()),
+                LabelVolumes.of(positions, present),
+                labels - present.size(),
+                0);
+    }
+
+    private static NumberMatch first(List<NumberMatch> all, Function<LabelPlaces, Optional<BodyAxes>> axesOf) {
+        // The minimum of a stream is the first of equal ones.
+        NumberMatch best = all.stream()
+                .min(Comparator.comparingDouble(match -> -match.score(axesOf)))
+                .orElseThrow();
+        double next = all.stream()
+                .filter(match -> !match.structures.equals(best.structures))
+                .mapToDouble(match -> match.score(axesOf))
+                .max()
+                .orElse(Double.NEGATIVE_INFINITY);
+        return new NumberMatch(
+                best.table, best.structures, best.places, best.volumes, best.unknown, best.score(axesOf) - next);
+    }
+
+    /** Comparisons that hold in some axes without those that fail and without unknown labels; negative without axes. */
+    private double score(Function<LabelPlaces, Optional<BodyAxes>> axesOf) {
+        return axesOf.apply(places)
+                .map(axes -> places.compared() * (2 * places.share(axes) - 1)
+                        + 2 * volumes.holding()
+                        - volumes.compared()
+                        - unknown)
+                .orElse(-1.0 - unknown);
+    }
+
+    /** Number of comparisons of places and volumes. */
+    int compared() {
+        return places.compared() + volumes.compared();
+    }
+
+    /** Whether the labels are taken for the tool's in the axes that the file states. */
+    boolean fits() {
+        boolean whole = unknown == 0 && structures.size() == table.structures().size();
+        return isPossible() && (whole ? compared() >= ENOUGH_OF_ALL : compared() >= ENOUGH && lead >= CLEAR);
+    }
+
+    /** Whether the labels may be the tool's in the axes that the file states. */
+    boolean isPossible() {
+        return places.compared() > 0
+                && unknown <= structures.size()
+                && places.share() >= LEAST_OF_PLACES
+                && (places.compared() >= DECISIVE || share(BodyAxes.STATED) >= LEAST_OF_ALL);
+    }
+
+    /** Share of the comparisons of places and volumes that hold in some axes. */
+    double share(BodyAxes axes) {
+        return (places.compared() * places.share(axes) + volumes.holding()) / Math.max(1, compared());
+    }
+}
