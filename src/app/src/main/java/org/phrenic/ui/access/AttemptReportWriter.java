@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.phrenic.access.attempt.NeedleSnapshot;
@@ -27,6 +28,9 @@ import org.phrenic.ui.view.SceneViewport;
  * @param pictureSize width and height of its pictures, pixels
  */
 public record AttemptReportWriter(SceneViewport view, int pictureSize) {
+    /** Longest time for the pictures of one kind, s. */
+    private static final long PICTURES_S = 120;
+
     /** With pictures as large as those of {@code phrenic rehearse}. */
     public AttemptReportWriter(SceneViewport view) {
         this(view, NeedlePictures.SIZE);
@@ -75,6 +79,7 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize) {
                 files.completeExceptionally(e);
             }
         });
-        return files.join();
+        // After the view has ended no task runs: the report is written without pictures.
+        return files.completeOnTimeout(List.of(), PICTURES_S, TimeUnit.SECONDS).join();
     }
 }

@@ -28,7 +28,7 @@ final class UltrasoundUpdater {
     private final DoubleSupplier latencyS;
     private final Consumer<Optional<UltrasoundShot>> listener;
     private Ultrasound ultrasound;
-    private boolean shown;
+    private volatile boolean shown;
 
     /**
      * @param frame of these surfaces; overwritten
@@ -75,7 +75,12 @@ final class UltrasoundUpdater {
     private void show(Optional<UltrasoundShot> shot, long takenNs) {
         double elapsedS = 1e-9 * (System.nanoTime() - takenNs);
         int delayMs = (int) Math.max(0, Math.round(1000 * (latencyS.getAsDouble() - elapsedS)));
-        Timer timer = new Timer(delayMs, e -> listener.accept(shot));
+        // An image that is done after the probe was lifted is not shown.
+        Timer timer = new Timer(delayMs, e -> {
+            if (shot.isPresent() == shown) {
+                listener.accept(shot);
+            }
+        });
         timer.setRepeats(false);
         timer.start();
     }

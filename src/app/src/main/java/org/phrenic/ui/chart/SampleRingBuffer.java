@@ -46,25 +46,23 @@ final class SampleRingBuffer {
         if (history == null) {
             return false;
         }
-        int count = history.size();
-        long total = history.dropped() + count;
-        boolean restarted = total < samplesRead || (count > 0 && size > 0 && history.time(count - 1) < time(size - 1));
-        if (restarted) {
-            clear();
-        }
-        for (int i = (int) Math.max(0, samplesRead - history.dropped()); i < count; i++) {
-            try {
+        // The simulation's thread adds samples and drops the oldest meanwhile.
+        synchronized (history) {
+            int count = history.size();
+            long total = history.dropped() + count;
+            boolean restarted =
+                    total < samplesRead || (count > 0 && size > 0 && history.time(count - 1) < time(size - 1));
+            if (restarted) {
+                clear();
+            }
+            for (int i = (int) Math.max(0, samplesRead - history.dropped()); i < count; i++) {
                 double[] values = history.values(i);
                 add(values[0], values);
-            } catch (IndexOutOfBoundsException restartedMeanwhile) {
-                // The next call reads the restarted run from its beginning.
-                clear();
-                return true;
             }
+            boolean any = total > samplesRead || restarted;
+            samplesRead = total;
+            return any;
         }
-        boolean any = total > samplesRead || restarted;
-        samplesRead = total;
-        return any;
     }
 
     /** All values of a column, the oldest first. */

@@ -3,6 +3,7 @@ package org.phrenic.ui.scan;
 import java.awt.Dimension;
 import java.awt.Window;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
@@ -61,7 +62,17 @@ final class ScanImportDialog {
         spacing.setText(labels.spacing());
         folder.setText(proposedFolder(file).toString());
         labels.addTableModelListener(e -> showRecognised());
+        Controls.onEdit(folder, this::enableStart);
         showRecognised();
+    }
+
+    /** The folder to write; empty if the text is none. */
+    static Optional<Path> folder(String text) {
+        try {
+            return Optional.of(Path.of(text.strip())).filter(path -> !text.isBlank() && path.getNameCount() > 0);
+        } catch (InvalidPathException noPath) {
+            return Optional.empty();
+        }
     }
 
     /** A folder beside the scan, or in the home folder where nothing can be written beside it. */
@@ -77,7 +88,10 @@ final class ScanImportDialog {
     void show(Window owner, Start onStart) {
         start.setName("import.start");
         start.addActionListener(e -> onStart.accept(new Choice(
-                labels, labels.geometry(axes.getText(), spacing.getText()), template(), Path.of(folder.getText()))));
+                labels,
+                labels.geometry(axes.getText(), spacing.getText()),
+                template(),
+                folder(folder.getText()).orElseThrow())));
         JButton cancel = Dialogs.closing("Cancel", "Import nothing", () -> {});
         JDialog dialog = Dialogs.of(owner, "Import scan", content(), SIZE, Disclaimer.TEXT, cancel, start);
         dialog.setName("import");
@@ -150,6 +164,10 @@ final class ScanImportDialog {
 
     private void showRecognised() {
         recognised.setText(labels.recognised() + " of " + labels.getRowCount() + " labels become a structure");
-        start.setEnabled(labels.recognised() > 0);
+        enableStart();
+    }
+
+    private void enableStart() {
+        start.setEnabled(labels.recognised() > 0 && folder(folder.getText()).isPresent());
     }
 }

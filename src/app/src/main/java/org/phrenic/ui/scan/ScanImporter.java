@@ -1,6 +1,8 @@
 package org.phrenic.ui.scan;
 
 import java.awt.Window;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -64,10 +66,14 @@ public final class ScanImporter {
                 this::fail);
     }
 
-    /** Cancels the running import; nothing is written. */
+    /** Cancels the running import. Before its thorax folder is written, nothing is written. */
     public void cancel() {
         running.ifPresent(CancellableProgress::cancel);
         running = Optional.empty();
+    }
+
+    private boolean isRunning(CancellableProgress progress) {
+        return running.filter(progress::equals).isPresent();
     }
 
     private void run(Path file, ScanImportDialog.Choice choice) {
@@ -76,23 +82,26 @@ public final class ScanImporter {
         display.showProgress("importing " + file.getFileName(), 0);
         BackgroundWorker.execute(
                 () -> build(file, choice, progress),
-                built -> built.ifPresent(result -> finish(choice.folder(), result)),
-                this::fail);
+                built -> built.filter(result -> isRunning(progress))
+                        .ifPresent(result -> finish(choice.folder(), result)),
+                sentence -> {
+                    if (isRunning(progress)) {
+                        fail(sentence);
+                    }
+                });
     }
 
     /** The imported body, written to its folder; empty if the import was cancelled. */
-    private static Optional<ImportResult> build(
-            Path file, ScanImportDialog.Choice choice, CancellableProgress progress) {
+    private static Optional<ImportResult> build(Path file, ScanImportDialog.Choice choice, CancellableProgress progress)
+            throws IOException {
+        Path table = Files.createTempFile("phrenic-labels", ".csv");
         try {
             String name =
                     choice.folder().toAbsolutePath().normalize().getFileName().toString();
-            Optional<String> labels = choice.labels()
-                    .writeIfEdited(choice.folder().resolve(LABELS_FILE))
-                    .map(Path::toString);
             ImportRequest request = new ImportRequest(
                     file,
                     name,
-                    labels,
+                    choice.labels().writeIfEdited(table).map(Path::toString),
                     Optional.empty(),
                     choice.geometry(),
                     choice.template().map(body -> new ImportRequest.Completion(template(body), false)),
@@ -100,9 +109,12 @@ public final class ScanImporter {
             ImportResult result = ImportPipeline.run(request, progress);
             progress.stage("writing the thorax folder");
             result.write(choice.folder());
+            choice.labels().writeIfEdited(choice.folder().resolve(LABELS_FILE));
             return Optional.of(result);
         } catch (CancellationException cancelled) {
             return Optional.empty();
+        } finally {
+            Files.deleteIfExists(table);
         }
     }
 

@@ -1,12 +1,14 @@
 package org.phrenic.ui.session;
 
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BinaryOperator;
 import java.util.prefs.Preferences;
@@ -28,7 +30,7 @@ public final class WindowPreferences {
         this(node::get, node::put);
     }
 
-    private WindowPreferences(BinaryOperator<String> get, BiConsumer<String, String> put) {
+    WindowPreferences(BinaryOperator<String> get, BiConsumer<String, String> put) {
         this.get = get;
         this.put = put;
     }
@@ -86,7 +88,7 @@ public final class WindowPreferences {
     public List<Path> recent() {
         return Arrays.stream(get.apply("recent", "").split(SEPARATOR))
                 .filter(text -> !text.isBlank())
-                .map(Path::of)
+                .flatMap(text -> path(text).stream())
                 .filter(Files::exists)
                 .toList();
     }
@@ -105,14 +107,24 @@ public final class WindowPreferences {
         }
     }
 
+    /** A stored path; empty if its characters are none of this system's, as in a session with another encoding. */
+    private static Optional<Path> path(String text) {
+        try {
+            return Optional.of(Path.of(text));
+        } catch (InvalidPathException otherEncoding) {
+            return Optional.empty();
+        }
+    }
+
     private static String joined(List<Path> paths) {
         return String.join(SEPARATOR, paths.stream().map(Path::toString).toList());
     }
 
     /** Folder of the file chosen last. */
     public Path folder() {
-        Path folder = Path.of(get.apply("folder", System.getProperty("user.home", ".")));
-        return Files.isDirectory(folder) ? folder : Path.of("").toAbsolutePath();
+        return path(get.apply("folder", System.getProperty("user.home", ".")))
+                .filter(Files::isDirectory)
+                .orElseGet(() -> Path.of("").toAbsolutePath());
     }
 
     public void setFolder(Path folder) {

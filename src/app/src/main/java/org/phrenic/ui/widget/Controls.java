@@ -18,6 +18,9 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.JToggleButton;
 import javax.swing.ListCellRenderer;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import javax.swing.text.JTextComponent;
 import net.miginfocom.swing.MigLayout;
 
 /** Makes controls of one style; each has a tooltip and an accessible name. */
@@ -33,6 +36,26 @@ public final class Controls {
         control.getAccessibleContext().setAccessibleName(name);
         control.setToolTipText(tip);
         return control;
+    }
+
+    /** Calls an action after each edit of a text. */
+    public static void onEdit(JTextComponent text, Runnable action) {
+        text.getDocument().addDocumentListener(new DocumentListener() {
+            @Override
+            public void insertUpdate(DocumentEvent e) {
+                action.run();
+            }
+
+            @Override
+            public void removeUpdate(DocumentEvent e) {
+                action.run();
+            }
+
+            @Override
+            public void changedUpdate(DocumentEvent e) {
+                action.run();
+            }
+        });
     }
 
     /** A slider whose tooltip appears below it, so that its knob stays in sight. */

@@ -36,7 +36,7 @@ final class CommandQueue {
         boolean asked = submit(() -> {
             try {
                 answer.complete(question.get());
-            } catch (RuntimeException e) {
+            } catch (RuntimeException | Error e) {
                 answer.completeExceptionally(e);
             }
         });

@@ -143,11 +143,7 @@ public final class LiveRun implements AutoCloseable {
      *     nothing has changed
      */
     public void change(List<Assignment> assignments) {
-        if (settings.request(assignments)) {
-            loop.commands.wake();
-        } else {
-            load(settings.current());
-        }
+        settings.request(assignments).ifPresentOrElse(this::load, loop.commands::wake);
         listener.changed();
     }
 

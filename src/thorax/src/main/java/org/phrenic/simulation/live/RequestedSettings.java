@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
@@ -24,21 +25,22 @@ final class RequestedSettings {
     }
 
     /**
-     * Requests changes.
+     * Requests changes. If all of them are live, they are pending for the simulation.
      *
-     * @return whether all of them are live; if so, they are pending for the simulation
+     * @return else the scenario with the changes, which is marked as loading
      * @throws org.phrenic.file.BadInputException if they are invalid; then nothing has changed
      */
-    synchronized boolean request(List<Assignment> assignments) {
+    synchronized Optional<Scenario> request(List<Assignment> assignments) {
         current = current.with(assignments);
         if (!assignments.stream().allMatch(a -> a.setting().isLive())) {
-            return false;
+            loading = true;
+            return Optional.of(current);
         }
         for (Assignment assignment : assignments) {
             pending.remove(assignment.setting());
             pending.put(assignment.setting(), assignment);
         }
-        return true;
+        return Optional.empty();
     }
 
     /** Removes and returns the pending changes: each setting once, with its last value. */

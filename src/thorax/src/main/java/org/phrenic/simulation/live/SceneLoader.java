@@ -74,6 +74,10 @@ final class SceneLoader {
             return;
         } catch (RuntimeException e) {
             end.failed(e);
+        } catch (OutOfMemoryError full) {
+            end.failed(new IllegalStateException(
+                    "not enough memory for this scene; choose a lower resolution or start Java with a larger -Xmx",
+                    full));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
@@ -91,7 +95,7 @@ final class SceneLoader {
             RunningScene running = new RunningScene(simulation, surfaces, thorax, id);
             enterStage("done", 1);
             return running;
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | OutOfMemoryError e) {
             simulation.close();
             throw e;
         }

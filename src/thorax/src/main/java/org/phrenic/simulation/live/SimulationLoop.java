@@ -33,6 +33,7 @@ final class SimulationLoop implements Runnable {
     private final RequestedSettings settings;
     private final LiveRun.Listener listener;
     private Scenario synchronizedSettings;
+    private String frameFailure = "";
 
     SimulationLoop(RequestedSettings settings, LiveRun.Listener listener) {
         this.settings = settings;
@@ -41,28 +42,48 @@ final class SimulationLoop implements Runnable {
 
     @Override
     public void run() {
-        while (!closed) {
-            runCommands();
-            applyPendingChanges();
-            RunningScene now = running;
-            long wait = now != null && playing ? pacer.waitNs(now.simulation.time()) : MAX_IDLE_NS;
-            if (wait > 0) {
-                CommandQueue.await(Math.min(wait, MAX_IDLE_NS));
-            } else {
-                advance(now, Long.MAX_VALUE, System.nanoTime() + STEPPING_SLICE_NS);
+        try {
+            while (!closed) {
+                turn();
             }
-            if (now != null && playing && pacer.measure(now.simulation.steps(), now.simulation.time())) {
-                chooseThreads(now);
-            }
-            if (now != null) {
-                now.publishIfDue();
-                updateStatus();
-                synchronizeIfChanged(now.simulation.settings());
+        } finally {
+            commands.close();
+            if (running != null) {
+                running.close();
             }
         }
-        commands.close();
-        if (running != null) {
-            running.close();
+    }
+
+    private void turn() {
+        runCommands();
+        applyPendingChanges();
+        RunningScene now = running;
+        long wait = now != null && playing ? pacer.waitNs(now.simulation.time()) : MAX_IDLE_NS;
+        if (wait > 0) {
+            CommandQueue.await(Math.min(wait, MAX_IDLE_NS));
+        } else {
+            advance(now, Long.MAX_VALUE, System.nanoTime() + STEPPING_SLICE_NS);
+        }
+        if (now != null && playing && pacer.measure(now.simulation.steps(), now.simulation.time())) {
+            chooseThreads(now);
+        }
+        if (now != null) {
+            publishIfDue(now);
+            updateStatus();
+            synchronizeIfChanged(now.simulation.settings());
+        }
+    }
+
+    /** Publishes a frame if due. A frame that failed stops the run; the same failure is reported once. */
+    private void publishIfDue(RunningScene now) {
+        try {
+            now.publishIfDue();
+        } catch (RuntimeException e) {
+            playing = false;
+            if (!e.toString().equals(frameFailure)) {
+                frameFailure = e.toString();
+                reportFailure(e);
+            }
         }
     }
 
@@ -164,6 +185,7 @@ final class SimulationLoop implements Runnable {
         RunningScene old = running;
         settings.sceneStarted(made.simulation.settings());
         running = made;
+        frameFailure = "";
         synchronizedSettings = made.simulation.settings();
         if (old != null) {
             old.close();

@@ -247,6 +247,31 @@ class LiveRunTest {
         assertThat(next(wereWaitedFor)).isTrue();
     }
 
+    /** The task of one frame fails beside the run: the run stops with the reason, and still answers. */
+    @Test
+    void aFrameThatFailsStopsTheRunAndIsReportedOnce() throws InterruptedException {
+        StepListener watch = new StepListener() {
+            @Override
+            public void onStep(Frame frame, RespiratoryPhase label) {
+                throw new IllegalStateException("no frame of this kind");
+            }
+
+            @Override
+            public boolean maySeeFrameLater() {
+                return true;
+            }
+        };
+        start();
+        next(scenes);
+        run.play();
+        steps(1);
+        run.restart(StepListener.Trigger.every(100), watch);
+        assertThat(next(failures)).isEqualTo("no frame of this kind");
+        until(() -> !run.status().playing());
+        assertThat(run.commandHash()).hasSize(64);
+        assertThat(failures).isEmpty();
+    }
+
     @Test
     void aRunThatLeavesAllBoundsStopsShowsNothingBrokenAndGoesOnWithoutItsLastChange() throws InterruptedException {
         start("preset=cough");
