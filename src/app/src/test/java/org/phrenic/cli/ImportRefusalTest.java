@@ -347,7 +347,7 @@ class ImportRefusalTest {
     @Test
     void aTableThatFitsInPartIsNoted() throws IOException {
         assertThat(noted(scan(LITTLE, ScanSamples.voxels(), 4, 4, 4), "label,structure", "1,lungs", "9,rib_01_R"))
-                .contains("lacks what the table names: label 9 (rib_01_R)")
+                .contains("has none of these structures of the table: label 9 (rib_01_R)")
                 .contains("kept as obstacles: other_5");
     }
 

@@ -5,6 +5,6 @@ public interface ImportProgress {
     /** Called when a structure has been meshed; {@code count} structures are done. */
     void meshed(int count, int total, String structure);
 
-    /** Called when a stage begins. The text describes it, for example {@code telling the lungs apart}. */
+    /** Called when a stage begins. The text describes it, for example {@code separating the lungs}. */
     default void stage(String what) {}
 }

@@ -12,8 +12,8 @@ import org.phrenic.mesh.query.DistanceSummary;
  * @param decimatedVertices number of vertices after decimation
  * @param distanceToLabel area-weighted symmetric distances to the voxel surface, mm
  * @param secondPassBand pass band of the second smoothing, widened for thin structures
- * @param components number of connected components of the voxels; only the largest is meshed
- * @param discardedMm3 volume of the other components and of cavities, mm^3
+ * @param components number of pieces of the segment
+ * @param discardedMm3 volume of the pieces that are not meshed, mm^3
  */
 public record MeshedSegment(
         TriangleMesh mesh,

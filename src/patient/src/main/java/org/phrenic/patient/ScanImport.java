@@ -89,14 +89,14 @@ public final class ScanImport {
     public PatientBody run(LabelTable table, String name) {
         Segmentation segmentation = new Segmentation(volume, table, file);
         if (!table.missing().isEmpty()) {
-            notes.add("the volume lacks what the table names: " + String.join(", ", table.missing()));
+            notes.add("the volume has none of these structures of the table: " + String.join(", ", table.missing()));
         }
         noteLabels(table);
         split(segmentation);
         List<String> built = meshable(segmentation);
         EnclosedStructures enclosed = EnclosedStructures.find(segmentation);
         enclosed.fillOrgans().ifPresent(notes::add);
-        progress.stage("laying a net between " + built.size() + " structures");
+        progress.stage("meshing " + built.size() + " structures (surface nets)");
         List<PatientStructure> structures = mesh(built, segmentation, enclosed);
         note(structures);
         return new PatientBody(name, structures, ExpectedStructures.missing(structures), notes);
@@ -109,13 +109,13 @@ public final class ScanImport {
             throw new BadInputException(file + ": " + problem.getMessage(), problem);
         }
         if (segmentation.find(LabelTable.LUNGS) > 0) {
-            progress.stage("telling the lungs apart");
+            progress.stage("separating the lungs");
             LungSplitter.split(segmentation).ifPresent(problem -> {
                 throw new BadInputException(file + ": " + problem);
             });
         }
         if (segmentation.find(LabelTable.COSTAL_CARTILAGES) > 0) {
-            progress.stage("telling the cartilages apart");
+            progress.stage("separating the cartilages");
             CartilageSplitter.split(segmentation).ifPresent(notes::add);
         }
         progress.stage("filling holes, joining pieces");
@@ -146,6 +146,7 @@ public final class ScanImport {
     private List<PatientStructure> mesh(List<String> built, Segmentation segmentation, EnclosedStructures enclosed) {
         double voxelMm3 = segmentation.grid().voxelVolume();
         int[] counts = segmentation.counts();
+        int ofBody = IntStream.of(counts).skip(1).sum();
         int[] ownCounts = enclosed.ownVoxels().map(LabelGrid::counts).orElse(counts);
         int[] segments = new int[counts.length];
         int[] within = new int[counts.length];
@@ -182,7 +183,7 @@ public final class ScanImport {
                                 ? structure(
                                         structure,
                                         segmentation,
-                                        IntStream.of(counts).skip(1).sum(),
+                                        ofBody,
                                         voxelMm3,
                                         skin.orElseThrow().mesh(1, edge))
                                 : structure(
@@ -278,7 +279,7 @@ public final class ScanImport {
                 }
             }
         }
-        note("labels of the volume that are none of the structures asked for: ", unused);
+        note("labels that the table maps to no structure: ", unused);
         note("labels of unknown structures, kept as obstacles: ", unknown);
     }
 

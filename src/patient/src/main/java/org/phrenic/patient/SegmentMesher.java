@@ -2,6 +2,7 @@ package org.phrenic.patient;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.DoubleStream;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.TriangleMesh;
@@ -68,10 +69,12 @@ public final class SegmentMesher {
     }
 
     private MeshedSegment mesh(TriangleMesh label, TriangleMesh whole, List<TriangleMesh> shells, double edgeMm) {
-        double discarded = -MeshMeasure.signedVolume(whole);
-        for (TriangleMesh shell : shells) {
-            discarded += Math.abs(MeshMeasure.signedVolume(shell));
-        }
+        // Shells of cavities have negative volumes.
+        double[] pieces = shells.stream()
+                .mapToDouble(MeshMeasure::signedVolume)
+                .filter(volume -> volume > 0)
+                .toArray();
+        double discarded = DoubleStream.of(pieces).sum() - MeshMeasure.signedVolume(whole);
         int wanted = Math.max(MIN_VERTICES, (int) Math.round(settings.keptFraction() * whole.vertexCount()));
         TriangleMesh few = Decimator.toVertexCount(whole, wanted, settings.maxDeviationVoxels() * voxelMm);
         double passBand = settings.passBand();
@@ -90,7 +93,7 @@ public final class SegmentMesher {
                 SurfaceComparison.summaryByArea(mesh, label),
                 MeshQuality.of(mesh),
                 passBand,
-                shells.size(),
+                pieces.length,
                 discarded);
     }
 

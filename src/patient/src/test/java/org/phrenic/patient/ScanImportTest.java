@@ -149,6 +149,28 @@ class ScanImportTest {
         }
     }
 
+    /** The liver's cavity holds a cyst with a label of its own: no piece of either is left out, and no note says so. */
+    @Test
+    void aCavityIsNoPieceThatIsLeftOut() {
+        byte[] labels = ScanSamples.voxels();
+        for (int v = 0; v < labels.length; v++) {
+            int i = v % ScanSamples.COLUMNS;
+            int j = v / ScanSamples.COLUMNS % ScanSamples.ROWS;
+            int k = v / ScanSamples.COLUMNS / ScanSamples.ROWS;
+            if (Math.abs(i - 20) < 5 && Math.abs(j - 18) < 5 && Math.abs(k - 9) < 4) {
+                labels[v] = 7;
+            }
+        }
+        double s = ScanSamples.SPACING_MM;
+        LabelGrid grid = LabelGrid.of(ScanSamples.COLUMNS, ScanSamples.ROWS, ScanSamples.SLICES, labels, new double[] {
+            s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0
+        });
+        PatientBody body = body(
+                new LabelVolume(grid, Map.of(), List.of()),
+                new LabelTable(Map.of(ScanSamples.LIVER, "kidney_R", 7, "kidney_cyst_R")));
+        assertThat(body.notes()).noneMatch(note -> note.contains("left out"));
+    }
+
     @Test
     void whatCannotBeBuiltIsToldInOneSentence() {
         assertThatThrownBy(() -> body(ScanSamples.volume(), new LabelTable(Map.of(3, "liver"))))

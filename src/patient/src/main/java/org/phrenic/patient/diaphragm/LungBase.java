@@ -93,7 +93,10 @@ final class LungBase {
         organs.ifPresent(below -> compare(lung, below));
     }
 
-    /** Compares the base with the roofs of the organs below; the top of a lung that is parted from them is theirs. */
+    /**
+     * Compares the base with the upper surfaces of the organs below. If the lung does not lie on the diaphragm,
+     * {@link #top} is set to the top of those surfaces.
+     */
     private void compare(TriangleMesh lung, TriangleTree below) {
         double[] roofs = MeshMeasure.triangleNormals(below.mesh());
         TriangleTree.Hit hit = new TriangleTree.Hit();
@@ -119,7 +122,8 @@ final class LungBase {
                 level[t] = roofs[3 * hit.triangle + 2] > -LEVEL ? here : 0;
             }
         }
-        if (Arrays.stream(area).sum() > LEAST_ABOVE * base) {
+        boolean hasRoof = Arrays.stream(level).sum() > 0;
+        if (hasRoof && Arrays.stream(area).sum() > LEAST_ABOVE * base) {
             double roofTop = quantile(sorted(roof), level, roof, TOP_SHARE, Double.POSITIVE_INFINITY);
             boolean above = quantile(sorted(gap), area, gap, 0.25, Double.POSITIVE_INFINITY) > PARTED_MM;
             if (above || top > roofTop + PARTED_TOP_MM) {

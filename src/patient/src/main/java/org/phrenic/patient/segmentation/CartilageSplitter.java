@@ -45,7 +45,7 @@ public final class CartilageSplitter {
         BitSet specks = specks(segmentation, markOfSegment);
         for (int cell = 0; cell < marks.length; cell++) {
             if (region.isMember(cell)) {
-                marks[cell] = firstNearby(segmentation, markOfSegment, specks, region.voxel(cell));
+                marks[cell] = lowestNearby(segmentation, markOfSegment, specks, region.voxel(cell));
             }
         }
         region.growRegions(marks);
@@ -134,21 +134,21 @@ public final class CartilageSplitter {
         return nearest;
     }
 
-    /** Mark of the first rib found within the gap of a voxel; 0 if there is none. */
-    private static byte firstNearby(Segmentation segmentation, byte[] markOfSegment, BitSet specks, int voxel) {
+    /** Lowest mark of the ribs within the gap of a voxel; 0 if there is none. */
+    private static byte lowestNearby(Segmentation segmentation, byte[] markOfSegment, BitSet specks, int voxel) {
         int i = voxel % segmentation.columns;
         int j = voxel / segmentation.columns % segmentation.rows;
         int k = voxel / segmentation.columns / segmentation.rows;
-        byte first = 0;
+        byte lowest = 0;
         for (int z = Math.max(0, k - GAP); z <= Math.min(segmentation.slices - 1, k + GAP); z++) {
             for (int y = Math.max(0, j - GAP); y <= Math.min(segmentation.rows - 1, j + GAP); y++) {
                 for (int x = Math.max(0, i - GAP); x <= Math.min(segmentation.columns - 1, i + GAP); x++) {
                     int near = x + segmentation.columns * (y + segmentation.rows * z);
                     byte mark = specks.get(near) ? 0 : markOfSegment[segmentation.segmentAt(near)];
-                    first = mark > 0 && (first == 0 || mark < first) ? mark : first;
+                    lowest = mark > 0 && (lowest == 0 || mark < lowest) ? mark : lowest;
                 }
             }
         }
-        return first;
+        return lowest;
     }
 }

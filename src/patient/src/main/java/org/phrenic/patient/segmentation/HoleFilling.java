@@ -26,19 +26,17 @@ final class HoleFilling {
             }
         }
         byte[] around = new byte[runs.count()];
+        int[] votes = new int[runs.count()];
+        forEachFace(s, runs, outside, (hole, segment) -> {
+            // Boyer-Moore majority vote: the structure of most faces, if one has more than half.
+            if (votes[hole] == 0) {
+                around[hole] = segment;
+            }
+            votes[hole] += segment == around[hole] ? 1 : -1;
+        });
         int[] same = new int[runs.count()];
         int[] other = new int[runs.count()];
-        for (int run = 0; run < runs.count(); run++) {
-            int hole = runs.component(run);
-            for (int v = runs.from(run); !outside[hole] && v < runs.to(run); v++) {
-                for (int step : s.steps()) {
-                    byte segment = s.voxels[v + step];
-                    around[hole] = around[hole] == 0 ? segment : around[hole];
-                    same[hole] += segment != 0 && segment == around[hole] ? 1 : 0;
-                    other[hole] += segment != 0 && segment != around[hole] ? 1 : 0;
-                }
-            }
-        }
+        forEachFace(s, runs, outside, (hole, segment) -> (segment == around[hole] ? same : other)[hole]++);
         int filled = 0;
         for (int run = 0; run < runs.count(); run++) {
             int hole = runs.component(run);
@@ -48,6 +46,25 @@ final class HoleFilling {
             }
         }
         return filled;
+    }
+
+    private interface Face {
+        void of(int hole, byte segment);
+    }
+
+    /** Calls a function for each face of background within the box that a segment is beyond. */
+    private static void forEachFace(Segmentation s, VoxelRuns runs, boolean[] outside, Face face) {
+        int[] steps = s.steps();
+        for (int run = 0; run < runs.count(); run++) {
+            int hole = runs.component(run);
+            for (int v = runs.from(run); !outside[hole] && v < runs.to(run); v++) {
+                for (int step : steps) {
+                    if (s.voxels[v + step] != 0) {
+                        face.of(hole, s.voxels[v + step]);
+                    }
+                }
+            }
+        }
     }
 
     private static boolean touchesBorder(Segmentation s, int from, int to) {

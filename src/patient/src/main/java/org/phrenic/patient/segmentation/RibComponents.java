@@ -27,8 +27,8 @@ final class RibComponents {
 
     private static final int ANGLES = 72;
     /**
-     * Two parts lie side by side, not end to end, if more than this share of the shorter is hardly farther than the
-     * gap.
+     * Two parts lie side by side if more than this share of the shorter one is within {@link #BESIDE_MM} of the gap's
+     * width.
      */
     private static final double MAX_BESIDE = 0.4;
 

@@ -273,6 +273,27 @@ class SegmentationRepairTest {
     /**
      * Single voxels of wrong labels all over the volume: of bones they are left out, and alone they are no structure.
      */
+    /** The first face of a hole in the liver is one of a vessel; the other 149 are of the liver. */
+    @Test
+    void aHoleBelongsToTheStructureOfMostOfItsFaces() {
+        int n = 20;
+        byte[] labels = new byte[n * n * n];
+        for (int v = 0; v < labels.length; v++) {
+            int i = v % n;
+            int j = v / n % n;
+            int k = v / n / n;
+            boolean inner = Math.min(i, Math.min(j, k)) >= 2 && Math.max(i, Math.max(j, k)) <= 16;
+            boolean hole = Math.min(i, Math.min(j, k)) >= 7 && Math.max(i, Math.max(j, k)) <= 11;
+            labels[v] = (byte) (hole ? 0 : inner ? 1 : 0);
+        }
+        labels[6 + n * (7 + n * 7)] = 2;
+        LabelGrid grid = LabelGrid.of(n, n, n, labels, new double[] {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0});
+        Segmentation s = new Segmentation(
+                new LabelVolume(grid, Map.of(), List.of()), new LabelTable(Map.of(1, "liver", 2, "aorta")), "scan");
+        assertThat(HoleFilling.fill(s)).isEqualTo(125);
+        assertThat(counts(s)).containsEntry("liver", 15 * 15 * 15 - 1).containsEntry("aorta", 1);
+    }
+
     @Test
     void specksAreLeftOutAndWhatIsNothingElseIsNoStructure() {
         CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(2);
