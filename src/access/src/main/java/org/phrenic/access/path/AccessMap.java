@@ -205,7 +205,7 @@ public final class AccessMap {
         return entries.place(vertex);
     }
 
-    /** Whether a path from a vertex that is free at a moment crosses the pleura then. */
+    /** Whether the path from a vertex crosses the pleura at any moment at which it is free. */
     public boolean crossesPleura(int vertex) {
         return IntStream.range(0, touched.length)
                 .anyMatch(m -> isFree(m, vertex) && (touched[m][vertex] & NoGoZone.PLEURA.bit()) != 0);

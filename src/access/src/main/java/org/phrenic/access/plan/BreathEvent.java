@@ -14,7 +14,7 @@ import org.phrenic.breathing.RespiratoryPhase;
  * @param breath number of the breath, starting at 1; empty for the next occurrence
  */
 public record BreathEvent(Kind kind, OptionalInt breath) {
-    private static final Pattern TEXT = Pattern.compile("([a-z-]+)(?: of breath ([0-9]{1,6}))?");
+    private static final Pattern TEXT = Pattern.compile("([a-z-]+)(?: of breath ([1-9][0-9]{0,5}))?");
 
     /** Kinds of events. */
     public enum Kind {
@@ -41,8 +41,7 @@ public record BreathEvent(Kind kind, OptionalInt breath) {
             if (m.matches() && kind.label().equals(m.group(1))) {
                 String number = m.group(2);
                 return new BreathEvent(
-                        kind,
-                        number == null ? OptionalInt.empty() : OptionalInt.of(Math.max(1, Integer.parseInt(number))));
+                        kind, number == null ? OptionalInt.empty() : OptionalInt.of(Integer.parseInt(number)));
             }
         }
         throw new IllegalArgumentException("found '" + text + "', expected seconds or one of "

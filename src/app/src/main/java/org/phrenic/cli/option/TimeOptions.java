@@ -10,6 +10,7 @@ import picocli.CommandLine.Option;
 /** Options for picture times and movies. */
 public final class TimeOptions {
     private static final int MAX_FRAMES = 100_000;
+    private static final double MAX_MP4_FRAMES_PER_S = 240;
     private static final double DEFAULT_FPS = 20;
 
     @Option(
@@ -50,7 +51,7 @@ public final class TimeOptions {
             OptionValues.integer("--frames", frames, 1, MAX_FRAMES);
         }
         if (fps != null) {
-            OptionValues.number("--fps", fps, 0.1, isGif() ? GifMovieWriter.MAX_FRAMES_PER_S : 240);
+            OptionValues.number("--fps", fps, 0.1, mostFramesPerS());
         }
         singleTimes();
     }
@@ -114,6 +115,10 @@ public final class TimeOptions {
 
     /** Frame rate of the movie, 1/s; by default the movie plays in real time. */
     public double framesPerS(int count, double totalS) {
-        return fps != null ? frameRate() : Math.max(1, Math.min(GifMovieWriter.MAX_FRAMES_PER_S, count / totalS));
+        return fps != null ? frameRate() : Math.max(1, Math.min(mostFramesPerS(), count / totalS));
+    }
+
+    private double mostFramesPerS() {
+        return isGif() ? GifMovieWriter.MAX_FRAMES_PER_S : MAX_MP4_FRAMES_PER_S;
     }
 }

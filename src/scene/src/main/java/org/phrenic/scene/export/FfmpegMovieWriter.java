@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -43,9 +44,18 @@ public record FfmpegMovieWriter(Path program) implements MovieWriter {
         }
         return Arrays.stream(searchPath.split(File.pathSeparator))
                 .filter(folder -> !folder.isBlank())
-                .flatMap(folder -> Stream.of(Path.of(folder, "ffmpeg"), Path.of(folder, "ffmpeg.exe")))
+                .flatMap(FfmpegMovieWriter::programs)
                 .filter(file -> Files.isRegularFile(file) && Files.isExecutable(file))
                 .findFirst();
+    }
+
+    /** Names of the program in a folder; none if the entry of the search path is no path, such as a quoted one. */
+    private static Stream<Path> programs(String folder) {
+        try {
+            return Stream.of(Path.of(folder, "ffmpeg"), Path.of(folder, "ffmpeg.exe"));
+        } catch (InvalidPathException noPath) {
+            return Stream.empty();
+        }
     }
 
     @Override

@@ -183,6 +183,7 @@ class PictureFilesTest {
     @Test
     void withoutFfmpegNoneIsFound() {
         assertThat(FfmpegMovieWriter.find(folder.toString())).isEmpty();
+        assertThat(FfmpegMovieWriter.find("\0no path")).isEmpty();
         assertThat(FfmpegMovieWriter.find("")).isEmpty();
         assertThat(FfmpegMovieWriter.find((String) null)).isEmpty();
     }
