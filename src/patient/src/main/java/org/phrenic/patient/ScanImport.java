@@ -103,16 +103,16 @@ public final class ScanImport {
     }
 
     private void split(Segmentation segmentation) {
-        try {
-            SegmentationRepair.numberRibs(segmentation).ifPresent(notes::add);
-        } catch (BadInputException problem) {
-            throw new BadInputException(file + ": " + problem.getMessage(), problem);
-        }
         if (segmentation.find(LabelTable.LUNGS) > 0) {
             progress.stage("separating the lungs");
             LungSplitter.split(segmentation).ifPresent(problem -> {
                 throw new BadInputException(file + ": " + problem);
             });
+        }
+        try {
+            notes.addAll(SegmentationRepair.numberRibs(segmentation));
+        } catch (BadInputException problem) {
+            throw new BadInputException(file + ": " + problem.getMessage(), problem);
         }
         if (segmentation.find(LabelTable.COSTAL_CARTILAGES) > 0) {
             progress.stage("separating the cartilages");

@@ -44,13 +44,17 @@ public final class SegmentationRepair {
     }
 
     /**
-     * Numbers the ribs where their labels do not. To be called before cartilages are told apart.
+     * Numbers the ribs where their labels do not, after separating them from bones that share a label with them. To be
+     * called before cartilages and after lungs are separated.
      *
-     * @return a note if ribs were numbered
+     * @return notes if ribs were numbered
      * @throws org.phrenic.file.BadInputException if ribs cannot be told apart
      */
-    public static Optional<String> numberRibs(Segmentation s) {
-        return RibNumbering.check(s);
+    public static List<String> numberRibs(Segmentation s) {
+        List<String> notes = new ArrayList<>();
+        SkeletonSplitter.split(s).ifPresent(notes::add);
+        RibNumbering.check(s).ifPresent(notes::add);
+        return notes;
     }
 
     /**
@@ -81,6 +85,11 @@ public final class SegmentationRepair {
                     default -> false;
                 })
                 .isPresent();
+    }
+
+    /** Whether a structure is several bones under one name, which are no pieces of each other. */
+    private static boolean isSeveral(String name) {
+        return name.equals(SkeletonSplitter.ALL_BONES) || name.equals(SkeletonSplitter.SPINE);
     }
 
     private void fill() {
@@ -133,7 +142,7 @@ public final class SegmentationRepair {
     /** Decides which components of a segment are specks; bones in several pieces are entered to be joined. */
     private void sort(int segment, Map<Integer, Integer> sizes, boolean[] kept, Map<Integer, List<int[]>> pieces) {
         String name = s.names().get(segment - 1);
-        boolean bone = isBone(name);
+        boolean bone = isBone(name) && !isSeveral(name);
         boolean organ = kind(name)
                 .filter(k -> k.isNamed() || k == StructureKind.LUNG || k == StructureKind.LIVER)
                 .isPresent();

@@ -61,8 +61,8 @@ class SegmentationRepairTest {
             }
         }
         Segmentation s = cage.segmentation(CageVoxels.table(false));
-        assertThat(SegmentationRepair.numberRibs(s))
-                .hasValueSatisfying(note -> assertThat(note).contains("holds parts of two ribs", "24"));
+        assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
+                .contains("holds parts of two ribs", "24"));
         SegmentationRepair.mend(s);
         assertThat(counts(s)).isEqualTo(truth);
         assertThat(s.labels("rib_07_L")).containsExactly(CageVoxels.rib(7, false), CageVoxels.rib(8, false));
@@ -92,7 +92,7 @@ class SegmentationRepairTest {
                 CageVoxels.COLUMNS, CageVoxels.ROWS, slices, lower, new double[] {s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0});
         Segmentation cut =
                 new Segmentation(new LabelVolume(grid, Map.of(), List.of()), CageVoxels.table(false), "scan");
-        assertThat(SegmentationRepair.numberRibs(cut)).isPresent();
+        assertThat(SegmentationRepair.numberRibs(cut)).hasSize(1);
         for (int number = 5; number <= 12; number++) {
             double angle = 0.9 * Math.PI;
             double[] front = {

@@ -4,6 +4,7 @@ import java.util.EnumSet;
 import java.util.Locale;
 import java.util.Set;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.patient.label.LabelTable;
 
 /** What a scan of a body shows: its field of view, its labels, its voxels and its damage. None labels the diaphragm. */
 public enum BodyCut {
@@ -22,7 +23,8 @@ public enum BodyCut {
     DROPPED("5 % of the voxels of bones missing at random"),
     SLICES_5("slices of 5 mm"),
     OBLIQUE("the grid of voxels rotated by 15 degrees about (1, 1, 1)"),
-    TURNED("the patient turned by 15 degrees about the long axis");
+    TURNED("the patient turned by 15 degrees about the long axis"),
+    COMMON_LABELS("all bones under one label, both lungs under one, both kidneys under one, liver");
 
     static final double VOXEL_MM = 1.5;
     static final double TURN_DEG = 15;
@@ -54,9 +56,20 @@ public enum BodyCut {
         return switch (this) {
             case BONES, BONE_MESHES -> bone;
             case LUNGS -> kind == StructureKind.LUNG;
-            case LUNGS_LIVER -> kind == StructureKind.LUNG || kind == StructureKind.LIVER;
-            default -> bone || kind == StructureKind.LUNG || kind == StructureKind.LIVER || kind.isNamed();
+            case COMMON_LABELS ->
+                (bone && kind != StructureKind.COSTAL_CARTILAGE) || isLungOrLiver(kind) || kind == StructureKind.ORGAN;
+            case LUNGS_LIVER -> isLungOrLiver(kind);
+            default -> bone || isLungOrLiver(kind) || kind.isNamed();
         };
+    }
+
+    private static boolean isLungOrLiver(StructureKind kind) {
+        return kind == StructureKind.LUNG || kind == StructureKind.LIVER;
+    }
+
+    /** The tool or data set whose label numbers the scan has. */
+    String numbers() {
+        return this == COMMON_LABELS ? "ct-org" : LabelTable.TOTALSEGMENTATOR;
     }
 
     static boolean isBone(StructureKind kind) {

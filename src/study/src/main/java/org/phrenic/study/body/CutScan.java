@@ -14,7 +14,7 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.mesh.voxel.MeshVoxelizer;
 
-/** The label volume that a scan of a body would give, with the label numbers of TotalSegmentator. */
+/** The label volume that a scan of a body would give, with label numbers as {@link BodyCut#numbers}. */
 final class CutScan {
     private static final int MARGIN = 3;
     /** Most voxels along an axis: their product is within the length of an array. */
@@ -100,6 +100,19 @@ final class CutScan {
         if (!cut.shows(s.kind())) {
             return 0;
         }
+        return cut == BodyCut.COMMON_LABELS ? commonLabel(s) : ownLabel(s);
+    }
+
+    private static int commonLabel(Structure s) {
+        return switch (s.kind()) {
+            case LIVER -> 1;
+            case LUNG -> 3;
+            case ORGAN -> s.name().startsWith("kidney") ? 4 : 0;
+            default -> 5;
+        };
+    }
+
+    private static int ownLabel(Structure s) {
         return switch (s.kind()) {
             case RIB -> s.level() + (s.side() == Side.LEFT ? BEFORE_LEFT_RIB_1 : BEFORE_RIGHT_RIB_1);
             case COSTAL_CARTILAGE -> CARTILAGES;

@@ -9,7 +9,6 @@ import java.util.function.Supplier;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.io.VtpWriter;
 import org.phrenic.mesh.io.volume.NiftiWriter;
-import org.phrenic.patient.label.LabelTable;
 import org.phrenic.patient.pipeline.ImportPipeline;
 import org.phrenic.patient.pipeline.ImportRequest;
 import org.phrenic.patient.pipeline.ImportResult;
@@ -52,7 +51,7 @@ public final class ImportedBodies {
         }
         Path file = folder.resolve(name + ".nii.gz");
         NiftiWriter.write(file, CutScan.of(body, cut));
-        return ImportRequest.of(file, name, Optional.of(LabelTable.TOTALSEGMENTATOR), template);
+        return ImportRequest.of(file, name, Optional.of(cut.numbers()), template);
     }
 
     /**

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.StructureKind;
@@ -70,6 +71,17 @@ class CutScanTest {
         assertThatThrownBy(() -> CutScan.of(skinAlone, BodyCut.WHOLE))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("skin alone: found a field of view");
+    }
+
+    @Test
+    void commonLabelsHoldBothLungsAndAllBones() {
+        LabelGrid common = CutScan.of(MAN, BodyCut.COMMON_LABELS);
+        assertThat(count(common, 3)).isEqualTo(count(WHOLE, LEFT_LUNG) + count(WHOLE, RIGHT_LUNG));
+        int[] counts = WHOLE.counts();
+        // Vertebrae from L5 to T1, ribs and sternum; cartilages are no bones.
+        int bones = IntStream.rangeClosed(27, 43).map(label -> counts[label]).sum()
+                + IntStream.rangeClosed(92, 116).map(label -> counts[label]).sum();
+        assertThat((double) count(common, 5) / bones).isCloseTo(1, within(0.01));
     }
 
     @Test

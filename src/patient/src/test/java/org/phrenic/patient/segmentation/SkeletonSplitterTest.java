@@ -1,0 +1,152 @@
+package org.phrenic.patient.segmentation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.IntPredicate;
+import org.junit.jupiter.api.Test;
+import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.label.LabelTable;
+
+/** A cage of ribs and vertebrae under one label, with lungs in it. */
+class SkeletonSplitterTest {
+    private static final int BONES = 1;
+    private static final int RIGHT_LUNG = 2;
+    private static final int LEFT_LUNG = 3;
+    private static final int SHOULDER_BLADE = 200;
+
+    private final CageVoxels cage = new CageVoxels().withRibs(1);
+
+    /** The cage with a spine, whose labels are the truth, and lungs up to the first rib. */
+    SkeletonSplitterTest() {
+        for (int k = 10; k < 125; k++) {
+            cage.ball(44.5, 48, k, 4, CageVoxels.vertebra(12));
+        }
+        for (int v = 0; v < cage.labels.length; v++) {
+            double x = v % CageVoxels.COLUMNS - 44.5;
+            double y = (v / CageVoxels.COLUMNS % CageVoxels.ROWS - 30) / 22.0;
+            int k = v / CageVoxels.COLUMNS / CageVoxels.ROWS;
+            double wall = 36 * Math.sqrt(Math.max(0, 1 - y * y));
+            if (cage.labels[v] == 0 && k > 36 && k < 117 && Math.abs(x) > 7 && Math.abs(x) < wall) {
+                cage.labels[v] = (byte) (x < 0 ? RIGHT_LUNG : LEFT_LUNG);
+            }
+        }
+    }
+
+    private static boolean isBone(int label) {
+        return label > LEFT_LUNG;
+    }
+
+    /** The scan of the cage, with the bones that are kept under one label. */
+    private Segmentation scan(IntPredicate kept) {
+        byte[] labels = new byte[cage.labels.length];
+        for (int v = 0; v < labels.length; v++) {
+            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            labels[v] = (byte) (!isBone(label) ? label : kept.test(label) ? BONES : 0);
+        }
+        double mm = CageVoxels.SPACING_MM;
+        LabelGrid grid = LabelGrid.of(CageVoxels.COLUMNS, CageVoxels.ROWS, CageVoxels.SLICES, labels, new double[] {
+            mm, 0, 0, 0, 0, mm, 0, 0, 0, 0, mm, 0
+        });
+        LabelVolume volume = new LabelVolume(grid, Map.of(), List.of());
+        return new Segmentation(
+                volume,
+                new LabelTable(Map.of(BONES, SkeletonSplitter.ALL_BONES, RIGHT_LUNG, "lung_R", LEFT_LUNG, "lung_L")),
+                "scan");
+    }
+
+    /** Voxels of each named rib by the number of the true one. */
+    private Map<String, Map<Integer, Integer>> truthOfRibs(Segmentation s) {
+        Map<String, Map<Integer, Integer>> truth = new TreeMap<>();
+        for (int v = 0; v < s.voxels.length; v++) {
+            String name = s.segmentAt(v) == 0 ? "" : s.names().get(s.segmentAt(v) - 1);
+            if (name.startsWith("rib")) {
+                int i = (int) Math.round(s.coordinate(v, 0) / CageVoxels.SPACING_MM);
+                int j = (int) Math.round(s.coordinate(v, 1) / CageVoxels.SPACING_MM);
+                int k = (int) Math.round(s.coordinate(v, 2) / CageVoxels.SPACING_MM);
+                truth.computeIfAbsent(name, n -> new TreeMap<>()).merge(cage.at(i, j, k), 1, Integer::sum);
+            }
+        }
+        return truth;
+    }
+
+    private void assertThatRibsAreThoseOfTheCage(Segmentation s) {
+        Map<String, Map<Integer, Integer>> truth = truthOfRibs(s);
+        assertThat(truth).hasSize(24);
+        for (boolean right : new boolean[] {true, false}) {
+            for (int number = 1; number <= 12; number++) {
+                String name = String.format(Locale.ROOT, "rib_%02d_%s", number, right ? "R" : "L");
+                int label = CageVoxels.rib(number, right);
+                Map<Integer, Integer> found = truth.get(name);
+                assertThat(found).as(name).containsKey(label);
+                assertThat(found.keySet()).as(name).isSubsetOf(label, SHOULDER_BLADE);
+                // What the spine takes of a rib is the part beside it.
+                int whole = count(label);
+                assertThat((double) found.get(label) / whole).as(name).isBetween(0.75, 1.0);
+            }
+        }
+    }
+
+    private int count(int label) {
+        int count = 0;
+        for (byte voxel : cage.labels) {
+            count += (voxel & LabelGrid.MAX_BYTE_LABEL) == label ? 1 : 0;
+        }
+        return count;
+    }
+
+    @Test
+    void ribsAreCountedFromTheFirst() {
+        Segmentation s = scan(label -> true);
+        assertThat(SkeletonSplitter.split(s))
+                .contains("bones under one label: 24 ribs are counted from the first, the spine is separated");
+        assertThatRibsAreThoseOfTheCage(s);
+        assertThat(s.counts()[s.find(SkeletonSplitter.SPINE)]).isGreaterThan(1000);
+    }
+
+    /** A plate behind the left ribs touches four of them: with them it is larger than any rib. */
+    @Test
+    void ribsThatTouchAShoulderBladeAreSeparatedFromIt() {
+        for (int k = 62; k < 96; k++) {
+            for (int i = 68; i < 88; i++) {
+                cage.ball(i, 57.5, k, 1.4, SHOULDER_BLADE);
+            }
+        }
+        for (int number = 4; number <= 7; number++) {
+            cage.ball(70, 53, 124 - 8 * number - 3, 3.8, SHOULDER_BLADE);
+        }
+        Segmentation s = scan(label -> true);
+        assertThat(SkeletonSplitter.split(s))
+                .hasValueSatisfying(note -> assertThat(note).contains("24 ribs"));
+        assertThatRibsAreThoseOfTheCage(s);
+    }
+
+    /** Without a rib in between the numbers of those below are not known: nothing is changed. */
+    @Test
+    void ribsWithAGapAreNotCounted() {
+        Segmentation s = scan(label -> label != CageVoxels.rib(6, true));
+        byte[] before = s.voxels.clone();
+        assertThat(SkeletonSplitter.split(s))
+                .hasValueSatisfying(note -> assertThat(note).contains("ribs are not told apart"));
+        assertThat(s.voxels).isEqualTo(before);
+    }
+
+    /** Of a scan that begins below the first rib the highest one is not the first. */
+    @Test
+    void ribsBelowTheApexOfTheLungAreNotCounted() {
+        Segmentation s = scan(label -> label != CageVoxels.rib(1, true) && label != CageVoxels.rib(1, false));
+        assertThat(SkeletonSplitter.split(s))
+                .hasValueSatisfying(note -> assertThat(note).contains("ribs are not told apart"));
+    }
+
+    @Test
+    void ribsWithLabelsOfTheirOwnAreLeftAlone() {
+        assertThat(SkeletonSplitter.split(new CageVoxels().withRibs(1).segmentation(CageVoxels.table(false))))
+                .isEqualTo(Optional.empty());
+    }
+}
