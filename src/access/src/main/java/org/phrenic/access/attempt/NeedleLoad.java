@@ -11,9 +11,9 @@ import org.phrenic.anatomy.StructureKind;
  *
  * <p>Axial force of a needle that advances: {@code F = c + f d + P (u / s)²}, with the cutting force c of the tissue at
  * the tip, the friction f on its length d in the body, and, while a membrane (skin, pleura, capsule) is pushed by u
- * before it is cut at u = s, the force of the puncture P. In liver c is 0.94 N (Okamura et al. 2004, doi
- * 10.1109/TBME.2004.831542, bovine liver). All other values are chosen in its order of magnitude, not measured. The
- * capsule is pushed by 3.5 mm, in proportion to the diameter: 2.0 mm at 22 G, 6.1 mm at 14 G.
+ * before it is cut at u = s, the force of the puncture P. Okamura et al. 2004 (doi 10.1109/TBME.2004.831542) split the
+ * force in excised bovine liver into such parts. In liver c is 0.94 N; this and all other values are chosen, not
+ * measured. The capsule is pushed by 3.5 mm, in proportion to the diameter: 2.0 mm at 22 G, 6.1 mm at 14 G.
  *
  * <p>Side load, while the tip is in the liver and the puncture in the capsule lies p beside the needle's line: the
  * needle is a beam that is held at the skin, stiffness {@code k = 3 E I / L³} at the capsule at a depth L, in series

@@ -50,8 +50,8 @@ public final class RobotOperator {
          * Reaction time 0.25 s, latency 0.1 s. Angle: 3.4 degrees on average freehand (PMC4499536), the mean of a
          * Rayleigh distribution of 2.7 degrees. Depth: 2.2 mm, from errors of 4.2 mm beside and 4.6 to 4.9 mm in all of
          * freehand punctures (doi 10.1002/rcs.1505). Level: 1.5 mm (doi 10.1186/1748-717X-2-32, liver, gated at
-         * end-expiration). Heartbeat: half of the 1.4 mm that the diaphragm moves on average in a held breath (PMID
-         * 16458774). Drift: 5.6 mm in 24 s, the most in 15 people (PMC7055431).
+         * end-expiration). Heartbeat: half of 1.4 mm, the mean over 21 people of the diaphragm's greatest motion in a
+         * held breath (PMID 16458774). Drift: 5.6 mm in 24 s, the most in 15 people (PMC7055431).
          */
         public static final Hand STANDARD = new Hand(0.25, 0.1, 2.7, 2.2, 1.5, 0.7, 0.23);
 
