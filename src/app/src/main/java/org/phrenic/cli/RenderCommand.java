@@ -49,7 +49,7 @@ import picocli.CommandLine.Option;
             "  phrenic render --preset deep --out xray --at 0,1.5 --xray 0/0,90/0",
             "  phrenic render --movie breath.mp4 --fps 25 --size 1280x960 --hide skin",
             "",
-            "Without --frames or --movie: one picture a view and time, as anterior.png or anterior_1.50s.png. With",
+            "Without --frames or --movie: one picture a view and time, as anterior.png or anterior_1.500s.png. With",
             "--frames: anterior_0001.png and so on. Exit code 4: nothing here can draw.",
             "",
             Disclaimer.TEXT

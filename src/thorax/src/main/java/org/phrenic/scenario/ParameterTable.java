@@ -21,7 +21,9 @@ public final class ParameterTable {
                         """
                         # Parameters
 
-                        The numbers that can be tuned, as keys of a scenario file or with `--set key=value`.
+                        The numbers that can be tuned live, as keys of a scenario file or with `--set key=value`.
+                        Those that are fixed at assembly: [a scenario](usage/run.md#a-scenario).
+                        Values are defaults. The material `published` has those of `paper`.
                         "preset": the breathing preset gives it; "-": the material does not use it.
                         This table is made from the declarations of the parts that use them.
 

@@ -38,8 +38,7 @@ public final class RibRotation extends ScenePart {
     public static final Parameter BUCKET_HANDLE = factor("bucket_handle", "Bucket handle", 3)
             .fitted(0, 2)
             .describedAs("Multiplies what each rib turns to raise its side (about the antero-posterior axis), and"
-                    + " leaves what raises its front; bones are taken to differ in this by 10 degrees of axis"
-                    + " and more.");
+                    + " leaves what raises its front. People's axes differ by about 10 degrees.");
 
     private static Parameter.Builder factor(String key, String label, double maximum) {
         return Parameter.named(key, label).range(0, maximum).initial(1).group(Group.RIBS);

@@ -21,7 +21,7 @@ public final class TissueMass extends ScenePart {
             .initial(3.15)
             .limitsStep()
             .describedAs("Mass per area of a face; nodes whose springs would not bear the time step are heavier"
-                    + " (mass_scaling_s), for a breath is quasi-static.");
+                    + " (mass_scaling_s).");
     public static final Parameter NODE_MASS = Parameter.named("node_mass_kg", "Node mass")
             .range(0.001, 10, "kg")
             .initial(0.1)
