@@ -22,9 +22,6 @@ public record BreathingParameters(
         @Key(min = 0, max = 1) double pressure,
         @Key(min = 0, max = 1) double ribTurn,
         @Key(min = 0, max = 1) double chestShare) {
-    /** Chest share that leaves both drives unchanged. */
-    public static final double BALANCED_SHARE = 0.5;
-
     private static final double MAX_RATE_PER_MIN = 150;
 
     public BreathingParameters {

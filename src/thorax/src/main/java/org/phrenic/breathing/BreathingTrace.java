@@ -52,24 +52,6 @@ public record BreathingTrace(String name, String signal, double[] timeS, double[
         return percentile.evaluate(percent);
     }
 
-    /** Subtracts the least-squares line, which removes sensor drift and slow sinking of the body. */
-    public BreathingTrace detrended() {
-        int count = timeS.length;
-        double meanTime = Arrays.stream(timeS).sum() / count;
-        double mean = Arrays.stream(amplitude).sum() / count;
-        double product = 0;
-        double square = 0;
-        for (int i = 0; i < count; i++) {
-            product += (timeS[i] - meanTime) * (amplitude[i] - mean);
-            square += (timeS[i] - meanTime) * (timeS[i] - meanTime);
-        }
-        double[] level = new double[count];
-        for (int i = 0; i < count; i++) {
-            level[i] = amplitude[i] - product / square * (timeS[i] - meanTime);
-        }
-        return new BreathingTrace(name, signal, timeS, level, dropped);
-    }
-
     /**
      * Normalises to 0 at end-expiration (5th percentile) and 1 at end-inspiration (95th percentile). Values may lie
      * outside 0 to 1.

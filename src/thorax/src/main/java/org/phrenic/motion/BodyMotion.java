@@ -187,11 +187,6 @@ public final class BodyMotion implements AutoCloseable {
         };
     }
 
-    /** The soft tissue around a structure as it is at a place of its surface: the other side of a sliding face. */
-    public double[] movedOutside(double[] place) {
-        return moved(exactSoft(place), place);
-    }
-
     /** Box of the body at rest: three least, three greatest coordinates, mm. */
     public double[] bounds() {
         double[] box = surfaces.get(0).rest().bounds();

@@ -225,12 +225,8 @@ public final class MotionSampler {
         return values(nowLabels);
     }
 
-    /** The region of each voxel at rest. */
-    float[] regionsAtRest() {
-        return values(restLabels);
-    }
-
-    private static float[] values(byte[] labels) {
+    /** Regions of voxels as real values, which {@link #warpNearest} takes. */
+    static float[] values(byte[] labels) {
         float[] out = new float[labels.length];
         for (int v = 0; v < out.length; v++) {
             out[v] = Byte.toUnsignedInt(labels[v]);

@@ -142,12 +142,6 @@ public final class Scenario implements SettingValues {
         return new Scenario(values);
     }
 
-    /** The settings after all scheduled changes, without a schedule. */
-    public Scenario afterChanges() {
-        return without(RunSettings.CHANGES)
-                .with(changes().stream().map(ScheduledChange::assignment).toList());
-    }
-
     @Override
     @SuppressWarnings("unchecked") // a value of the setting's type was put there
     public <T> T get(Setting<T> setting) {

@@ -249,7 +249,7 @@ class BodyMotionTest {
     @Test
     void carriedLabelsAreThoseOfTheMovedSurfaces() {
         byte[] now = sampler.labels(true);
-        float[] carried = sampler.warpNearest(sampler.regionsAtRest());
+        float[] carried = sampler.warpNearest(MotionSampler.values(sampler.labels(false)));
         int wrong = 0;
         for (int v = 0; v < now.length; v++) {
             wrong += Math.round(carried[v]) == Byte.toUnsignedInt(now[v]) ? 0 : 1;

@@ -22,11 +22,6 @@ public final class Radiograph {
         return attenuation[row * arm.columns() + column];
     }
 
-    /** Transmission {@code I / I0} of a pixel. */
-    public double transmission(int column, int row) {
-        return StrictMath.exp(-attenuation(column, row));
-    }
-
     /**
      * Grey levels, row by row: linear in the attenuation, so bones are white and lungs dark.
      *

@@ -82,7 +82,6 @@ final class NeedleObserver {
                 placed ? needle.warnings() : List.of(),
                 needle.record().samples().size(),
                 pendingHold.map(BreathEvent::text).orElse(""),
-                planned.angles().isPresent(),
                 NeedleAngles.of(direction),
                 probe.hold()
                         .map(hold -> new ProbeState(

@@ -57,12 +57,6 @@ public final class BModeImage {
         return raster.pixel(p[0], p[1]);
     }
 
-    /** The point of the image plane at a pixel, LPS, mm. */
-    public double[] worldOf(double column, double row) {
-        double[] p = raster.place(column, row);
-        return pose.toWorld(p[0], p[1], 0);
-    }
-
     /** Number of scan lines; line 0 is the farthest from the marker. */
     public int lines() {
         return SectorGrid.LINES;

@@ -49,11 +49,6 @@ final class SectorRaster {
         return new double[] {originColumn - lateral / mmPerPixel, faceRow + axial / mmPerPixel};
     }
 
-    /** Lateral and axial probe coordinates of a pixel, mm. */
-    double[] place(double column, double row) {
-        return new double[] {(originColumn - column) * mmPerPixel, (row - faceRow) * mmPerPixel};
-    }
-
     /** Fills a picture row by row from levels of 0 to 255; black outside of the sector. */
     byte[] convert(float[] levels, int threads) {
         byte[] out = new byte[size * size];

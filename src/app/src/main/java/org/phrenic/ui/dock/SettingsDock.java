@@ -168,10 +168,6 @@ public final class SettingsDock extends JPanel implements Session.Listener {
         }
     }
 
-    JLabel comparisonTable() {
-        return table;
-    }
-
     JComboBox<String> firstChoice() {
         return first;
     }

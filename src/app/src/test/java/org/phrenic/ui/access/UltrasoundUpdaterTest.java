@@ -78,7 +78,6 @@ class UltrasoundUpdaterTest {
                 List.of(),
                 0,
                 "",
-                true,
                 new NeedleAngles(90, 45),
                 Optional.empty(),
                 NeedleLoad.NONE);

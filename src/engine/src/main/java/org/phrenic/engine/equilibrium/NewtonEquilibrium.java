@@ -75,7 +75,6 @@ public final class NewtonEquilibrium {
     private final StepSolver stepSolver;
     private final int freeCount;
     private double shift;
-    private int krylov;
 
     /**
      * Outcome of a solve.
@@ -87,7 +86,6 @@ public final class NewtonEquilibrium {
      * @param rounds number of Newton solves, one for each active set
      * @param activeRows active rows at the end
      * @param activeSetChanges rows whose active state is inconsistent with the solution
-     * @param cgIterations conjugate-gradient iterations in total
      */
     public record Result(
             boolean converged,
@@ -95,8 +93,7 @@ public final class NewtonEquilibrium {
             double[] residualsMn,
             int rounds,
             int activeRows,
-            int activeSetChanges,
-            int cgIterations) {}
+            int activeSetChanges) {}
 
     /**
      * @param system a system near equilibrium; its positions are changed
@@ -165,8 +162,7 @@ public final class NewtonEquilibrium {
                 history.stream().mapToDouble(Double::doubleValue).toArray(),
                 rounds,
                 rows.activeCount(),
-                settled ? 0 : changed,
-                krylov);
+                settled ? 0 : changed);
     }
 
     private boolean newton(double toleranceMn, List<Double> history) {
@@ -254,10 +250,7 @@ public final class NewtonEquilibrium {
         Arrays.fill(step, 0);
         double[] left = residual.clone();
         stepSolver.start(left);
-        boolean positive =
-                stepSolver.solve(step, left, tolerance * tolerance * DenseVectors.dot(left, left), MAX_KRYLOV);
-        krylov += stepSolver.iterations() + (positive ? 0 : 1);
-        return positive;
+        return stepSolver.solve(step, left, tolerance * tolerance * DenseVectors.dot(left, left), MAX_KRYLOV);
     }
 
     /** The operator P (K + σ M) P with its diagonal as preconditioner. */

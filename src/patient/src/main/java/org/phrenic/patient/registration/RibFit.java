@@ -86,11 +86,6 @@ final class RibFit {
         return scan;
     }
 
-    /** Whether the scan does not cut the posterior end. */
-    boolean hasPosteriorEnd() {
-        return !posteriorCut;
-    }
-
     double missingMm() {
         return missingMm;
     }

@@ -7,22 +7,19 @@ import java.util.Locale;
 /**
  * Properties of the OpenGL implementation behind a context.
  *
- * @param vendor {@code GL_VENDOR}
  * @param renderer {@code GL_RENDERER}
  * @param version {@code GL_VERSION}
  * @param software whether it renders on the CPU
  * @param maxSamples maximum number of samples per pixel
  * @param maxSize maximum side length of a framebuffer, pixels
  */
-public record GraphicsInfo(
-        String vendor, String renderer, String version, boolean software, int maxSamples, int maxSize) {
+public record GraphicsInfo(String renderer, String version, boolean software, int maxSamples, int maxSize) {
     private static final List<String> SOFTWARE = List.of("llvmpipe", "softpipe", "swrast", "software", "swiftshader");
 
     static GraphicsInfo of(GL3 gl) {
         String renderer = String.valueOf(gl.glGetString(GL3.GL_RENDERER));
         String lower = renderer.toLowerCase(Locale.ROOT);
         return new GraphicsInfo(
-                String.valueOf(gl.glGetString(GL3.GL_VENDOR)),
                 renderer,
                 String.valueOf(gl.glGetString(GL3.GL_VERSION)),
                 SOFTWARE.stream().anyMatch(lower::contains),

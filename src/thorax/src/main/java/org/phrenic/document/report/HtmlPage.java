@@ -85,7 +85,7 @@ public final class HtmlPage {
 
     private void contents(ReportDocument document) {
         List<String> headings = document.blocks().stream()
-                .filter(b -> b instanceof Section s && s.level() == 1)
+                .filter(Section.class::isInstance)
                 .map(b -> ((Section) b).heading())
                 .toList();
         if (headings.size() >= MIN_SECTIONS_FOR_CONTENTS) {
@@ -112,9 +112,8 @@ public final class HtmlPage {
 
     private void block(Block block) {
         if (block instanceof Section section) {
-            String id = section.level() == 1 ? " id=\"" + anchor(section.heading(), anchors) + "\"" : "";
-            String tag = section.level() == 1 ? "h2" : "h3";
-            text.append("<" + tag + id + ">" + escaped(section.heading()) + "</" + tag + ">\n");
+            String id = anchor(section.heading(), anchors);
+            text.append("<h2 id=\"" + id + "\">" + escaped(section.heading()) + "</h2>\n");
         } else if (block instanceof Paragraph paragraph) {
             text.append("<p>" + escaped(paragraph.text()) + "</p>\n");
         } else if (block instanceof Remark remark) {

@@ -35,7 +35,7 @@ public final class MarkdownPage {
 
     private static String block(Block block) {
         if (block instanceof Section section) {
-            return "\n" + "#".repeat(section.level() + 1) + " " + escaped(section.heading()) + "\n";
+            return "\n## " + escaped(section.heading()) + "\n";
         }
         if (block instanceof Paragraph paragraph) {
             return "\n" + escaped(paragraph.text()) + "\n";

@@ -13,12 +13,8 @@ public final class ReportDocument {
     /** A block of a report. */
     public sealed interface Block permits Section, Paragraph, Remark, Points, Code, Table, Figure {}
 
-    /**
-     * A section heading.
-     *
-     * @param level 1 for a section, 2 for a subsection
-     */
-    public record Section(int level, String heading) implements Block {}
+    /** A section heading. */
+    public record Section(String heading) implements Block {}
 
     /** A paragraph. */
     public record Paragraph(String text) implements Block {}
@@ -102,11 +98,7 @@ public final class ReportDocument {
     }
 
     public ReportDocument section(String heading) {
-        return add(new Section(1, heading));
-    }
-
-    public ReportDocument subsection(String heading) {
-        return add(new Section(2, heading));
+        return add(new Section(heading));
     }
 
     public ReportDocument paragraph(String text) {

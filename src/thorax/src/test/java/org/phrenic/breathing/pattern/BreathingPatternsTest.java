@@ -15,8 +15,7 @@ import org.phrenic.breathing.RespiratoryPhase;
 
 class BreathingPatternsTest {
     private static final Offset<Double> ROUNDING = within(1e-12);
-    private static final BreathingParameters QUIET =
-            new BreathingParameters(15, 0.40, 0.10, 0.26, 0.06, 1.0 / 6, BreathingParameters.BALANCED_SHARE);
+    private static final BreathingParameters QUIET = new BreathingParameters(15, 0.40, 0.10, 0.26, 0.06, 1.0 / 6, 0.5);
     private static final BreathingParameters FULL = new BreathingParameters(7.5, 0.45, 0.05, 1, 0.25, 1, 0.5);
 
     @Test

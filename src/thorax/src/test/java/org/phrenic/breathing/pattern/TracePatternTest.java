@@ -115,23 +115,6 @@ class TracePatternTest {
     }
 
     @Test
-    void driftIsTakenOutOnRequest() throws IOException {
-        StringBuilder csv = new StringBuilder("time_s,amplitude\n");
-        for (int i = 0; i < 600; i++) {
-            csv.append(i / 10.0)
-                    .append(',')
-                    .append(breath(i / 10.0) + 0.5 * i / 10.0)
-                    .append('\n');
-        }
-        BreathingTrace trace = BreathingTraceReader.read(write(csv.toString())).detrended();
-        double[] level = trace.normalised().amplitude();
-        // Every end-expiration, 5 s apart, is near 0 again.
-        for (int i = 0; i < 600; i += 50) {
-            assertThat(level[i]).isCloseTo(0, within(0.1));
-        }
-    }
-
-    @Test
     void badTracesAreRefusedInOneSentence() throws IOException {
         refused("a,b\n1,2\n", ": line 1: found columns 'a b', expected 'Frame;Timestamp;x;y;z' or 'time_s,amplitude'");
         refused("time_s,amplitude\n0,1\n1,x\n", ": line 3, column 'amplitude': found 'x', expected a number");
@@ -172,7 +155,7 @@ class TracePatternTest {
             found++;
             double dominantS = Double.parseDouble(line.split(",")[8]);
             BreathingTrace trace = BreathingTraceReader.read(file);
-            TracePattern pattern = new TracePattern(trace.detrended(), DEPTH, true);
+            TracePattern pattern = new TracePattern(trace, DEPTH, true);
             assertThat(trace.dropped()).as(file.toString()).isLessThanOrEqualTo(3);
             assertThat(pattern.periodS() / pattern.breaths())
                     .as(file.toString())

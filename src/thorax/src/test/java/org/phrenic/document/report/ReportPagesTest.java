@@ -25,7 +25,6 @@ class ReportPagesTest {
                 .points("one", NASTY)
                 .code("phrenic reproduce --out a<b")
                 .section("Speed")
-                .subsection("Table 1")
                 .table(
                         "Iterations a second",
                         List.of(Column.text("resolution"), Column.number("paper")),

@@ -79,7 +79,7 @@ public final class RehearsalGallery {
         Thread.sleep(1500);
         WindowHarness.writeAtRest(window, folder.resolve(name + "-entry.png"));
         EventThread.run(rehearsal.needle()::aimAtTarget);
-        until(() -> !rehearsal.state().get().aimedByHand());
+        until(() -> RehearsalHarness.pointsAtTarget(rehearsal.state().get()));
         EventThread.run(() -> holdProbe(session, rehearsal));
         until(() -> rehearsal.state().get().probe().isPresent());
         Thread.sleep(2500);

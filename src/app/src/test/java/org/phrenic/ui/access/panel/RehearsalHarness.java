@@ -6,6 +6,7 @@ import javax.swing.JButton;
 import javax.swing.JComboBox;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.mesh.Vectors;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.access.AttemptReportWriter;
 import org.phrenic.ui.access.RehearsalController;
@@ -17,6 +18,8 @@ import org.phrenic.ui.window.WindowHarness;
 final class RehearsalHarness {
     /** Width and height of the pictures of a report, pixels. */
     private static final int PICTURE_SIZE = 200;
+
+    private static final double ROUNDING_MM = 1e-6;
 
     private final WindowHarness window;
 
@@ -69,6 +72,12 @@ final class RehearsalHarness {
     boolean isAt(double depthMm) {
         Optional<NeedleState> now = rehearsal().state();
         return now.isPresent() && !now.get().moving() && Math.abs(now.get().depthMm() - depthMm) < 0.5;
+    }
+
+    /** Says whether the line of the needle meets the centre of the target. */
+    static boolean pointsAtTarget(NeedleState now) {
+        double[] along = Vectors.normalize(Vectors.subtract(now.tip(), now.hub()));
+        return Vectors.distanceToLine(now.target(), now.tip(), along) < ROUNDING_MM;
     }
 
     /** Writes reports whose pictures take a tenth of the time of those that a user saves. */

@@ -199,7 +199,7 @@ abstract class RehearsalInputCases {
                         () -> rehearsal().entrySelection().entry().orElseThrow()))
                 .containsExactly(best);
         window.key("A");
-        clinic.until("aimed by the program", () -> !state().aimedByHand());
+        clinic.until("aimed by the program", () -> RehearsalHarness.pointsAtTarget(state()));
         window.key("I");
         clinic.until("2 mm in", () -> clinic.isAt(2));
         window.key("shift I");
@@ -339,7 +339,7 @@ abstract class RehearsalInputCases {
                 "an entry",
                 () -> rehearsal().state().filter(NeedleState::hasNeedle).isPresent());
         window.key("A");
-        clinic.until("a needle that points at the target", () -> !state().aimedByHand());
+        clinic.until("a needle that points at the target", () -> RehearsalHarness.pointsAtTarget(state()));
         WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(depthMm));
         clinic.until("in", () -> state().placed() && state().depthMm() > 0.9 * depthMm && !state().moving());
         window.key("X");

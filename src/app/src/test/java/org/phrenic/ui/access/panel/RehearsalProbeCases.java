@@ -146,7 +146,6 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
         clinic.until(
                 "an entry beside the probe",
                 () -> state().hasNeedle()
-                        && state().aimedByHand()
                         && Vectors.distance(
                                         state().entry().orElseThrow(),
                                         probe().pose().face())

@@ -21,9 +21,6 @@ import org.apache.commons.math3.random.SobolSequenceGenerator;
  * @param seed of the shift
  */
 public record SaltelliDesign(int factors, int samples, long seed) implements SweepDesign {
-    /** Largest number of factors: the sequence has 1000 dimensions. */
-    public static final int MAX_FACTORS = 500;
-
     private static final double MOST_CORRELATION = 0.05;
     /** Dimensions to choose from, for each that is needed. */
     private static final int CHOICE = 20;

@@ -8,11 +8,6 @@ package org.phrenic.study.sweep.index;
  * @param high upper end of the interval
  */
 public record Estimate(double value, double low, double high) {
-    /** Whether a number lies in the interval. */
-    public boolean covers(double truth) {
-        return truth >= low && truth <= high;
-    }
-
     /** Whether there were enough samples. */
     public boolean isKnown() {
         return Double.isFinite(value);
