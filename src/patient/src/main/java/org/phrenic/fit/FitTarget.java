@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import org.phrenic.document.CsvTable;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.patient.registration.DiaphragmaticSurface;
@@ -85,9 +86,7 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
     public static FitTarget read(String text) {
         int equals = text.indexOf('=');
         Path file = Path.of(text.substring(equals + 1));
-        String label = equals > 0
-                ? text.substring(0, equals)
-                : String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "");
+        String label = equals > 0 ? text.substring(0, equals) : FileNames.withoutExtension(file);
         FitPart part = FitPart.of(label)
                 .orElseThrow(() -> new BadInputException("--target " + text + ": found part '" + label
                         + "', expected PART=FILE with one of " + FitPart.labels()));

@@ -1,7 +1,6 @@
 package org.phrenic.anatomy;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -18,6 +17,7 @@ import java.util.stream.Stream;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.ConnectedComponents;
 import org.phrenic.mesh.edit.MeshRepair;
@@ -237,14 +237,14 @@ public final class ThoraxFolder {
         Map<String, Path> files = new TreeMap<>();
         try (Stream<Path> list = Files.list(folder)) {
             for (Path file : list.filter(MeshFiles::isMesh).sorted().toList()) {
-                String name = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+                String name = FileNames.withoutExtension(file);
                 Path twin = files.putIfAbsent(name, file);
                 if (twin != null) {
                     throw duplicateStructure(folder, twin, file);
                 }
             }
         } catch (IOException e) {
-            throw new UncheckedIOException(e);
+            throw new BadInputException(folder + ": cannot be listed: " + e.getMessage(), e);
         }
         return files;
     }

@@ -15,6 +15,7 @@ import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.assembly.TissueMaterial;
@@ -58,7 +59,7 @@ public final class Scenario implements SettingValues {
         yaml.requireOnly(Settings.keys());
         Path folder = file.toAbsolutePath().getParent();
         Map<Setting<?>, Object> values = new LinkedHashMap<>();
-        values.put(RunSettings.NAME, file.getFileName().toString().replaceFirst("\\.[^.]*$", ""));
+        values.put(RunSettings.NAME, FileNames.withoutExtension(file));
         for (Setting<?> setting : Settings.all()) {
             if (yaml.has(setting.key())) {
                 values.put(setting, setting.read(yaml, folder));

@@ -19,6 +19,7 @@ import org.phrenic.document.ShippedFile;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
@@ -156,7 +157,7 @@ public record RehearsalPlan(
     private static RehearsalPlan of(YamlMap yaml, Path file) {
         yaml.requireOnly(KEYS);
         return new RehearsalPlan(
-                yaml.text("title", file.getFileName().toString().replaceFirst("\\.[^.]*$", "")),
+                yaml.text("title", FileNames.withoutExtension(file)),
                 yaml.text("description", ""),
                 difficulty(yaml),
                 scenario(yaml, file),

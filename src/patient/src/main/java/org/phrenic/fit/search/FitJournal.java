@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import org.phrenic.document.CsvTable;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
 import org.phrenic.file.OutputException;
 
 /**
@@ -44,7 +45,7 @@ public final class FitJournal {
         if (Files.exists(file)) {
             read();
         }
-        String name = String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "");
+        String name = FileNames.withoutExtension(file);
         shapes = new ShapeFile(file.resolveSibling(name + ".shapes"), fingerprint);
     }
 

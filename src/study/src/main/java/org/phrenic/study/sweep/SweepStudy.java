@@ -13,6 +13,7 @@ import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.document.YamlWriter;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
 import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
@@ -61,11 +62,7 @@ public record SweepStudy(
      * @throws BadInputException with one sentence that names file, line and key
      */
     public static SweepStudy read(Path file) {
-        return of(YamlDocument.read(file), file.toAbsolutePath().getParent(), title(file));
-    }
-
-    private static String title(Path file) {
-        return file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+        return of(YamlDocument.read(file), file.toAbsolutePath().getParent(), FileNames.withoutExtension(file));
     }
 
     /** Reads the text of a study whose paths are absolute, such as {@link #resolved}. */
