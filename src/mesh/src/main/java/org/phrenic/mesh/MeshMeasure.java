@@ -5,6 +5,9 @@ import org.phrenic.engine.math.Triangles;
 
 /** Measures of a {@link TriangleMesh}: area, volume, normals, triangle quality, edge lengths. */
 public final class MeshMeasure {
+    /** Cubic millimetres in a millilitre. */
+    public static final double MM3_PER_ML = 1000;
+
     /** Openness of a surface from which it has no inside. */
     private static final double MAX_OPENNESS = 0.2;
 
@@ -38,6 +41,11 @@ public final class MeshMeasure {
             sum += sixfoldVolume(mesh, triangles[t], triangles[t + 1], triangles[t + 2], centre);
         }
         return sum / 6;
+    }
+
+    /** Signed volume, ml. */
+    public static double signedVolumeMl(TriangleMesh mesh) {
+        return signedVolume(mesh) / MM3_PER_ML;
     }
 
     /** Centre of mass of a closed surface's inside: the mean of the tetrahedra to its triangles, by signed volume. */
@@ -198,6 +206,18 @@ public final class MeshMeasure {
 
     public static double distance(TriangleMesh mesh, int a, int b) {
         return Math.sqrt(Vectors.squaredDistance(mesh.positions(), a, b));
+    }
+
+    /** Centroid of a triangle, mm. */
+    public static double[] centroid(TriangleMesh mesh, int triangle) {
+        double[] mean = new double[3];
+        for (int corner = 3 * triangle; corner < 3 * triangle + 3; corner++) {
+            int v = mesh.triangles()[corner];
+            mean[0] += mesh.x(v) / 3;
+            mean[1] += mesh.y(v) / 3;
+            mean[2] += mesh.z(v) / 3;
+        }
+        return mean;
     }
 
     /** Angle at the start corner of {@code side}, radians; atan2 is accurate near 0 and 180 degrees. */

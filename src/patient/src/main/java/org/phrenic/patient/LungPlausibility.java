@@ -21,7 +21,6 @@ final class LungPlausibility {
     private static final double MIN_ML = 150;
 
     private static final double MAX_ML = 5000;
-    private static final double MM3_PER_ML = 1000;
 
     private LungPlausibility() {}
 
@@ -55,8 +54,8 @@ final class LungPlausibility {
     private static void compare(TriangleMesh right, TriangleMesh left, boolean complete, List<String> findings) {
         double[] r = right.bounds();
         double[] l = left.bounds();
-        double rightMl = volumeMl(right);
-        double leftMl = volumeMl(left);
+        double rightMl = MeshMeasure.signedVolumeMl(right);
+        double leftMl = MeshMeasure.signedVolumeMl(left);
         // The x axis points to the patient's left.
         if (r[0] + r[3] > l[0] + l[3]) {
             findings.add("the right lung lies on the left of the left one: labels are exchanged, or the volume states"
@@ -71,12 +70,8 @@ final class LungPlausibility {
         }
     }
 
-    private static double volumeMl(TriangleMesh lung) {
-        return MeshMeasure.signedVolume(lung) / MM3_PER_ML;
-    }
-
     private static void size(String side, TriangleMesh lung, List<String> findings) {
-        double ml = volumeMl(lung);
+        double ml = MeshMeasure.signedVolumeMl(lung);
         if (ml < MIN_ML || ml > MAX_ML) {
             findings.add(String.format(
                     Locale.ROOT,

@@ -16,6 +16,7 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
@@ -41,7 +42,6 @@ public final class ScanImport {
             StructureKind.MUSCLE, 2 * ORGAN_EDGE_MM,
             StructureKind.OTHER, ORGAN_EDGE_MM,
             StructureKind.SKIN, 2 * ORGAN_EDGE_MM));
-    private static final double MM3_PER_ML = 1000;
     /** Segments of the body outline: background, and label 1. */
     private static final int[] SKIN = {0, 1};
     /** Voxel size of the body outline, relative to the edge length of its triangles. */
@@ -233,7 +233,7 @@ public final class ScanImport {
                 new PatientStructure.Scan(
                         segmentation.labels(name),
                         voxels,
-                        voxels * voxelMm3 / MM3_PER_ML,
+                        voxels * voxelMm3 / MeshMeasure.MM3_PER_ML,
                         segmentation.cutAt(name),
                         meshed));
     }
@@ -247,13 +247,13 @@ public final class ScanImport {
             if (!scan.isComplete()) {
                 cut.add(name + " (" + scan.cutAt() + ")");
             }
-            if (scan.meshed().discardedMm3() > MIN_DISCARDED * MM3_PER_ML * scan.volumeMl()) {
+            if (scan.meshed().discardedMm3() > MIN_DISCARDED * MeshMeasure.MM3_PER_ML * scan.volumeMl()) {
                 notes.add(String.format(
                         Locale.ROOT,
                         "%s: of %d pieces the largest was taken, %.1f ml left out",
                         name,
                         scan.meshed().components(),
-                        scan.meshed().discardedMm3() / MM3_PER_ML));
+                        scan.meshed().discardedMm3() / MeshMeasure.MM3_PER_ML));
             }
         }
         if (!cut.isEmpty()) {

@@ -36,7 +36,6 @@ import org.phrenic.scenario.Settings;
 /** The output of {@code phrenic info} for a mesh, a label volume, a scenario or a thorax folder. */
 public final class FileInfo {
     private static final int RIBS = 12;
-    private static final double MM3_PER_ML = 1000;
 
     private FileInfo() {}
 
@@ -117,7 +116,7 @@ public final class FileInfo {
         for (int label = 1; label < counts.length; label++) {
             if (counts[label] > 0) {
                 String name = volume.names().getOrDefault(label, "");
-                labels.put((label + " " + name).strip(), counts[label] * grid.voxelVolume() / MM3_PER_ML);
+                labels.put((label + " " + name).strip(), grid.volumeMl(counts[label]));
             }
         }
         info.put("labels_ml", labels);

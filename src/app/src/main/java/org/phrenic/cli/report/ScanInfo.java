@@ -19,7 +19,6 @@ import org.phrenic.patient.label.StatedAxes;
 
 /** What {@code phrenic info} says of scans: the labels of a volume, and the import that made a thorax folder. */
 final class ScanInfo {
-    private static final double MM3_PER_ML = 1000;
     private static final String IMPORT_FILE = "import.json";
     private static final String SCAN = "scan";
 
@@ -39,7 +38,7 @@ final class ScanInfo {
                         .with("name", volume.names().getOrDefault(label, ""))
                         .with("structure", structures.getOrDefault(label, ""))
                         .with("voxels", counts[label])
-                        .with("ml", counts[label] * volume.grid().voxelVolume() / MM3_PER_ML));
+                        .with("ml", volume.grid().volumeMl(counts[label])));
             }
         }
         info.put("axes", StatedAxes.letters(volume));

@@ -27,7 +27,6 @@ final class ImportSummaryDialog {
     private static final String[] COLUMNS = {"Structure", "From", "Volume, ml", "Off the labels, mm", "Cut at"};
     private static final int VOLUME_COLUMN = 2;
     private static final Dimension SIZE = new Dimension(660, 590);
-    private static final double MM3_PER_ML = 1000;
 
     private ImportSummaryDialog() {}
 
@@ -107,7 +106,7 @@ final class ImportSummaryDialog {
         return new Object[] {
             s.structure().name(),
             s.source().name().toLowerCase(Locale.ROOT),
-            Math.round(MeshMeasure.signedVolume(s.structure().mesh()) / MM3_PER_ML),
+            Math.round(MeshMeasure.signedVolumeMl(s.structure().mesh())),
             off,
             s.scan().map(PatientStructure.Scan::cutAt).orElse("")
         };

@@ -29,7 +29,6 @@ final class ScanLabels extends AbstractTableModel {
 
     static final int STRUCTURE_COLUMN = 3;
     private static final String[] COLUMNS = {"Label", "Name in the file", "Volume, ml", "Structure"};
-    private static final double MM3_PER_ML = 1000;
 
     private record Row(int label, String name, double millilitres) {}
 
@@ -50,7 +49,7 @@ final class ScanLabels extends AbstractTableModel {
         int[] counts = volume.grid().counts();
         for (int label = 1; label < counts.length; label++) {
             if (counts[label] > 0) {
-                double millilitres = counts[label] * volume.grid().voxelVolume() / MM3_PER_ML;
+                double millilitres = volume.grid().volumeMl(counts[label]);
                 rows.add(new Row(label, volume.names().getOrDefault(label, ""), millilitres));
                 structures.add(guess.getOrDefault(label, NONE));
             }

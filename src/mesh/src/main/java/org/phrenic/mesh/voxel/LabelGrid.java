@@ -2,6 +2,7 @@ package org.phrenic.mesh.voxel;
 
 import java.util.Arrays;
 import java.util.function.IntPredicate;
+import org.phrenic.mesh.MeshMeasure;
 
 /**
  * A box of voxels with labels from 0 (background) to 65535. Voxel (i, j, k) has the index {@code i + columns (j + rows
@@ -109,6 +110,11 @@ public final class LabelGrid {
     /** Volume of a voxel, mm^3. */
     public double voxelVolume() {
         return Math.abs(VoxelBox.determinant(toMm));
+    }
+
+    /** Volume of so many voxels, ml. */
+    public double volumeMl(int voxels) {
+        return voxels * voxelVolume() / MeshMeasure.MM3_PER_ML;
     }
 
     /**

@@ -177,7 +177,7 @@ public final class EndExpiration {
         return body.structures().stream()
                 .map(PatientStructure::structure)
                 .filter(s -> s.kind() == StructureKind.LUNG)
-                .mapToDouble(s -> MeshMeasure.signedVolume(s.mesh()) / 1000)
+                .mapToDouble(s -> MeshMeasure.signedVolumeMl(s.mesh()))
                 .sum();
     }
 

@@ -72,7 +72,7 @@ final class ImportReport {
         OrderedValues row = new OrderedValues()
                 .with("structure", s.structure().name())
                 .with("source", s.source().name().toLowerCase(Locale.ROOT))
-                .with("mesh_volume_ml", MeshMeasure.signedVolume(s.structure().mesh()) / 1000);
+                .with("mesh_volume_ml", MeshMeasure.signedVolumeMl(s.structure().mesh()));
         s.scan().ifPresent(scan -> {
             DistanceSummary off = scan.meshed().distanceToLabel();
             row.with("labels", scan.labels())

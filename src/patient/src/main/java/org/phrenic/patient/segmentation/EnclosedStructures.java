@@ -33,8 +33,6 @@ public final class EnclosedStructures {
     /** Least number of directions, of six, in which a voxel within an organ meets it. */
     private static final int LEAST_DIRECTIONS = 4;
 
-    private static final double MM3_PER_ML = 1000;
-
     private final Segmentation s;
     /** Kind of each segment's structure; null for background. */
     private final StructureKind[] kinds = new StructureKind[LabelGrid.MAX_BYTE_LABEL + 1];
@@ -123,7 +121,7 @@ public final class EnclosedStructures {
         }
         own = s.voxels;
         s.voxels = filled;
-        double voxelMl = s.grid().voxelVolume() / MM3_PER_ML;
+        double voxelMl = s.grid().volumeMl(1);
         List<String> parts = new ArrayList<>();
         given.forEach((what, count) -> parts.add(String.format(Locale.ROOT, "%s (%.1f ml)", what, count * voxelMl)));
         return Optional.of("surfaces of organs enclose what lies in them: " + String.join(", ", parts));

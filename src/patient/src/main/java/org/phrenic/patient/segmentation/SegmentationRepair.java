@@ -32,8 +32,6 @@ public final class SegmentationRepair {
     /** Share of filled bone voxels from which a note is made. */
     private static final double NOTED_FILL = 0.02;
 
-    private static final double MM3_PER_ML = 1000;
-
     private final Segmentation s;
     private final List<String> notes = new ArrayList<>();
     private int specks;
@@ -102,9 +100,7 @@ public final class SegmentationRepair {
         int filled = BoneClosing.close(s, bones) + HoleFilling.fill(s);
         if (before > 0 && filled > NOTED_FILL * before) {
             notes.add(String.format(
-                    Locale.ROOT,
-                    "holes and pits are filled, %.1f ml",
-                    filled * s.grid().voxelVolume() / MM3_PER_ML));
+                    Locale.ROOT, "holes and pits are filled, %.1f ml", s.grid().volumeMl(filled)));
         }
     }
 
@@ -135,7 +131,7 @@ public final class SegmentationRepair {
                     Locale.ROOT,
                     "specks of %d structures are left out, %.2g ml in all",
                     speckSegments,
-                    specks * s.grid().voxelVolume() / MM3_PER_ML));
+                    s.grid().volumeMl(specks)));
         }
     }
 
@@ -213,7 +209,7 @@ public final class SegmentationRepair {
                     Locale.ROOT,
                     "%s: what lies too far from its largest piece is left out, %.1f ml",
                     name,
-                    lost * s.grid().voxelVolume() / MM3_PER_ML));
+                    s.grid().volumeMl(lost)));
         }
     }
 }

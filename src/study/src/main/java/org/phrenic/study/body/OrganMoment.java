@@ -27,7 +27,7 @@ record OrganMoment(String body, String name, Map<String, Double> volumesMl, List
         Map<String, Double> volumes = new TreeMap<>();
         for (int i = 0; i < surfaces.size(); i++) {
             if (OrganContact.isOrgan(surfaces.get(i).kind())) {
-                volumes.put(surfaces.get(i).name(), MeshMeasure.signedVolume(meshes.get(i)) / 1000);
+                volumes.put(surfaces.get(i).name(), MeshMeasure.signedVolumeMl(meshes.get(i)));
             }
         }
         return new OrganMoment(body, name, volumes, OrganContact.all(surfaces, meshes));
