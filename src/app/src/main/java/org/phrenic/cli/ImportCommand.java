@@ -169,7 +169,7 @@ final class ImportCommand extends ReportingCommand {
         result.grid()
                 .ifPresent(grid -> text.append(String.format(
                         Locale.ROOT,
-                        "%s: %d x %d x %d voxels of %.3g x %.3g x %.3g mm%n%n",
+                        "%s: %d x %d x %d voxels of %.3g x %.3g x %.3g mm\n\n",
                         result.file(),
                         grid.columns(),
                         grid.rows(),

@@ -263,18 +263,8 @@ public record FitReport(FitResult result) {
         return map;
     }
 
-    private static OrderedValues values(FitDistances distances) {
-        return values(distances.summary());
-    }
-
-    static OrderedValues values(DistanceSummary d) {
-        return new OrderedValues()
-                .with("mean_mm", d.mean())
-                .with("sd_mm", d.deviation())
-                .with("rms_mm", d.rms())
-                .with("median_mm", d.median())
-                .with("percentile_95_mm", d.percentile95())
-                .with("maximum_mm", d.maximum());
+    private static Map<String, Double> values(FitDistances distances) {
+        return distances.summary().values();
     }
 
     /** Writes fit.json, fit.csv and scenario.yaml into a folder. */

@@ -55,13 +55,13 @@ public record LandmarkTable(Landmarks.Errors errors) {
     /** The errors as JSON values. */
     OrderedValues values() {
         return new OrderedValues()
-                .with("as_scanned", FitReport.values(errors.scanned()))
-                .with("aligned", FitReport.values(errors.rigid()))
-                .with("aligned_less_mean", FitReport.values(errors.rigidLessMean()))
-                .with("nearest_surface", FitReport.values(errors.bySurface().nearest()))
-                .with("attached", FitReport.values(errors.bySurface().attached()))
-                .with("fitted", FitReport.values(errors.fitted()))
-                .with("fitted_less_mean", FitReport.values(errors.fittedLessMean()))
+                .with("as_scanned", errors.scanned().values())
+                .with("aligned", errors.rigid().values())
+                .with("aligned_less_mean", errors.rigidLessMean().values())
+                .with("nearest_surface", errors.bySurface().nearest().values())
+                .with("attached", errors.bySurface().attached().values())
+                .with("fitted", errors.fitted().values())
+                .with("fitted_less_mean", errors.fittedLessMean().values())
                 .with("shift_by_alignment_mm", errors.shifts().byAlignment())
                 .with("shift_left_mm", errors.shifts().left())
                 .with("outside", errors.shifts().outside());

@@ -12,6 +12,7 @@ import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.engine.math.Triangles;
+import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.query.SegmentProbe;
@@ -215,13 +216,7 @@ public final class PathAnalyzer {
     }
 
     private boolean isPleural(TriangleMesh diaphragm, int triangle) {
-        double[] mean = new double[3];
-        for (int k = 0; k < 3; k++) {
-            int v = diaphragm.triangles()[3 * triangle + k];
-            mean[0] += diaphragm.x(v) / 3;
-            mean[1] += diaphragm.y(v) / 3;
-            mean[2] += diaphragm.z(v) / 3;
-        }
+        double[] mean = MeshMeasure.centroid(diaphragm, triangle);
         return anatomy.pleura().orElseThrow().isAbove(mean[0], mean[1], mean[2]);
     }
 

@@ -142,7 +142,9 @@ final class BenchBodiesCommand extends ReportingCommand {
             AtomicFile.write(out.resolve("bodies.csv"), report.csv());
             JsonWriter.write(out.resolve("bodies.json"), report.values());
         }
-        print(report.values(), () -> table(report.table()) + "\n" + withDisclaimer(report.summary() + ".\n"));
+        print(
+                report.values(),
+                () -> TextTable.ofNumbers(report.table()) + "\n" + withDisclaimer(report.summary() + ".\n"));
         return study.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
@@ -263,13 +265,5 @@ final class BenchBodiesCommand extends ReportingCommand {
                 .findFirst()
                 .orElseThrow(() -> new BadInputException("--cuts: found '" + label + "', expected all or "
                         + Arrays.stream(BodyCut.values()).map(BodyCut::label).collect(Collectors.joining(", "))));
-    }
-
-    private static String table(List<List<String>> rows) {
-        boolean[] numbers = new boolean[rows.get(0).size()];
-        for (int i = 1; i < numbers.length; i++) {
-            numbers[i] = true;
-        }
-        return new TextTable(numbers).rows(rows).text();
     }
 }

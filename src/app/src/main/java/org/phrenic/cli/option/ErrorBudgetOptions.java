@@ -93,8 +93,8 @@ public final class ErrorBudgetOptions {
         }
         for (String name : OptionValues.split(parts)) {
             named.add(BudgetPart.of(name)
-                    .orElseThrow(() -> new BadInputException("--part: found '" + name
-                            + "', expected some of time, space, equilibrium, order, implicit")));
+                    .orElseThrow(() -> new BadInputException(
+                            "--part: found '" + name + "', expected some of " + BudgetPart.labels())));
         }
         return named;
     }

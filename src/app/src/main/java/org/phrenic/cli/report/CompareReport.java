@@ -2,11 +2,9 @@ package org.phrenic.cli.report;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.function.ToDoubleFunction;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.mesh.query.DistanceHistogram;
@@ -16,17 +14,6 @@ import org.phrenic.mesh.query.SurfaceComparison;
 /** The results of {@code phrenic compare}. */
 public record CompareReport(Path a, Path b, SurfaceComparison comparison) {
     private static final int BINS = 20;
-    /** Distance statistics by key, in the order of the table. */
-    private static final Map<String, ToDoubleFunction<DistanceSummary>> FIGURES = new LinkedHashMap<>();
-
-    static {
-        FIGURES.put("mean_mm", DistanceSummary::mean);
-        FIGURES.put("sd_mm", DistanceSummary::deviation);
-        FIGURES.put("rms_mm", DistanceSummary::rms);
-        FIGURES.put("median_mm", DistanceSummary::median);
-        FIGURES.put("percentile_95_mm", DistanceSummary::percentile95);
-        FIGURES.put("maximum_mm", DistanceSummary::maximum);
-    }
 
     public Map<String, Object> values(List<String> pictures) {
         OrderedValues values = new OrderedValues()
@@ -60,7 +47,7 @@ public record CompareReport(Path a, Path b, SurfaceComparison comparison) {
 
     private static OrderedValues figures(DistanceSummary d) {
         OrderedValues values = new OrderedValues().with("vertices", d.points());
-        FIGURES.forEach((key, figure) -> values.put(key, figure.applyAsDouble(d)));
+        values.putAll(d.values());
         return values;
     }
 
@@ -75,12 +62,12 @@ public record CompareReport(Path a, Path b, SurfaceComparison comparison) {
         row(table, "", "area", comparison.byArea(), Double.NaN);
         comparison.corresponding().ifPresent(d -> row(table, "same number", "vertex", d, Double.NaN));
         return "A  " + a + "\nB  " + b + "\n\n" + table.text()
-                + String.format(Locale.ROOT, "%nHausdorff distance %.3f mm, at vertices%n", comparison.hausdorff());
+                + String.format(Locale.ROOT, "\nHausdorff distance %.3f mm, at vertices\n", comparison.hausdorff());
     }
 
     private static void row(TextTable table, String way, String weight, DistanceSummary d, double signedMean) {
         List<String> cells = new ArrayList<>(List.of(way, weight, Integer.toString(d.points())));
-        FIGURES.values().forEach(figure -> cells.add(String.format(Locale.ROOT, "%.3f", figure.applyAsDouble(d))));
+        d.values().values().forEach(value -> cells.add(String.format(Locale.ROOT, "%.3f", value)));
         cells.add(Double.isNaN(signedMean) ? "" : String.format(Locale.ROOT, "%+.3f", signedMean));
         table.row(cells.toArray(String[]::new));
     }

@@ -1,6 +1,8 @@
 package org.phrenic.mesh.query;
 
 import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.stream.IntStream;
 import org.phrenic.engine.math.ArgSort;
 
@@ -66,6 +68,18 @@ public record DistanceSummary(
         double[] weights = new double[distances.length];
         Arrays.fill(weights, 1);
         return of(distances, weights);
+    }
+
+    /** The statistics by their keys in files, mm, in the order of a table. */
+    public Map<String, Double> values() {
+        Map<String, Double> values = new LinkedHashMap<>();
+        values.put("mean_mm", mean);
+        values.put("sd_mm", deviation);
+        values.put("rms_mm", rms);
+        values.put("median_mm", median);
+        values.put("percentile_95_mm", percentile95);
+        values.put("maximum_mm", maximum);
+        return values;
     }
 
     /** Absolute distances with a positive weight, ascending, and their weights. */

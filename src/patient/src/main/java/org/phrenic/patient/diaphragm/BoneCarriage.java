@@ -1,11 +1,14 @@
 package org.phrenic.patient.diaphragm;
 
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.cage.LinearBlendSkinning;
 import org.phrenic.anatomy.cage.RibAxisTable;
 import org.phrenic.anatomy.cage.RibCage;
 import org.phrenic.anatomy.cage.RibCagePose;
 import org.phrenic.anatomy.cage.SkinningWeights;
 import org.phrenic.engine.force.FallOff;
+import org.phrenic.engine.kinematics.HelicalBody;
+import org.phrenic.engine.parallel.Workers;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
@@ -23,6 +26,8 @@ final class BoneCarriage {
     private static final double NEAR_MM = 10;
     private static final double FAR_MM = 25;
     private static final int ROUNDS = 200;
+    /** The pose is the same at any time. */
+    private static final double TIME_S = 0;
 
     private final RibCagePose pose;
     private final SkinningWeights skinning;
@@ -31,7 +36,7 @@ final class BoneCarriage {
     BoneCarriage(Thorax completed, double share) {
         RibCage cage = RibCage.of(completed, RibAxisTable.preset(RibAxisTable.WILSON_CT), true);
         pose = new RibCagePose(cage, (time, amplitude) -> amplitude[0] = -share);
-        pose.update(0);
+        pose.update(TIME_S);
         skinning = SkinningWeights.of(completed, cage);
     }
 
@@ -41,12 +46,8 @@ final class BoneCarriage {
 
     /** A point carried by one bone. */
     double[] carried(int body, double[] point) {
-        double[] t = pose.pose(body);
         double[] out = new double[3];
-        for (int axis = 0; axis < 3; axis++) {
-            int row = 4 * axis;
-            out[axis] = t[row] * point[0] + t[row + 1] * point[1] + t[row + 2] * point[2] + t[row + 3];
-        }
+        HelicalBody.transformPoints(pose.pose(body), point, 0, out, 0, 1);
         return out;
     }
 
@@ -57,15 +58,7 @@ final class BoneCarriage {
 
     private double[] carried(double[] p, SkinningWeights.Weights weights) {
         double[] out = new double[p.length];
-        for (int i = 0; i < p.length / 3; i++) {
-            double[] point = {p[3 * i], p[3 * i + 1], p[3 * i + 2]};
-            for (int k = i * SkinningWeights.MAX_BODIES; k < (i + 1) * SkinningWeights.MAX_BODIES; k++) {
-                double[] moved = weights.weight()[k] == 0 ? point : carried(weights.body()[k], point);
-                for (int axis = 0; axis < 3; axis++) {
-                    out[3 * i + axis] += weights.weight()[k] * moved[axis];
-                }
-            }
-        }
+        new LinearBlendSkinning(pose, p, weights, Workers.of(1)).at(TIME_S, out, new double[p.length]);
         return out;
     }
 

@@ -65,7 +65,7 @@ final class LungBase {
         double[] cross = new double[3];
         double total = 0;
         for (int t = 0; t < area.length; t++) {
-            double[] m = middle(lung, t);
+            double[] m = MeshMeasure.centroid(lung, t);
             height[t] = m[2];
             boolean level =
                     normals[3 * t + 2] < LEVEL && tree.countAlongRay(m[0], m[1], m[2] - CLEAR_MM, 0, 0, -1, hit) == 0;
@@ -107,7 +107,7 @@ final class LungBase {
         double[] cross = new double[3];
         double base = 0;
         for (int t = 0; t < area.length; t++) {
-            double[] m = middle(lung, t);
+            double[] m = MeshMeasure.centroid(lung, t);
             if (normals[3 * t + 2] > ABOVE_ORGANS
                     || tree.countAlongRay(m[0], m[1], m[2] - CLEAR_MM, 0, 0, -1, hit) > 0) {
                 continue;
@@ -175,17 +175,6 @@ final class LungBase {
                 .map(Structure::mesh)
                 .toList();
         return lobes.isEmpty() ? Optional.empty() : Optional.of(MeshMerge.merge(lobes));
-    }
-
-    private static double[] middle(TriangleMesh mesh, int triangle) {
-        double[] m = new double[3];
-        for (int c = 3 * triangle; c < 3 * triangle + 3; c++) {
-            int v = mesh.triangles()[c];
-            m[0] += mesh.x(v) / 3;
-            m[1] += mesh.y(v) / 3;
-            m[2] += mesh.z(v) / 3;
-        }
-        return m;
     }
 
     /** Whether the base lies on the diaphragm. */

@@ -83,13 +83,10 @@ public final class DiaphragmaticSurface {
         boolean[] down = new boolean[lung.triangleCount()];
         for (int i = 0; i < down.length; i++) {
             double up = 0;
-            double[] middle = new double[3];
             for (int c = 3 * i; c < 3 * i + 3; c++) {
                 up += outward * normals[3 * t[c] + 2] / 3;
-                middle[0] += lung.x(t[c]) / 3;
-                middle[1] += lung.y(t[c]) / 3;
-                middle[2] += lung.z(t[c]) / 3;
             }
+            double[] middle = MeshMeasure.centroid(lung, i);
             down[i] = up < MAX_NORMAL_Z
                     && tree.countAlongRay(middle[0], middle[1], middle[2] - CLEAR_MM, 0, 0, -1, hit) == 0;
         }

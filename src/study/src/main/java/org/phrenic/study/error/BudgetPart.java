@@ -3,6 +3,7 @@ package org.phrenic.study.error;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /** A part of the error budget. Each is measured by itself. */
 public enum BudgetPart {
@@ -20,6 +21,11 @@ public enum BudgetPart {
     /** Name on the command line and in files. */
     public String label() {
         return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** All names, separated by commas. */
+    public static String labels() {
+        return Arrays.stream(values()).map(BudgetPart::label).collect(Collectors.joining(", "));
     }
 
     /** The part of a name, if there is one. */
