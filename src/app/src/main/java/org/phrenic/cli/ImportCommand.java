@@ -24,6 +24,7 @@ import org.phrenic.patient.pipeline.ImportPipeline;
 import org.phrenic.patient.pipeline.ImportRequest;
 import org.phrenic.patient.pipeline.ImportResult;
 import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 import picocli.CommandLine.Command;
@@ -111,7 +112,7 @@ final class ImportCommand extends ReportingCommand {
             paramLabel = "BODY",
             description = "Where structures come from that the scan lacks: virtual/adult-male (default), "
                     + "virtual/adult-female, a thorax folder, or none.")
-    private String complete = "virtual/adult-male";
+    private String complete = RunSettings.VIRTUAL_MAN;
 
     @Option(
             names = "--keep-level",

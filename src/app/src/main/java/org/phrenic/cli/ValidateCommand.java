@@ -18,6 +18,7 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.Sensitivity;
@@ -50,7 +51,6 @@ import picocli.CommandLine.Option;
             Disclaimer.TEXT
         })
 final class ValidateCommand extends ReportingCommand {
-    private static final String DEFAULT_BODY = "virtual/adult-male";
     /** Scenario keys that the command sets. */
     private static final Set<String> RESERVED =
             Set.of("preset", "trace", "anatomy", "duration_s", "steps", "threads", "changes", "hold", "meshes_every_s");
@@ -150,7 +150,7 @@ final class ValidateCommand extends ReportingCommand {
     }
 
     private List<String> bodies() {
-        return Stream.concat(Stream.of(DEFAULT_BODY), anatomies.stream())
+        return Stream.concat(Stream.of(RunSettings.VIRTUAL_MAN), anatomies.stream())
                 .distinct()
                 .toList();
     }

@@ -22,17 +22,17 @@ import org.phrenic.simulation.SimulationRun;
  */
 public record SyntheticPatient(
         String name, String anatomy, double width, double depth, double height, double tilt, List<String> hidden) {
-    /** One line per patient: name, index of the virtual body, width, depth, height, tilt, hidden parameters. */
+    /** One line per patient: name, virtual man or woman, width, depth, height, tilt, hidden parameters. */
     private static final String FIVE =
             """
-            man of middle size|0|1|1|1|0|muscle_activation=0.5 left_over_right=0.95 rib_rotation=0.85
-            tall man, ribs oblique|0|1.05|1.02|1.08|0.06|muscle_activation=0.66 left_over_right=1.2 \
+            man of middle size|man|1|1|1|0|muscle_activation=0.5 left_over_right=0.95 rib_rotation=0.85
+            tall man, ribs oblique|man|1.05|1.02|1.08|0.06|muscle_activation=0.66 left_over_right=1.2 \
             greatest_pressure_kpa=2.5 rib_rotation=1.1
-            old man, barrel chest, ribs flat|0|1.02|1.12|0.97|-0.1|muscle_activation=0.38 left_over_right=1.05 \
+            old man, barrel chest, ribs flat|man|1.02|1.12|0.97|-0.1|muscle_activation=0.38 left_over_right=1.05 \
             rib_rotation=0.6 lower_rib_rotation=0.8 muscle_stiffness_n_per_m=360
-            woman of middle size|1|1|1|1|0|muscle_activation=0.55 left_over_right=1.15 pressure_left_over_right=0.8 \
-            greatest_pressure_kpa=3 upper_rib_rotation=1.2
-            small woman, weak left side|1|0.94|0.96|0.93|0.03|muscle_activation=0.45 left_over_right=0.7 \
+            woman of middle size|woman|1|1|1|0|muscle_activation=0.55 left_over_right=1.15 \
+            pressure_left_over_right=0.8 greatest_pressure_kpa=3 upper_rib_rotation=1.2
+            small woman, weak left side|woman|0.94|0.96|0.93|0.03|muscle_activation=0.45 left_over_right=0.7 \
             front_over_back=1.3 rib_rotation=0.9
             """;
 
@@ -51,7 +51,7 @@ public record SyntheticPatient(
     private static SyntheticPatient of(String[] row) {
         return new SyntheticPatient(
                 row[0],
-                RunSettings.VIRTUAL_BODIES.get(Integer.parseInt(row[1])),
+                row[1].equals("man") ? RunSettings.VIRTUAL_MAN : RunSettings.VIRTUAL_WOMAN,
                 Double.parseDouble(row[2]),
                 Double.parseDouble(row[3]),
                 Double.parseDouble(row[4]),

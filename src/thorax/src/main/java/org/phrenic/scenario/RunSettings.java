@@ -14,9 +14,13 @@ import org.phrenic.parameter.Setting;
 
 /** Settings of a run apart from the model: name, body, duration, output and scheduled changes. */
 public final class RunSettings {
+    /** The virtual man, the body without another. */
+    public static final String VIRTUAL_MAN = "virtual/adult-male";
+
+    public static final String VIRTUAL_WOMAN = "virtual/adult-female";
+
     /** Built-in virtual bodies. */
-    public static final List<String> VIRTUAL_BODIES =
-            List.of("virtual/adult-male", "virtual/adult-female", "virtual/high-colon-male");
+    public static final List<String> VIRTUAL_BODIES = List.of(VIRTUAL_MAN, VIRTUAL_WOMAN, "virtual/high-colon-male");
 
     private static final double MAX_DURATION_S = 86_400;
     private static final double MIN_OFFERED_S = 1e-5;
@@ -34,7 +38,7 @@ public final class RunSettings {
     public static final Setting<String> ANATOMY = Setting.named("anatomy", "Body", Effect.ASSEMBLY)
             .describedAs("A virtual body, or a folder of meshes.")
             .parsed(
-                    values -> VIRTUAL_BODIES.get(0),
+                    values -> VIRTUAL_MAN,
                     RunSettings::anatomy,
                     value -> VIRTUAL_BODIES.contains(value)
                             ? value

@@ -23,6 +23,7 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.BodyThumbnails;
 import org.phrenic.scene.gl.NoGraphicsException;
@@ -59,8 +60,6 @@ import picocli.CommandLine.Parameters;
             Disclaimer.TEXT
         })
 final class BenchBodiesCommand extends ReportingCommand {
-    private static final String VIRTUAL_MAN = "virtual/adult-male";
-    private static final String VIRTUAL_WOMAN = "virtual/adult-female";
     private static final int MAX_BODIES = 10_000;
     private static final int THUMBNAIL_WIDTH = 220;
     private static final int THUMBNAIL_HEIGHT = 250;
@@ -246,7 +245,7 @@ final class BenchBodiesCommand extends ReportingCommand {
 
     /** Loads what completes the scans of a body. */
     private Supplier<Thorax> template(String body) {
-        String usual = body.equals(VIRTUAL_MAN) ? VIRTUAL_WOMAN : VIRTUAL_MAN;
+        String usual = body.equals(RunSettings.VIRTUAL_MAN) ? RunSettings.VIRTUAL_WOMAN : RunSettings.VIRTUAL_MAN;
         String name = complete == null ? usual : complete;
         Scenario with = Scenario.defaults().with(List.of(Assignment.read("--complete", "anatomy", name)));
         return () -> SimulationRun.loadThorax(with);

@@ -11,6 +11,7 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.access.ImagingReport;
 import org.phrenic.study.access.ImagingStudy;
@@ -65,7 +66,7 @@ final class BenchImagingCommand extends ReportingCommand {
                     "--seconds: found " + seconds + ", expected more than 0, at most " + MOST_SECONDS);
         }
         Scenario scenario = Scenario.defaults().with(set.toArray(String[]::new));
-        List<String> measured = bodies.isEmpty() ? List.of("virtual/adult-male", "virtual/adult-female") : bodies;
+        List<String> measured = bodies.isEmpty() ? List.of(RunSettings.VIRTUAL_MAN, RunSettings.VIRTUAL_WOMAN) : bodies;
         List<ImagingStudy.Result> results = measured.stream()
                 .map(body -> ImagingStudy.of(scenario.with(List.of(Assignment.read(body, "anatomy", body))), seconds))
                 .toList();

@@ -11,6 +11,7 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.body.OrganReport;
 import org.phrenic.study.body.OrganStudy;
@@ -54,7 +55,7 @@ final class BenchOrgansCommand extends ReportingCommand {
         OrganReport report;
         ConsoleProgress progress = progress();
         try {
-            report = OrganStudy.of(scenario, bodies.isEmpty() ? OrganStudy.BODIES : bodies, progress);
+            report = OrganStudy.of(scenario, bodies.isEmpty() ? RunSettings.VIRTUAL_BODIES : bodies, progress);
         } finally {
             progress.end();
         }

@@ -9,6 +9,7 @@ import java.util.Set;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.error.BudgetPart;
 import org.phrenic.study.error.BudgetPlan;
@@ -21,8 +22,8 @@ import picocli.CommandLine.Option;
 public final class ErrorBudgetOptions {
     private static final String TABLE = "budget.csv";
     private static final List<BudgetPlan.Body> VIRTUAL_BODIES = List.of(
-            new BudgetPlan.Body("virtual man", "virtual/adult-male"),
-            new BudgetPlan.Body("virtual woman", "virtual/adult-female"));
+            new BudgetPlan.Body("virtual man", RunSettings.VIRTUAL_MAN),
+            new BudgetPlan.Body("virtual woman", RunSettings.VIRTUAL_WOMAN));
 
     @Option(
             names = "--whole",

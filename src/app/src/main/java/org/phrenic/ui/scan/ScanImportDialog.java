@@ -20,6 +20,7 @@ import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.patient.label.GeometryOverride;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Dialogs;
 import org.phrenic.ui.widget.FileDialogs;
@@ -38,8 +39,8 @@ final class ScanImportDialog {
     }
 
     private static final Map<String, String> TEMPLATES = Map.of(
-            "the virtual man", "virtual/adult-male",
-            "the virtual woman", "virtual/adult-female",
+            "the virtual man", RunSettings.VIRTUAL_MAN,
+            "the virtual woman", RunSettings.VIRTUAL_WOMAN,
             "nothing: keep what the scan has", "none");
     private static final Dimension SIZE = new Dimension(620, 560);
 

@@ -13,6 +13,7 @@ import org.phrenic.patient.pipeline.ImportPipeline;
 import org.phrenic.patient.pipeline.ImportRequest;
 import org.phrenic.patient.pipeline.ImportResult;
 import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.ui.session.BackgroundWorker;
@@ -34,9 +35,8 @@ public final class ScanImporter {
 
     private static final String LABELS_FILE = "labels.csv";
     /** The body whose lungs tell how those of a scan lie. */
-    private static final String USUAL = "virtual/adult-male";
-
     private final Window owner;
+
     private final Session session;
     private final Display display;
     private final Consumer<Path> open;
@@ -58,7 +58,7 @@ public final class ScanImporter {
         }
         display.showProgress("reading " + file.getFileName(), 0);
         BackgroundWorker.execute(
-                () -> ScanLabels.read(file, template(USUAL)),
+                () -> ScanLabels.read(file, template(RunSettings.VIRTUAL_MAN)),
                 labels -> {
                     display.showProgress("", 1);
                     new ScanImportDialog(file, labels).show(owner, choice -> run(file, choice));

@@ -15,9 +15,6 @@ import org.phrenic.simulation.observe.Frame;
 
 /** The organs of bodies at rest and at the full inspirations of a quiet and of a deep breath. */
 public final class OrganStudy {
-    /** The bodies that come with the program. */
-    public static final List<String> BODIES =
-            List.of("virtual/adult-male", "virtual/adult-female", "virtual/high-colon-male");
     /** Moments of a breath of which the one with the lowest domes is full inspiration. */
     private static final int PHASES = 60;
 

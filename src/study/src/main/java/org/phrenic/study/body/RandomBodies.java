@@ -4,12 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 
 /** Bodies made from the two virtual ones by {@link BodyVariation}. */
 public final class RandomBodies {
-    private static final List<String> SOURCES = List.of("virtual/adult-male", "virtual/adult-female");
+    private static final List<String> SOURCES = List.of(RunSettings.VIRTUAL_MAN, RunSettings.VIRTUAL_WOMAN);
 
     private RandomBodies() {}
 

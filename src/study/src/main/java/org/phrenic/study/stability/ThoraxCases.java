@@ -25,6 +25,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.material.RibRotation;
 import org.phrenic.parameter.Parameter;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
@@ -59,8 +60,8 @@ final class ThoraxCases {
      */
     ThoraxCases(Resolution resolution, Optional<String> scan) {
         this.resolution = resolution;
-        addBreaths("thorax-man", "the virtual man", "virtual/adult-male");
-        addBreaths("thorax-woman", "the virtual woman", "virtual/adult-female");
+        addBreaths("thorax-man", "the virtual man", RunSettings.VIRTUAL_MAN);
+        addBreaths("thorax-woman", "the virtual woman", RunSettings.VIRTUAL_WOMAN);
         scan.ifPresent(folder -> addBreaths("thorax-scanned", "the scanned body", folder));
         addParameters();
         addInterventions();
