@@ -203,9 +203,7 @@ final class FitCommand extends ReportingCommand {
         SyntheticStudy study = SyntheticStudy.run(count, meshes, length.threads(), search, out, printer);
         printer.end();
         JsonWriter.write(out.resolve("synthetic.json"), study.values());
-        String command = "fit --synthetic " + count + " --resolution " + resolution + " --evaluations "
-                + length.evaluations() + " --seed " + seed;
-        writePages(out, "synthetic", study.document(made.lines(command)));
+        writePages(out, "synthetic", study.document(made.lines()));
         print(study.values(), () -> withDisclaimer(TextTable.of(SyntheticStudy.COLUMNS, study.cells())));
         return ExitCode.SUCCESS;
     }

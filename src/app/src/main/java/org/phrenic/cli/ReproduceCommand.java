@@ -106,8 +106,7 @@ final class ReproduceCommand implements Callable<Integer> {
         Map<String, List<Picture>> distances = new TreeMap<>();
         draw(people, segmented, distances);
         ReportPictures drawn = new ReportPictures(pictures, segmented, distances, noPictures);
-        List<String> provenance = made.lines("reproduce" + (quick ? " --quick" : ""));
-        ReportDocument report = new ReproductionReport(found, people, drawn, provenance).document();
+        ReportDocument report = new ReproductionReport(found, people, drawn, made.lines()).document();
         AtomicFile.write(out.resolve("report.md"), MarkdownPage.format(report));
         AtomicFile.write(out.resolve("report.html"), HtmlPage.format(report));
         PrintWriter stdout = spec.commandLine().getOut();

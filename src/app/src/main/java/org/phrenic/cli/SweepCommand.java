@@ -143,9 +143,7 @@ final class SweepCommand extends ReportingCommand {
     private int report(SweepResults results, Shard part) {
         SweepReport report = new SweepReport(results, 0, 1);
         if (page != null) {
-            // A page tells the names of folders, not where they lie.
-            String study = file == null ? "--merge " + merge.getFileName() : file + " --out " + out.getFileName();
-            new SummaryPage(page, report.summary(provenance.lines("sweep " + study))).write();
+            new SummaryPage(page, report.summary(provenance.lines("--out", "--merge"))).write();
         }
         print(report.values(), () -> {
             String state = results.done() + " of " + results.plan().size() + " runs are done, " + results.failed()

@@ -108,7 +108,7 @@ final class ValidateCommand extends ReportingCommand {
         SensitivityReport effects = sensitivity
                 ? new SensitivityReport(Sensitivity.of(scenario.with("resolution=low"), atATime, progress))
                 : null;
-        List<String> provenance = made.lines("validate" + arguments());
+        List<String> provenance = made.lines();
         out.write("validation.md", MarkdownPage.format(report.document(provenance)));
         out.write("validation.json", report.values());
         if (effects != null) {
@@ -119,24 +119,9 @@ final class ValidateCommand extends ReportingCommand {
         return validation.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
-    private String arguments() {
-        StringBuilder text = new StringBuilder();
-        anatomies.forEach(body -> text.append(" --anatomy ").append(body));
-        settings.forEach(setting -> text.append(" --set ").append(setting));
-        if (resolution != null) {
-            text.append(" --resolution ").append(resolution);
-        }
-        if (presets != null) {
-            text.append(" --preset ").append(presets);
-        }
-        return text.append(sensitivity ? " --sensitivity" : "")
-                .append(liver ? " --liver" : "")
-                .toString();
-    }
-
     /** Reports the motion of the liver and returns the exit code. */
     int liver(LiverMotion motion, Scenario scenario) {
-        out.write("liver.md", MarkdownPage.format(motion.document(scenario, made.lines("validate" + arguments()))));
+        out.write("liver.md", MarkdownPage.format(motion.document(scenario, made.lines())));
         out.write("liver.json", motion.values());
         print(motion.values(), () -> withDisclaimer(TextTable.ofNumbers(motion.table())));
         return motion.outOfRangeCount() == 0 ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;

@@ -143,7 +143,7 @@ class ValidateCommandTest {
 
     private static int exitCode(LiverMotion motion) {
         ValidateCommand command = new ValidateCommand();
-        new CommandLine(command).setOut(new PrintWriter(new StringWriter()));
+        new CommandLine(command).setOut(new PrintWriter(new StringWriter())).parseArgs("--liver");
         return command.liver(motion, Scenario.defaults());
     }
 

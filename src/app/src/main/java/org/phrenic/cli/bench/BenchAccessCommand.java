@@ -35,7 +35,6 @@ import picocli.CommandLine.Parameters;
             Disclaimer.TEXT
         })
 final class BenchAccessCommand extends ReportingCommand {
-    private static final int MAPS = 3;
     private static final int MOST_MAPS = 1000;
 
     @Parameters(arity = "0..*", paramLabel = "PLAN", description = "Plans of rehearsals; the exercises without any.")
@@ -47,7 +46,7 @@ final class BenchAccessCommand extends ReportingCommand {
     @Option(
             names = "--maps",
             paramLabel = "N",
-            defaultValue = "" + MAPS,
+            defaultValue = "3",
             description = "Access maps of each exercise that are timed (${DEFAULT-VALUE}; 0: none).")
     private int maps;
 
@@ -74,20 +73,10 @@ final class BenchAccessCommand extends ReportingCommand {
             progress.end();
         }
         AccessReport report = new AccessReport(results);
-        out.write("access.md", MarkdownPage.format(report.document(provenance.lines(arguments()))));
+        out.write("access.md", MarkdownPage.format(report.document(provenance.lines())));
         out.write("access.json", report.values());
         print(report.values(), () -> table(report));
         return report.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
-    }
-
-    private String arguments() {
-        StringBuilder text = new StringBuilder("bench access");
-        plans.forEach(plan -> text.append(' ').append(plan));
-        set.forEach(value -> text.append(" --set ").append(value));
-        if (maps != MAPS) {
-            text.append(" --maps ").append(maps);
-        }
-        return text.toString();
     }
 
     private String table(AccessReport report) {

@@ -136,8 +136,7 @@ final class BenchBodiesCommand extends ReportingCommand {
         BodyStudy study = pictures ? pictured(scenario) : run(scenario, BodyStudy.Witness.NONE);
         BodyReport report = new BodyReport(study);
         if (out != null) {
-            writePages(
-                    out, "bodies", report.document(provenance.lines("bench bodies " + String.join(" ", arguments()))));
+            writePages(out, "bodies", report.document(provenance.lines()));
             AtomicFile.write(out.resolve("bodies.csv"), report.csv());
             JsonWriter.write(out.resolve("bodies.json"), report.values());
         }
@@ -164,25 +163,6 @@ final class BenchBodiesCommand extends ReportingCommand {
                     study.bodies().stream().map(BodyResult::name).toList());
             return study;
         }
-    }
-
-    private List<String> arguments() {
-        List<String> given = new ArrayList<>(bodies);
-        if (extremes) {
-            given.add("--extremes");
-        }
-        if (!random.equals("0")) {
-            given.addAll(List.of("--random", random, "--seed", seed));
-        }
-        if (cuts != null) {
-            given.addAll(List.of("--cuts", cuts));
-        }
-        if (complete != null) {
-            given.addAll(List.of("--complete", complete));
-        }
-        given.addAll(List.of("--resolution", resolution.name()));
-        settings.forEach(s -> given.addAll(List.of("--set", s)));
-        return given;
     }
 
     private Scenario scenario() {

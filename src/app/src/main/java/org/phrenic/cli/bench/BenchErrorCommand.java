@@ -246,9 +246,7 @@ final class BenchErrorCommand extends ReportingCommand {
             if (drawn) {
                 BudgetChart.write(report.points(), out.resolve("error.png"));
             }
-            String given = (quick ? " --quick" : " --resolution " + names) + budget.scenes();
-            List<String> lines = provenance.lines("bench error --whole" + given);
-            writePages(out, "error", report.document(lines, drawn ? "error.png" : ""));
+            writePages(out, "error", report.document(provenance.lines(), drawn ? "error.png" : ""));
             JsonWriter.write(out.resolve("error.json"), report.values());
         }
         print(report.values(), () -> withDisclaimer(TextTable.of(BudgetReport.COLUMNS, report.cells(false))));
@@ -304,7 +302,7 @@ final class BenchErrorCommand extends ReportingCommand {
 
     private void write(ErrorTable measured, ErrorReport report) {
         measured.write(out.resolve("error.csv"));
-        AtomicFile.write(out.resolve("error.md"), MarkdownPage.format(report.document()));
+        AtomicFile.write(out.resolve("error.md"), MarkdownPage.format(report.document(provenance.lines())));
         JsonWriter.write(out.resolve("error.json"), report.values());
         System.setProperty("java.awt.headless", "true");
         if (Annotations.hasFonts()) {

@@ -37,7 +37,6 @@ import picocli.CommandLine.Parameters;
             Disclaimer.TEXT
         })
 final class BenchExercisesCommand extends ReportingCommand {
-    private static final int ATTEMPTS = 50;
     private static final int MOST_ATTEMPTS = 10_000;
 
     @Parameters(arity = "0..*", paramLabel = "PLAN", description = "Plans of rehearsals; the exercises without any.")
@@ -46,7 +45,7 @@ final class BenchExercisesCommand extends ReportingCommand {
     @Option(
             names = "--attempts",
             paramLabel = "N",
-            defaultValue = "" + ATTEMPTS,
+            defaultValue = "50",
             description = "Attempts in either way of breathing (${DEFAULT-VALUE}).")
     private int attempts;
 
@@ -78,20 +77,10 @@ final class BenchExercisesCommand extends ReportingCommand {
             progress.end();
         }
         ExerciseReport report = new ExerciseReport(RobotOperator.Hand.STANDARD, results);
-        out.write("exercises.md", MarkdownPage.format(report.document(provenance.lines(arguments()))));
+        out.write("exercises.md", MarkdownPage.format(report.document(provenance.lines())));
         out.write("exercises.json", report.values());
         print(report.values(), () -> table(results));
         return ExitCode.SUCCESS;
-    }
-
-    private String arguments() {
-        StringBuilder text = new StringBuilder("bench exercises");
-        plans.forEach(plan -> text.append(' ').append(plan));
-        if (attempts != ATTEMPTS) {
-            text.append(" --attempts ").append(attempts);
-        }
-        set.forEach(value -> text.append(" --set ").append(value));
-        return text.toString();
     }
 
     private String table(List<ExerciseStudy.Result> results) {

@@ -102,15 +102,9 @@ final class BenchFitsCommand extends ReportingCommand {
         }
         progress.end();
         FitStudyReport report = new FitStudyReport(fitted, known);
-        writePages(out, "fits", report.document(provenance.lines(arguments())));
+        writePages(out, "fits", report.document(provenance.lines()));
         JsonWriter.write(out.resolve("fits.json"), report.values());
         print(report.values(), () -> withDisclaimer(report.summary() + ".\n"));
         return report.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
-    }
-
-    private String arguments() {
-        String bodies = random.equals("0") ? "" : " --random " + random + " --seed " + seed;
-        return "bench fits" + (patients == null ? "" : " --patients FOLDER") + bodies + " --resolution "
-                + resolution.name() + " --evaluations " + length.evaluations();
     }
 }

@@ -2,6 +2,7 @@ package org.phrenic.cli.bench;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.ExitCode;
@@ -9,7 +10,6 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
-import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
@@ -34,7 +34,8 @@ import picocli.CommandLine.Parameters;
             Disclaimer.TEXT
         })
 final class BenchImagingCommand extends ReportingCommand {
-    private static final double MOST_SECONDS = 600;
+    private static final double LEAST_S = 0.1;
+    private static final double MOST_S = 600;
 
     @Parameters(
             arity = "0..*",
@@ -45,9 +46,8 @@ final class BenchImagingCommand extends ReportingCommand {
     @Option(
             names = "--seconds",
             paramLabel = "S",
-            defaultValue = "10",
             description = "Wall time beside the running scene of each body (${DEFAULT-VALUE}).")
-    private double seconds;
+    private String seconds = "10";
 
     @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Sets a value of the scenario; may be repeated.")
     private List<String> set = new ArrayList<>();
@@ -61,20 +61,14 @@ final class BenchImagingCommand extends ReportingCommand {
     @Override
     public Integer call() {
         out.check();
-        if (!(seconds > 0 && seconds <= MOST_SECONDS)) {
-            throw new BadInputException(
-                    "--seconds: found " + seconds + ", expected more than 0, at most " + MOST_SECONDS);
-        }
+        double wallS = OptionValues.number("--seconds", seconds, LEAST_S, MOST_S);
         Scenario scenario = Scenario.defaults().with(set.toArray(String[]::new));
         List<String> measured = bodies.isEmpty() ? List.of(RunSettings.VIRTUAL_MAN, RunSettings.VIRTUAL_WOMAN) : bodies;
         List<ImagingStudy.Result> results = measured.stream()
-                .map(body -> ImagingStudy.of(scenario.with(List.of(Assignment.read(body, "anatomy", body))), seconds))
+                .map(body -> ImagingStudy.of(scenario.with(List.of(Assignment.read(body, "anatomy", body))), wallS))
                 .toList();
         ImagingReport report = new ImagingReport(scenario, results);
-        StringBuilder command = new StringBuilder("bench imaging");
-        bodies.forEach(body -> command.append(' ').append(body));
-        set.forEach(value -> command.append(" --set ").append(value));
-        out.write("imaging.md", MarkdownPage.format(report.document(provenance.lines(command.toString()))));
+        out.write("imaging.md", MarkdownPage.format(report.document(provenance.lines())));
         out.write("imaging.json", report.values());
         print(report.values(), () -> table(report));
         return ExitCode.SUCCESS;

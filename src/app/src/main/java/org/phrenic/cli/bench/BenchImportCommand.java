@@ -79,11 +79,7 @@ final class BenchImportCommand extends ReportingCommand {
         List<ImportCost> costs =
                 wanted.stream().map(size -> cost(size, program)).toList();
         ImportCostReport report = new ImportCostReport(scan.getFileName().toString(), heap, costs);
-        List<String> arguments = new ArrayList<>(List.of("bench", "import", scan.toString()));
-        wanted.forEach(
-                size -> arguments.addAll(List.of("--size", size.toString().replace(" ", ""))));
-        arguments.addAll(List.of("--heap", heap));
-        out.write("import.md", MarkdownPage.format(report.document(provenance.lines(String.join(" ", arguments)))));
+        out.write("import.md", MarkdownPage.format(report.document(provenance.lines())));
         out.write("import.json", report.values());
         print(report.values(), () -> table(report));
         return ExitCode.SUCCESS;

@@ -59,10 +59,7 @@ final class BenchOrgansCommand extends ReportingCommand {
         } finally {
             progress.end();
         }
-        List<String> arguments = new ArrayList<>(List.of("bench", "organs"));
-        arguments.addAll(bodies);
-        arguments.addAll(List.of("--resolution", resolution.name()));
-        out.write("organs.md", MarkdownPage.format(report.document(provenance.lines(String.join(" ", arguments)))));
+        out.write("organs.md", MarkdownPage.format(report.document(provenance.lines())));
         out.write("organs.json", report.values());
         print(report.values(), () -> table(report));
         return report.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;

@@ -46,8 +46,7 @@ final class BenchSpeedCommand extends ReportingCommand {
         out.check();
         SpeedStudy.Settings settings = quick ? SpeedStudy.Settings.QUICK : SpeedStudy.Settings.FULL;
         SpeedReport report = new SpeedReport(SpeedStudy.of(settings, progress("done")));
-        String command = "bench speed" + (quick ? " --quick" : "");
-        out.write("speed.md", MarkdownPage.format(report.document(provenance.lines(command))));
+        out.write("speed.md", MarkdownPage.format(report.document(provenance.lines())));
         out.write("speed.csv", report.csv());
         out.write("speed.json", report.values());
         print(report.values(), () -> {

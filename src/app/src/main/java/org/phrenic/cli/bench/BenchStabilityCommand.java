@@ -77,22 +77,13 @@ final class BenchStabilityCommand extends ReportingCommand {
         }
         StabilityStudy study = StabilityStudy.of(settings, progress("cells done"));
         StabilityReport report = new StabilityReport(study);
-        out.write("stability.md", MarkdownPage.format(report.document(provenance.lines(command()))));
+        out.write("stability.md", MarkdownPage.format(report.document(provenance.lines())));
         out.write("stability.csv", report.csv());
         out.write("stability.json", report.values());
         boolean[] leftAligned = new boolean[report.table().get(0).size()];
         TextTable table = new TextTable(leftAligned).rows(report.table());
         print(report.values(), () -> table.text() + "\n" + report.summary() + "\n");
         return study.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
-    }
-
-    private String command() {
-        return "bench stability" + (quick ? " --quick" : "") + given("--scan", scan) + given("--only", only)
-                + given("--integrator", integrators) + given("--spend", spend);
-    }
-
-    private static String given(String option, String value) {
-        return value == null ? "" : " " + option + " " + value;
     }
 
     private StabilityStudy.Settings settings() {

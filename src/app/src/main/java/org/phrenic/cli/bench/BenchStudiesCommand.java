@@ -96,13 +96,8 @@ final class BenchStudiesCommand extends ReportingCommand {
         requireNew(widths, parts);
         SweepStudy study = SweepStudy.read(file);
         StudyCostReport report = measure(study, widths, parts);
-        String command = "bench studies " + file + " --threads " + String.join(",", threads)
-                + (parts == 0 ? "" : " --shards " + parts)
-                + String.join(
-                        "", masters.stream().map(url -> " --master " + url).toList());
         AtomicFile.write(
-                out.resolve("studies.md"),
-                MarkdownPage.format(report.document(study.title(), provenance.lines(command))));
+                out.resolve("studies.md"), MarkdownPage.format(report.document(study.title(), provenance.lines())));
         JsonWriter.write(out.resolve("studies.json"), report.values());
         print(report.values(), () -> withDisclaimer(table(report)));
         return report.isEqual() && report.isComplete() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;

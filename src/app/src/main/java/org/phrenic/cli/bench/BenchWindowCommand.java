@@ -116,8 +116,7 @@ final class BenchWindowCommand extends ReportingCommand {
                         + scenario.resolved().anatomy() + ", "
                         + ReportNumbers.label(scenario.resolved().resolution()) + " resolution, measured for " + seconds
                         + " s after a warm-up.");
-        page.points(made.lines("bench window --seconds " + seconds + " --door " + door + (turn ? " --turn" : ""))
-                .toArray(String[]::new));
+        page.points(made.lines().toArray(String[]::new));
         page.paragraph("Real time: simulated over wall time; least over any " + WindowBenchmark.INTERVAL_S
                 + " s, and mean. Processors: processor time over wall time, of the process and of its threads. Bare"
                 + " steps: the bare workload on the sheet of this scene, on one thread and on two.");

@@ -8,11 +8,6 @@ public final class CoarseResolutionOption {
     @Option(names = "--resolution", paramLabel = "NAME", description = "low (default), medium or high.")
     private String resolution = "low";
 
-    /** The text of the option. */
-    public String name() {
-        return resolution;
-    }
-
     public Assignment assignment() {
         return Assignment.read("--resolution " + resolution, "resolution", resolution);
     }

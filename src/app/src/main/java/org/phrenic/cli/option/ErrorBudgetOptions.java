@@ -53,11 +53,6 @@ public final class ErrorBudgetOptions {
         return whole;
     }
 
-    /** The options that select scenes, as they were given. */
-    public String scenes() {
-        return (scan == null ? "" : " --scan DIR") + (beside == null ? "" : " --beside " + beside.getFileName());
-    }
-
     /**
      * Measures what the folder's table lacks.
      *

@@ -98,12 +98,17 @@ public final class ErrorReport {
                 + ReportNumbers.label(study.scenario().resolution());
     }
 
-    /** The complete report. */
-    public ReportDocument document() {
+    /**
+     * The complete report.
+     *
+     * @param provenance how it was made: commit, command, machine, date
+     */
+    public ReportDocument document(List<String> provenance) {
         ReportDocument page = new ReportDocument(
                 "Speed against error",
                 "Distance of the diaphragm's nodes (and of all nodes) from a reference, ten times a second over"
                         + " a breath, against the time that the breath takes to compute.");
+        page.points(provenance.toArray(String[]::new));
         for (ErrorStudy study : studies) {
             page.section(title(study));
             page.paragraph(heading(study));

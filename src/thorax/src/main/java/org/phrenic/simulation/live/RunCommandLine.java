@@ -1,14 +1,12 @@
 package org.phrenic.simulation.live;
 
 import java.util.Map;
-import java.util.regex.Pattern;
+import org.phrenic.document.ShellWord;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 
 /** Shell command line that runs a scenario without a window. */
 final class RunCommandLine {
-    private static final Pattern PLAIN = Pattern.compile("[A-Za-z0-9_./:=+,@%-]+");
-
     private RunCommandLine() {}
 
     /** {@code phrenic run} with every key that differs from its default, the changes and the number of steps. */
@@ -33,11 +31,6 @@ final class RunCommandLine {
     }
 
     private static void option(StringBuilder line, String name, String value) {
-        line.append(' ').append(name).append(' ').append(quoted(value));
-    }
-
-    /** Quotes a text as one shell word. */
-    private static String quoted(String text) {
-        return PLAIN.matcher(text).matches() ? text : "'" + text.replace("'", "'\\''") + "'";
+        line.append(' ').append(name).append(' ').append(ShellWord.quoted(value));
     }
 }
