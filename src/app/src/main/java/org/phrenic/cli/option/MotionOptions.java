@@ -100,22 +100,17 @@ public final class MotionOptions {
                     .mapToDouble(i -> i * breathS / count)
                     .toArray();
         }
-        double[] all = times != null
-                ? CsvTable.read(times).numbers("time_s")
-                : OptionValues.split(at).stream()
-                        .mapToDouble(text -> OptionValues.number("--at", text))
+        double[] sorted = times == null
+                ? OptionValues.times("--at", at)
+                : Arrays.stream(CsvTable.read(times).numbers("time_s"))
+                        .sorted()
+                        .distinct()
                         .toArray();
-        double[] sorted = Arrays.stream(all).sorted().distinct().toArray();
         String option = times != null ? "--times" : "--at";
         if (sorted.length == 0 || sorted.length > MAX_PHASES) {
             throw new BadInputException(option + ": found " + sorted.length + " times, expected 1 to " + MAX_PHASES);
         }
-        for (double t : sorted) {
-            if (t < 0 || t > totalS + 1e-9) {
-                throw new BadInputException(
-                        option + ": found " + t + " s, expected 0 to " + totalS + " s (--duration)");
-            }
-        }
+        OptionValues.requireWithin(option, sorted, totalS);
         return sorted;
     }
 }

@@ -13,6 +13,8 @@ import org.phrenic.scene.style.ColourScale;
 
 /** Converts option text to values. Invalid text causes a {@code BadInputException} with a one-sentence message. */
 public final class OptionValues {
+    private static final double ROUNDING_S = 1e-9;
+
     private OptionValues() {}
 
     /**
@@ -133,6 +135,30 @@ public final class OptionValues {
                             .orElse("expected one of " + String.join(", ", labels)));
         }
         return values.get(index);
+    }
+
+    /** Parses a list of simulated times: ascending, each once, s. */
+    static double[] times(String option, String list) {
+        return split(list).stream()
+                .mapToDouble(text -> number(option, text))
+                .sorted()
+                .distinct()
+                .toArray();
+    }
+
+    /**
+     * Requires that times lie in a scenario.
+     *
+     * @param totalS duration of the scenario
+     * @throws BadInputException if a time is negative or after the end
+     */
+    static void requireWithin(String option, double[] times, double totalS) {
+        for (double t : times) {
+            if (t < 0 || t > totalS + ROUNDING_S) {
+                throw new BadInputException(
+                        option + ": found " + t + " s, expected 0 to " + totalS + " s (--duration)");
+            }
+        }
     }
 
     /** Splits a comma-separated list. Empty parts are kept and rejected later. */

@@ -28,10 +28,7 @@ public final class TimeOptions {
             description = "An MP4 (through ffmpeg, if it is on the path) or an animated GIF of the frames.")
     private Path movie;
 
-    @Option(
-            names = "--fps",
-            paramLabel = "F",
-            description = "Frames a second of the movie. Default: as fast as the thorax breathes.")
+    @Option(names = "--fps", paramLabel = "F", description = "Frames a second of the movie. Default: in real time.")
     private String fps;
 
     /** Checks all values that do not depend on the duration. */
@@ -57,13 +54,7 @@ public final class TimeOptions {
     }
 
     private double[] singleTimes() {
-        return at == null
-                ? new double[] {0}
-                : OptionValues.split(at).stream()
-                        .mapToDouble(text -> OptionValues.number("--at", text))
-                        .sorted()
-                        .distinct()
-                        .toArray();
+        return at == null ? new double[] {0} : OptionValues.times("--at", at);
     }
 
     /** Movie file; null for none. */
@@ -96,11 +87,7 @@ public final class TimeOptions {
     public double[] times(double totalS) {
         if (!isSequence()) {
             double[] times = singleTimes();
-            for (double t : times) {
-                if (t < 0 || t > totalS + 1e-9) {
-                    throw new BadInputException("--at: found " + t + " s, expected 0 to " + totalS + " s (--duration)");
-                }
-            }
+            OptionValues.requireWithin("--at", times, totalS);
             return times;
         }
         int count = frames == null
