@@ -3,7 +3,6 @@ package org.phrenic.file;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Supplier;
@@ -43,12 +42,8 @@ public final class ComputedArrays {
     private void read(ByteBuffer in) {
         try {
             while (in.hasRemaining()) {
-                byte[] name = new byte[in.getInt()];
-                in.get(name);
-                double[] values = new double[in.getInt()];
-                in.asDoubleBuffer().get(values);
-                in.position(in.position() + Double.BYTES * values.length);
-                known.put(new String(name, StandardCharsets.UTF_8), values);
+                String name = EntryContent.text(in);
+                known.put(name, EntryContent.numbers(in, in.getInt()));
             }
         } catch (BufferUnderflowException | NegativeArraySizeException e) {
             known.clear();
@@ -99,15 +94,12 @@ public final class ComputedArrays {
     private ByteBuffer entry() {
         int size = 0;
         for (Map.Entry<String, double[]> array : known.entrySet()) {
-            size += 2 * Integer.BYTES + array.getKey().getBytes(StandardCharsets.UTF_8).length;
-            size += Double.BYTES * array.getValue().length;
+            size += EntryContent.size(array.getKey()) + Integer.BYTES + Double.BYTES * array.getValue().length;
         }
         ByteBuffer out = ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN);
         known.forEach((name, values) -> {
-            byte[] text = name.getBytes(StandardCharsets.UTF_8);
-            out.putInt(text.length).put(text).putInt(values.length);
-            out.asDoubleBuffer().put(values);
-            out.position(out.position() + Double.BYTES * values.length);
+            EntryContent.put(out, name);
+            EntryContent.put(out.putInt(values.length), values);
         });
         return out.flip();
     }

@@ -3,7 +3,6 @@ package org.phrenic.anatomy.virtual;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -12,6 +11,7 @@ import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.file.EntryContent;
 import org.phrenic.file.UserCache;
 import org.phrenic.mesh.TriangleMesh;
 
@@ -44,26 +44,25 @@ final class CachedBody {
     }
 
     private static ByteBuffer write(Thorax thorax) {
-        int size = 2 * Integer.BYTES + bytes(thorax.name()).length;
+        int size = EntryContent.size(thorax.name()) + Integer.BYTES;
         for (Structure s : thorax.structures()) {
-            size += 7 * Integer.BYTES + bytes(s.name()).length + bytes(s.kind().name()).length;
-            size += bytes(s.side().name()).length;
+            size += EntryContent.size(s.name()) + EntryContent.size(s.kind().name());
+            size += EntryContent.size(s.side().name()) + 3 * Integer.BYTES;
             size += Double.BYTES * s.mesh().positions().length
                     + Integer.BYTES * s.mesh().triangles().length;
         }
         ByteBuffer out = ByteBuffer.allocate(size).order(ByteOrder.LITTLE_ENDIAN);
-        putText(out, thorax.name());
+        EntryContent.put(out, thorax.name());
         out.putInt(thorax.structures().size());
         for (Structure s : thorax.structures()) {
-            putText(out, s.name());
-            putText(out, s.kind().name());
+            EntryContent.put(out, s.name());
+            EntryContent.put(out, s.kind().name());
             out.putInt(s.level());
-            putText(out, s.side().name());
+            EntryContent.put(out, s.side().name());
             double[] positions = s.mesh().positions();
             int[] triangles = s.mesh().triangles();
             out.putInt(positions.length).putInt(triangles.length);
-            out.asDoubleBuffer().put(positions);
-            out.position(out.position() + Double.BYTES * positions.length);
+            EntryContent.put(out, positions);
             out.asIntBuffer().put(triangles);
             out.position(out.position() + Integer.BYTES * triangles.length);
         }
@@ -72,18 +71,17 @@ final class CachedBody {
 
     private static Optional<Thorax> read(ByteBuffer in) {
         try {
-            String name = text(in);
+            String name = EntryContent.text(in);
             int count = in.getInt();
             List<Structure> structures = new ArrayList<>(count);
             for (int i = 0; i < count; i++) {
-                String structure = text(in);
-                StructureKind kind = StructureKind.valueOf(text(in));
+                String structure = EntryContent.text(in);
+                StructureKind kind = StructureKind.valueOf(EntryContent.text(in));
                 int level = in.getInt();
-                Side side = Side.valueOf(text(in));
-                double[] positions = new double[in.getInt()];
+                Side side = Side.valueOf(EntryContent.text(in));
+                int coordinates = in.getInt();
                 int[] triangles = new int[in.getInt()];
-                in.asDoubleBuffer().get(positions);
-                in.position(in.position() + Double.BYTES * positions.length);
+                double[] positions = EntryContent.numbers(in, coordinates);
                 in.asIntBuffer().get(triangles);
                 in.position(in.position() + Integer.BYTES * triangles.length);
                 structures.add(new Structure(structure, kind, level, side, new TriangleMesh(positions, triangles)));
@@ -92,19 +90,5 @@ final class CachedBody {
         } catch (BufferUnderflowException | IllegalArgumentException | NegativeArraySizeException e) {
             return Optional.empty();
         }
-    }
-
-    private static void putText(ByteBuffer out, String text) {
-        out.putInt(bytes(text).length).put(bytes(text));
-    }
-
-    private static String text(ByteBuffer in) {
-        byte[] text = new byte[in.getInt()];
-        in.get(text);
-        return new String(text, StandardCharsets.UTF_8);
-    }
-
-    private static byte[] bytes(String text) {
-        return text.getBytes(StandardCharsets.UTF_8);
     }
 }
