@@ -10,11 +10,17 @@ import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.apache.commons.math3.stat.StatUtils;
+import org.apache.commons.math3.stat.descriptive.moment.StandardDeviation;
 import org.phrenic.access.attempt.AttemptRecord;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.document.CsvTable;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.file.OutputException;
 
 /**
@@ -29,9 +35,6 @@ public record AttemptHistory(Path file, String session) {
                     + "probe_s,tip_out_of_beam_s,needle_in_beam_mm,needle_in_beam_share,aims_by_program,"
                     + "greatest_force_n,capsule_push_mm,side_load_n,bending_mm";
 
-    private static final int TITLE = 2;
-    private static final int HIT = 4;
-    private static final int DISTANCE = 5;
     /** Attempts at either end of a learning curve whose mean is taken. */
     private static final int ENDS = 5;
 
@@ -106,61 +109,72 @@ public record AttemptHistory(Path file, String session) {
         }
     }
 
-    /** The learning curve of an exercise in words; empty before its first sample. */
-    public String learningCurve(String exercise) {
-        List<String[]> rows = lines().stream()
+    /**
+     * The rows of the file. Those of earlier versions have fewer columns: the later ones, which come last, are empty.
+     */
+    private CsvTable table() {
+        String rows = lines().stream()
                 .skip(1)
-                .map(line -> line.split(",", -1))
-                .filter(cells ->
-                        cells.length > DISTANCE && cells[TITLE].equals(quoted(exercise)) && !cells[DISTANCE].isEmpty())
-                .toList();
-        if (rows.isEmpty()) {
+                .map(line -> line.isBlank() ? line : line + ",".repeat(Math.max(0, commas(HEADER) - commas(line))))
+                .collect(Collectors.joining("\n"));
+        return CsvTable.parse(file.toString(), HEADER + "\n" + rows);
+    }
+
+    private static int commas(String line) {
+        return (int) line.chars().filter(c -> c == ',').count();
+    }
+
+    /**
+     * The learning curve of an exercise in words; empty before its first sample.
+     *
+     * @throws BadInputException if the file cannot be read or a distance in it is not a number
+     */
+    public String learningCurve(String exercise) {
+        CsvTable table = table();
+        List<String> titles = table.texts("exercise");
+        List<String> distances = table.texts("distance_mm");
+        int[] rows = IntStream.range(0, titles.size())
+                .filter(row -> titles.get(row).equals(quoted(exercise))
+                        && !distances.get(row).isEmpty())
+                .toArray();
+        if (rows.length == 0) {
             return "";
         }
-        double[] mm =
-                rows.stream().mapToDouble(r -> Double.parseDouble(r[DISTANCE])).toArray();
-        long hits = rows.stream().filter(r -> Boolean.parseBoolean(r[HIT])).count();
-        long sessions = rows.stream().map(r -> r[0]).distinct().count();
+        double[] mm = IntStream.of(rows)
+                .mapToDouble(row -> Numbers.parse(distances.get(row))
+                        .orElseThrow(() -> table.badCell(
+                                row,
+                                "distance_mm",
+                                "found " + Numbers.quote(distances.get(row)) + ", expected a number")))
+                .toArray();
+        List<String> hit = table.texts("hit");
+        List<String> begun = table.texts("session");
+        long hits = IntStream.of(rows)
+                .filter(row -> Boolean.parseBoolean(hit.get(row)))
+                .count();
+        long sessions = IntStream.of(rows).mapToObj(begun::get).distinct().count();
         String ends = mm.length < 2 * ENDS
                 ? ""
                 : String.format(
                         Locale.ROOT,
                         "; the first %d %.1f mm, the last %d %.1f mm",
                         ENDS,
-                        mean(mm, 0, ENDS),
+                        StatUtils.mean(mm, 0, ENDS),
                         ENDS,
-                        mean(mm, mm.length - ENDS, mm.length));
+                        StatUtils.mean(mm, mm.length - ENDS, ENDS));
         return String.format(
                 Locale.ROOT,
                 "This exercise: %s in %s, %s, %.1f%s mm off%s.",
                 count(mm.length, "sample"),
                 count(sessions, "session"),
                 count(hits, "hit"),
-                mean(mm, 0, mm.length),
-                mm.length < 2 ? "" : String.format(Locale.ROOT, " \u00b1 %.1f", deviation(mm)),
+                StatUtils.mean(mm),
+                mm.length < 2 ? "" : String.format(Locale.ROOT, " \u00b1 %.1f", new StandardDeviation().evaluate(mm)),
                 ends);
     }
 
     private static String count(long number, String what) {
         return number + " " + what + (number == 1 ? "" : "s");
-    }
-
-    private static double mean(double[] values, int from, int to) {
-        double sum = 0;
-        for (int i = from; i < to; i++) {
-            sum += values[i];
-        }
-        return sum / (to - from);
-    }
-
-    /** Standard deviation of a sample of two or more. */
-    private static double deviation(double[] values) {
-        double mean = mean(values, 0, values.length);
-        double squares = 0;
-        for (double value : values) {
-            squares += (value - mean) * (value - mean);
-        }
-        return Math.sqrt(squares / (values.length - 1));
     }
 
     /**
