@@ -67,7 +67,12 @@ public record FitReport(FitResult result) {
     }
 
     private static String ratio(double value) {
-        return Double.isNaN(value) ? "" : String.format(Locale.ROOT, "%.3f", value);
+        return Double.isFinite(value) ? String.format(Locale.ROOT, "%.3f", value) : "";
+    }
+
+    /** A ratio for JSON; null where the distance before is 0. */
+    public static Double finite(double ratio) {
+        return Double.isFinite(ratio) ? ratio : null;
     }
 
     /** Parameters and their effects, one row per parameter. */
@@ -101,13 +106,13 @@ public record FitReport(FitResult result) {
         FitSetup setup = result.setup();
         return String.format(
                 Locale.ROOT,
-                "The mean distance on what was fitted to fell from %.2f mm (body at end-expiration; %.2f mm breathed in"
-                        + " as it was before) to %.2f mm: %.3f of it. %d parameters, %d evaluations in generations of"
+                "The mean distance to the fitted targets fell from %.2f mm (body at end-expiration; %.2f mm breathed in"
+                        + " with the initial parameters) to %.2f mm%s. %d parameters, %d evaluations in generations of"
                         + " %d, seed %d; it ended because %s. %s",
                 result.initialMm(),
                 result.untunedMm(),
                 result.bestMm(),
-                result.ratio(),
+                Double.isFinite(result.ratio()) ? ", a ratio of " + ratio(result.ratio()) : "",
                 setup.parameters().size(),
                 result.search().trials().length,
                 setup.populationSize(),
@@ -168,7 +173,7 @@ public record FitReport(FitResult result) {
         page.section("Parameters");
         page.paragraph(
                 "A step is a twentieth of the way between the bounds (by the logarithm where they are far apart);"
-                        + " distances are the mean that was made small, mm, with that parameter alone moved.");
+                        + " distances are the objective of the fit, mm, with that parameter alone moved.");
         page.table("", PARAMETERS, parameters());
         if (!limits().isEmpty()) {
             page.section("What limits it");
@@ -179,7 +184,7 @@ public record FitReport(FitResult result) {
                 .filter(e -> e.getKey().endsWith("_mm") || e.getKey().endsWith("_ml"))
                 .map(e -> e.getKey() + " " + number(e.getValue()))
                 .toArray(String[]::new));
-        page.section("To do it again");
+        page.section("Reproduction");
         page.code("phrenic run scenario.yaml --out result");
         return page;
     }
@@ -194,7 +199,7 @@ public record FitReport(FitResult result) {
                 .with("initial_mean_mm", result.initialMm())
                 .with("untuned_mean_mm", result.untunedMm())
                 .with("residual_mean_mm", result.bestMm())
-                .with("ratio", result.ratio())
+                .with("ratio", finite(result.ratio()))
                 .with("evaluations", result.search().trials().length)
                 .with("population", setup.populationSize())
                 .with("seed", setup.options().search().seed())
@@ -254,7 +259,7 @@ public record FitReport(FitResult result) {
                 .with("weight", t.target().weight())
                 .with("initial", values(t.initial()))
                 .with("residual", values(t.residual()))
-                .with("ratio", t.ratio());
+                .with("ratio", finite(t.ratio()));
         if (t.residualHeldOut() != null) {
             map.with("initial_held_out_half", values(t.initialHeldOut()))
                     .with("residual_held_out_half", values(t.residualHeldOut()))

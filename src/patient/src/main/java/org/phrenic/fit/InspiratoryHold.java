@@ -29,8 +29,8 @@ public final class InspiratoryHold implements AutoCloseable {
     /** Time from rest to end-inspiration, s. */
     public static final double INSPIRATION_S = 0.8;
     /**
-     * Share of the time in which a held breath comes near rest after which the search compares a breath already. The
-     * mean distance then changes by up to 2 % (physical material).
+     * The search compares a breath after this share of the time until it is near rest. The mean distance then changes
+     * by up to 2 % (physical material).
      */
     private static final double SEARCHED_SHARE = 1.0 / 3;
 

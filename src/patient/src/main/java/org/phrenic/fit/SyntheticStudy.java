@@ -161,7 +161,7 @@ public record SyntheticStudy(List<Case> cases) {
                 .with("hidden", c.patient.hidden())
                 .with("initial_mm", c.initialMm(false))
                 .with("residual_mm", c.residualMm(false))
-                .with("ratio", c.ratio())
+                .with("ratio", FitReport.finite(c.ratio()))
                 .with("floor_mm", c.truth.floorMm())
                 .with("true_dome_right_mm", c.truth.domeRightMm())
                 .with("true_dome_left_mm", c.truth.domeLeftMm())

@@ -9,11 +9,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.document.JsonWriter;
 import org.phrenic.file.BadInputException;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.fit.search.FitSearch;
@@ -137,6 +140,32 @@ class FitTest {
         FitDistances d = distance.atRest(half);
         return Arrays.stream(d.modelWeights()).sum()
                 + Arrays.stream(d.targetWeights()).sum();
+    }
+
+    /** A target that is the body at end-expiration leaves nothing to compare with. */
+    @Test
+    void aDistanceOfZeroBeforeHasNoRatio() {
+        FitDistances none = new FitDistances(null, new double[] {0}, new double[] {1}, new double[0], new double[0]);
+        FitDistances left = new FitDistances(null, new double[] {2}, new double[] {1}, new double[0], new double[0]);
+        for (FitDistances residual : List.of(none, left)) {
+            FitResult result = new FitResult(
+                    setup(1, 1),
+                    new double[] {0.4, 1, 0.5},
+                    residual.mean(),
+                    none.mean(),
+                    2,
+                    List.of(new FitResult.TargetResult(truth.targets().get(0), none, residual, null, null, null)),
+                    Optional.empty(),
+                    List.of(),
+                    Map.of(),
+                    base,
+                    true,
+                    new FitResult.Search(new double[] {2}, "it was told to", List.of(), List.of(), Double.NaN, 1));
+            FitReport report = new FitReport(result);
+            assertThat(JsonWriter.format(report.values())).contains("\"ratio\": null");
+            assertThat(report.summary()).contains(" mm. 3 parameters").doesNotContain("a ratio", "NaN", "Infinity");
+            assertThat(report.distances()).allSatisfy(row -> assertThat(row).endsWith(""));
+        }
     }
 
     /** The journals of earlier versions carry this text in their fingerprint. */

@@ -136,8 +136,10 @@ public record FitStudyReport(List<PatientFit> patients, List<KnownBreath> known)
                                 .map(p -> new OrderedValues()
                                         .with("name", p.name())
                                         .with("fit", report(p).values())
-                                        .with("held_out_ratio", PatientFit.heldOutRatio(p.even()))
-                                        .with("held_out_ratio_of_the_other_half", PatientFit.heldOutRatio(p.odd())))
+                                        .with("held_out_ratio", FitReport.finite(PatientFit.heldOutRatio(p.even())))
+                                        .with(
+                                                "held_out_ratio_of_the_other_half",
+                                                FitReport.finite(PatientFit.heldOutRatio(p.odd()))))
                                 .toList())
                 .with(
                         "known_breaths",
@@ -147,7 +149,9 @@ public record FitStudyReport(List<PatientFit> patients, List<KnownBreath> known)
                                         .with("hidden", k.hidden())
                                         .with(
                                                 "ratio",
-                                                k.result().map(FitResult::ratio).orElse(null))
+                                                k.result()
+                                                        .map(r -> FitReport.finite(r.ratio()))
+                                                        .orElse(null))
                                         .with("failure", k.failure()))
                                 .toList());
     }
