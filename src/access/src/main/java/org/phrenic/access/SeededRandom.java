@@ -8,8 +8,7 @@ public final class SeededRandom {
     private SeededRandom() {}
 
     /**
-     * A generator. Those of neighbouring seeds are independent: a seed is mixed first, for without that their first
-     * numbers are alike.
+     * A generator whose seed is mixed first: {@link Random} gives nearly equal first numbers for neighbouring seeds.
      */
     public static Random of(long seed) {
         return new Random(new SplittableRandom(seed).nextLong());

@@ -1,18 +1,18 @@
 package org.phrenic.access.live;
 
 /**
- * The steps of a run that a needle has taken note of, where the frame of a step may come after later steps. Times are
- * in s.
+ * Order of the steps and frames that a needle gets: the frame of a step may arrive after later steps. Detects a
+ * restart, by a time earlier than the last one. Times are in s.
  */
 final class StepOrder {
     private double lastS;
     private double lateS = Double.NaN;
 
-    /** Takes note of a step without its frame. Returns whether the run has begun anew before it. */
+    /** Takes note of a step without its frame. Returns whether the run has restarted. */
     boolean step(double timeS) {
-        boolean anew = timeS < lastS;
+        boolean restarted = timeS < lastS;
         lastS = timeS;
-        return anew;
+        return restarted;
     }
 
     /** States that the frame of a step comes later. */
@@ -20,7 +20,7 @@ final class StepOrder {
         lateS = timeS;
     }
 
-    /** Takes note of a frame. Returns whether the run has begun anew before it. */
+    /** Takes note of a frame. Returns whether the run has restarted. */
     boolean frame(double timeS) {
         boolean late = timeS == lateS;
         lateS = Double.NaN;

@@ -113,7 +113,7 @@ public final class Ultrasound {
      * Takes an image.
      *
      * @param frame positions of the surfaces
-     * @param needle that may lie in the beam
+     * @param needle a needle, which may lie in the beam
      */
     public BModeImage take(Frame frame, ProbePose pose, UltrasoundSettings settings, Optional<SonatedNeedle> needle) {
         return take(frame, pose, settings, needle, lesion.map(SonatedLesion::restCentre));
@@ -123,8 +123,8 @@ public final class Ultrasound {
      * Takes an image.
      *
      * @param frame positions of the surfaces
-     * @param needle that may lie in the beam
-     * @param centre of the lesion in the frame, LPS, mm
+     * @param needle a needle, which may lie in the beam
+     * @param centre centre of the lesion in the frame, LPS, mm
      */
     public BModeImage take(
             Frame frame,

@@ -21,7 +21,8 @@ import org.phrenic.simulation.live.StepListener;
 
 /**
  * The running simulation, its scene, the history of edits, and the events between them and the parts of the window. All
- * methods are called on the event dispatch thread, and none waits for the simulation.
+ * methods are called on the event dispatch thread and none waits for the simulation, except {@link #close}, which waits
+ * for the end of a step and may be called on any thread.
  */
 public final class Session implements AutoCloseable {
     /** Events of the session, on the event dispatch thread. */

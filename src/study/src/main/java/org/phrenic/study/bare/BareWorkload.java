@@ -122,7 +122,7 @@ public final class BareWorkload implements AutoCloseable {
             work.advance(CHECKED_STEPS);
             double dz = work.meanDz();
             String hash = work.stateSha256();
-            Roofline floor = Roofline.measure(work.system.nodeCount(), work.edges, settings.threads());
+            Roofline bound = Roofline.measure(work.system.nodeCount(), work.edges, settings.threads());
             work.advance(WARM_UP_STEPS);
             double[] rate = new double[RUNS];
             for (int run = 0; run < RUNS; run++) {
@@ -146,7 +146,7 @@ public final class BareWorkload implements AutoCloseable {
                     scheme,
                     KERNEL,
                     dz,
-                    floor,
+                    bound,
                     hash);
         }
     }

@@ -39,7 +39,7 @@ final class PhysicalMaterial extends TissueMaterial {
      * its force law has no limit.
      */
     private static final double MAX_DISPLACEMENT_MM = 200;
-    /** The distance from equilibrium that is left then is stated in docs/fit.md. */
+    /** Time after which a held breath is near rest, s; docs/fit.md states how near. */
     private static final double HELD_REST_S = 0.9;
 
     PhysicalMaterial() {
