@@ -41,6 +41,7 @@ class LesionTargetTest {
 
     @Test
     void theLargestLesionIsTheTargetAndAnotherIsChosenFromTheList() throws Exception {
+        WindowHarness.assumeDisplay();
         Thorax man = VirtualThorax.generate(VirtualThoraxParameters.preset("adult-male"), Resolution.LOW);
         for (Structure s : man.structures()) {
             MeshFiles.write(folder.resolve(s.name() + ".ply"), s.mesh());
