@@ -31,7 +31,8 @@ import org.phrenic.mesh.io.volume.LabelVolumeFiles;
  * vertices are welded and degenerate triangles dropped; the notes of the thorax report this.
  */
 public final class ThoraxFolder {
-    private static final String INDEX_FILE = "thorax.yaml";
+    /** Name of the file that states name, axes and units of a folder. */
+    public static final String INDEX_FILE = "thorax.yaml";
     /** Welding distance, mm: coordinates in files are rounded to about a thousandth. */
     private static final double WELD_MM = 1e-3;
     /**

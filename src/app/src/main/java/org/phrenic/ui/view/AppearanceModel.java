@@ -105,9 +105,11 @@ public final class AppearanceModel {
                 .flatMap(surface -> style.appearance(surface.name()));
     }
 
-    /** Takes over the surfaces of another scene; what was chosen applies to them too. */
+    /** Takes over the surfaces of another scene, without an access map; what was chosen applies to them too. */
     public void setSurfaces(List<Surface> others) {
         surfaces = others;
+        // An access map has a value for each vertex of the skin that it was computed on.
+        accessColours = Optional.empty();
         style = style.withAppearances(SceneStyle.atlas(others).appearances()).withHighlighted("");
         groupChanges.forEach(this::apply);
         fireChange();

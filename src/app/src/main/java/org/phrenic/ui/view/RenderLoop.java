@@ -19,7 +19,6 @@ import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.Camera;
 import org.phrenic.scene.camera.PickResult;
 import org.phrenic.scene.camera.Picker;
-import org.phrenic.scene.gl.FrameStatistics;
 import org.phrenic.scene.gl.GraphicsInfo;
 import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.gl.OffscreenContext;
@@ -59,24 +58,6 @@ public final class RenderLoop implements AutoCloseable {
             int height,
             int historyFrame) {}
 
-    /**
-     * A drawn frame.
-     *
-     * @param step simulation step that is shown
-     * @param timeText time and phase of the breath
-     * @param needleMarks needle and target in it
-     * @param cost of drawing it
-     * @param resolution drawn over shown pixels along each side
-     */
-    public record RenderedFrame(
-            BufferedImage image,
-            Request request,
-            long step,
-            String timeText,
-            Optional<NeedleMarkers> needleMarks,
-            FrameStatistics cost,
-            double resolution) {}
-
     /** Called on the render thread. */
     interface Listener {
         void onFrame(RenderedFrame picture);
@@ -88,15 +69,15 @@ public final class RenderLoop implements AutoCloseable {
         void onUnavailable(String sentence);
     }
 
-    /** Identifies the distances that the renderer holds. */
-    private record DistanceKey(long scene, long step, DistanceField from, String structure) {}
-
     private static final long POLL_NS = 5_000_000;
     /** Time after the last frame from which a coarse one is drawn again, ns. */
     private static final long AT_REST_NS = 300_000_000;
 
     /** Side of the picture that is drawn out of sight. */
     private static final int PREPARED_PIXELS = 64;
+
+    /** Number of frames in a row that may fail. */
+    private static final int MAX_FAILURES = 20;
 
     private static final System.Logger LOG = System.getLogger(RenderLoop.class.getName());
 
@@ -116,7 +97,7 @@ public final class RenderLoop implements AutoCloseable {
     private Renderer renderer;
     private Picker picker;
     private Frame frame;
-    private DistanceKey shownDistances;
+    private final DistanceColours distances = new DistanceColours();
     private Optional<NeedleMarkers> shownMarks = Optional.empty();
     private Optional<AccessMapField> shownAccess = Optional.empty();
     private int historyFrame = -1;
@@ -203,6 +184,7 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     private void loop(OffscreenContext gl) {
+        int failures = 0;
         while (true) {
             Request wanted;
             long now;
@@ -219,29 +201,52 @@ public final class RenderLoop implements AutoCloseable {
                 lock.unlock();
             }
             long begun = System.nanoTime();
-            if (wanted != null) {
-                setScene(gl, wanted.scene());
-            } else if (scene == null) {
-                firstBody.get().ifPresent(body -> prepare(gl, body));
-            }
-            boolean busy = task != null;
-            if (busy) {
-                task.accept(gl);
-            }
-            if (wanted != null && wanted.width() > 0 && wanted.height() > 0) {
-                Optional<BufferedImage> canvas = imagePool.acquire(wanted.width(), wanted.height());
-                if (canvas.isPresent()) {
-                    long drawingNs = System.nanoTime();
-                    boolean drawn = draw(gl, wanted, now != drawnVersion, canvas.get());
-                    busy |= drawn;
-                    drawnVersion = now;
-                    if (drawn) {
-                        noteCost(drawingNs, gl.info().software());
-                    }
+            boolean busy = false;
+            try {
+                busy = turn(gl, wanted, now, task);
+                failures = 0;
+            } catch (RuntimeException e) {
+                // A frame or a task that fails does not end the view; a lost context fails each time.
+                if (++failures == MAX_FAILURES) {
+                    throw e;
                 }
+                LOG.log(System.Logger.Level.WARNING, "A frame was not drawn", e);
             }
             LockSupport.parkNanos(busy ? Math.max(0, pace.intervalNs() - (System.nanoTime() - begun)) : POLL_NS);
         }
+    }
+
+    /** Runs a task, null for none, and draws if anything has changed; returns whether anything was done. */
+    private boolean turn(OffscreenContext gl, Request wanted, long now, Consumer<OffscreenContext> task) {
+        if (wanted != null) {
+            setScene(gl, wanted.scene());
+        } else if (scene == null) {
+            firstBody.get().ifPresent(body -> prepare(gl, body));
+        }
+        if (task != null) {
+            task.accept(gl);
+        }
+        Optional<BufferedImage> canvas = wanted != null && wanted.width() > 0 && wanted.height() > 0
+                ? imagePool.acquire(wanted.width(), wanted.height())
+                : Optional.empty();
+        return canvas.filter(image -> draw(gl, wanted, now, image)).isPresent() || task != null;
+    }
+
+    private boolean draw(OffscreenContext gl, Request wanted, long now, BufferedImage canvas) {
+        long begunNs = System.nanoTime();
+        boolean drawn = false;
+        try {
+            drawn = draw(gl, wanted, now != drawnVersion, canvas);
+        } finally {
+            drawnVersion = now;
+            if (!drawn) {
+                imagePool.release(canvas);
+            }
+        }
+        if (drawn) {
+            noteCost(begunNs, gl.info().software());
+        }
+        return drawn;
     }
 
     /** The first frame of a scene is not counted: it also uploads the scene and compiles shaders. */
@@ -291,12 +296,10 @@ public final class RenderLoop implements AutoCloseable {
         boolean rests = !fresh && !asAsked && same;
         boolean sharpen = rests && !drawnSharp && isAtRest();
         if (rests && !sharpen) {
-            imagePool.release(canvas);
             return false;
         }
         if (wanted.style().field() == ColourField.DISTANCE) {
-            String structure = wanted.style().colouring().structure();
-            wanted.reference().ifPresent(field -> colourByDistance(field, structure));
+            wanted.reference().ifPresent(from -> distances.colour(renderer, scene.id(), frame, from, wanted.style()));
         }
         if (!wanted.accessColours().equals(shownAccess)) {
             shownAccess = wanted.accessColours();
@@ -323,14 +326,6 @@ public final class RenderLoop implements AutoCloseable {
 
     private boolean isAtRest() {
         return scene.id() != LiveScene.AT_REST && !live.isPlaying() && System.nanoTime() - drawnNs > AT_REST_NS;
-    }
-
-    private void colourByDistance(DistanceField field, String structure) {
-        DistanceKey now = new DistanceKey(scene.id(), frame.step(), field, structure);
-        if (!now.equals(shownDistances)) {
-            field.upload(renderer, frame, structure);
-            shownDistances = now;
-        }
     }
 
     private boolean takeHistoryFrame(int index) {

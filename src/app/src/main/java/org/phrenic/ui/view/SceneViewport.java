@@ -41,7 +41,7 @@ public final class SceneViewport extends JPanel implements Session.Listener {
     private transient Camera camera = Camera.of(AnatomicalView.ANTERIOR, new double[6]);
     private transient Camera homeCamera = camera;
     private transient LiveScene scene;
-    private transient RenderLoop.RenderedFrame frame;
+    private transient RenderedFrame frame;
     private transient Consumer<String> pickListener = text -> {};
     private transient Runnable cameraListener = () -> {};
     private transient Optional<MouseTool> tool = Optional.empty();
@@ -293,7 +293,7 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         renderLoop.close();
     }
 
-    public Optional<RenderLoop.RenderedFrame> frame() {
+    public Optional<RenderedFrame> frame() {
         return Optional.ofNullable(frame);
     }
 
@@ -305,7 +305,7 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         }
 
         @Override
-        public void onFrame(RenderLoop.RenderedFrame drawn) {
+        public void onFrame(RenderedFrame drawn) {
             SwingUtilities.invokeLater(() -> {
                 if (frame != null) {
                     renderLoop.release(frame);

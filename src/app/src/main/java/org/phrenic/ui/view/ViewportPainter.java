@@ -26,7 +26,7 @@ final class ViewportPainter {
     }
 
     /** Paints a frame; one of another size is centred, without distortion. */
-    void paint(Graphics2D g, RenderLoop.RenderedFrame frame, Annotations annotations) {
+    void paint(Graphics2D g, RenderedFrame frame, Annotations annotations) {
         BufferedImage image = frame.image();
         Camera camera = frame.request().camera();
         AffineTransform device = g.getTransform();

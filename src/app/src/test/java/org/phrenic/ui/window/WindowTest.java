@@ -19,6 +19,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -290,9 +292,9 @@ class WindowTest {
         assertThat(start.isEnabled()).as("no label has a known name").isFalse();
         Path body = folder.resolve("imported");
         WindowHarness.doOnEdt(() -> {
-            WindowHarness.find(dialog, JButton.class, "TotalSegmentator")
+            WindowHarness.find(dialog, JComboBox.class, "Numbers of")
                     .orElseThrow()
-                    .doClick();
+                    .setSelectedItem("totalsegmentator");
             WindowHarness.find(dialog, JComboBox.class, "Complete from")
                     .orElseThrow()
                     .setSelectedItem("nothing: keep what the scan has");
@@ -320,6 +322,18 @@ class WindowTest {
                 .findFirst();
         WindowHarness.await("the dialog " + name, () -> shown.get().isPresent());
         return shown.get().orElseThrow();
+    }
+
+    /** A picture that fails, as one of a scene that is being replaced may, leaves the view as it is. */
+    @Test
+    void aTaskThatFailsDoesNotEndTheView() throws Exception {
+        CountDownLatch later = new CountDownLatch(1);
+        window.window().view().runTask(gl -> {
+            throw new IllegalStateException("found 4754 values, expected 6966");
+        });
+        window.window().view().runTask(gl -> later.countDown());
+        assertThat(later.await(30, TimeUnit.SECONDS)).isTrue();
+        assertThat(window.window().view().isUnavailable()).isFalse();
     }
 
     @Test

@@ -147,14 +147,20 @@ public final class LiveRun implements AutoCloseable {
         listener.changed();
     }
 
-    /** Loads this scene and later ones with the further organs of the body; false if it has them already. */
+    /** Loads this scene and later ones with the further organs of the body; false if the running one has them. */
     public synchronized boolean showOrgans() {
-        boolean again = !organs;
+        boolean isComing = organs && isLoading();
         organs = true;
-        if (again) {
+        if (!hasOrgans() && !isComing) {
             load(settings.current());
         }
-        return again;
+        return !hasOrgans();
+    }
+
+    /** Whether the running scene has the further organs of its body. */
+    public boolean hasOrgans() {
+        RunningScene running = loop.running;
+        return running != null && running.organs;
     }
 
     /** Loads another scene while the current one continues. Cancels a load in progress. */
@@ -206,14 +212,12 @@ public final class LiveRun implements AutoCloseable {
         return wanted;
     }
 
-    private synchronized boolean isLoading() {
+    /** Whether a scene is being loaded. */
+    public synchronized boolean isLoading() {
         return loading != null && !loading.isCancelled();
     }
 
-    /**
-     * Cancels a load in progress and restores the settings of the running scene. Does nothing before the first scene
-     * runs.
-     */
+    /** Cancels a load in progress once a scene runs, and restores the settings of the running scene. */
     public void cancelLoading() {
         synchronized (this) {
             if (!isLoading() || loop.running == null) {

@@ -36,6 +36,7 @@ final class RunningScene implements AutoCloseable {
     final LiveScene scene;
     final FrameTripleBuffer pipe;
     final RunHistory history;
+    final boolean organs;
     private final SceneSurfaces surfaces;
     private final FrameWriter writer = new FrameWriter();
     private long nextSample;
@@ -53,7 +54,9 @@ final class RunningScene implements AutoCloseable {
     private StabilityLimit limitSaid;
     private int substepsSaid;
 
-    RunningScene(Simulation simulation, SceneSurfaces surfaces, Thorax body, long id) {
+    /** @param organs whether the surfaces include the further organs of the body */
+    RunningScene(Simulation simulation, SceneSurfaces surfaces, Thorax body, long id, boolean organs) {
+        this.organs = organs;
         this.simulation = simulation;
         this.surfaces = surfaces;
         Frame rest = surfaces.newFrame();

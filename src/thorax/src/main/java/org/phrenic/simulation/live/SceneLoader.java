@@ -92,7 +92,7 @@ final class SceneLoader {
         try {
             enterStage("surfaces", SCENE_SHARE);
             SceneSurfaces surfaces = organs ? SceneSurfaces.withOrgans(simulation) : new SceneSurfaces(simulation);
-            RunningScene running = new RunningScene(simulation, surfaces, thorax, id);
+            RunningScene running = new RunningScene(simulation, surfaces, thorax, id, organs);
             enterStage("done", 1);
             return running;
         } catch (RuntimeException | OutOfMemoryError e) {

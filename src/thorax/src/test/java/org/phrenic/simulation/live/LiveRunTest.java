@@ -14,6 +14,7 @@ import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
 import org.phrenic.model.material.RigidTendon;
@@ -212,6 +213,21 @@ class LiveRunTest {
         assertThat(run.copyNewestFrame(first.newFrame().get()))
                 .as("a frame of the old scene")
                 .isFalse();
+    }
+
+    /** Organs that were called off are not taken to be there. */
+    @Test
+    void organsAreLoadedAgainAfterACancelledLoad() throws InterruptedException {
+        start();
+        next(scenes);
+        assertThat(run.showOrgans()).isTrue();
+        run.cancelLoading();
+        until(() -> !run.isLoading());
+        assertThat(run.hasOrgans()).isFalse();
+        assertThat(run.showOrgans()).isTrue();
+        assertThat(next(scenes).surfaces()).anyMatch(s -> s.kind() == StructureKind.ORGAN);
+        until(run::hasOrgans);
+        assertThat(run.showOrgans()).isFalse();
     }
 
     /** A listener that waits, at its first frame, for three later steps, which pass. */
