@@ -4,6 +4,7 @@ import java.awt.Dimension;
 import java.awt.Window;
 import java.util.List;
 import java.util.Locale;
+import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -13,6 +14,7 @@ import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.table.DefaultTableModel;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.access.AbsentObstacles;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.patient.PatientBody;
@@ -41,13 +43,16 @@ final class ImportSummaryDialog {
         content.add(tables, "grow");
         content.add(new JLabel(missing(result.body())), "wmin 0");
         content.add(new JScrollPane(notes(result.body().notes())), "grow");
+        JButton rehearseButton = Dialogs.closing("Rehearse", "Rehearse liver access with this body", rehearse);
+        // The window goes on with the former body.
+        rehearseButton.setEnabled(result.body().canBreathe());
         JDialog dialog = Dialogs.of(
                 owner,
                 "Imported body",
                 content,
                 SIZE,
                 Disclaimer.TEXT,
-                Dialogs.closing("Rehearse", "Rehearse liver access with this body", rehearse),
+                rehearseButton,
                 Dialogs.closing("Close", "Close this summary", () -> {}));
         dialog.setName("import.summary");
         dialog.setVisible(true);
@@ -74,9 +79,13 @@ final class ImportSummaryDialog {
     }
 
     private static String missing(PatientBody body) {
-        return body.missing().isEmpty()
-                ? "Nothing is missing from this body."
+        String ofCage = body.missing().isEmpty()
+                ? "No structure of the cage is missing"
                 : "Missing: " + String.join(", ", body.missing());
+        List<String> names =
+                body.structures().stream().map(s -> s.structure().name()).toList();
+        return ofCage
+                + AbsentObstacles.sentence(names).map(absent -> "; " + absent).orElse("") + ".";
     }
 
     private static JTable table(PatientBody body) {

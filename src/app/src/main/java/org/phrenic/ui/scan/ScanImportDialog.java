@@ -5,9 +5,11 @@ import java.awt.Window;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import javax.swing.DefaultCellEditor;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
@@ -18,6 +20,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.patient.label.GeometryOverride;
 import org.phrenic.scenario.RunSettings;
@@ -63,7 +66,7 @@ final class ScanImportDialog {
         spacing.setText(labels.spacing());
         folder.setText(proposedFolder(file).toString());
         labels.addTableModelListener(e -> showRecognised());
-        Controls.onEdit(folder, this::enableStart);
+        List.of(axes, spacing, folder).forEach(field -> Controls.onEdit(field, this::enableStart));
         showRecognised();
     }
 
@@ -76,13 +79,17 @@ final class ScanImportDialog {
         }
     }
 
-    /** A folder beside the scan, or in the home folder where nothing can be written beside it. */
+    /** A folder that does not exist, beside the scan, or in the home folder where nothing can be written beside it. */
     static Path proposedFolder(Path file) {
         String name = file.getFileName().toString();
         String stem = name.substring(0, name.indexOf('.') > 0 ? name.indexOf('.') : name.length());
         Path beside = file.toAbsolutePath().getParent();
         Path parent = Files.isWritable(beside) ? beside : Path.of(System.getProperty("user.home"));
-        return parent.resolve(stem + "-body");
+        return IntStream.iterate(1, n -> n + 1)
+                .mapToObj(n -> parent.resolve(stem + "-body" + (n == 1 ? "" : "-" + n)))
+                .filter(folder -> !Files.exists(folder))
+                .findFirst()
+                .orElseThrow();
     }
 
     /** Shows the dialog; {@code import} receives the answers unless it is cancelled. */
@@ -151,6 +158,7 @@ final class ScanImportDialog {
         JTable table = new JTable(labels);
         table.getAccessibleContext().setAccessibleName("Labels");
         table.setName("import.labels");
+        table.putClientProperty("terminateEditOnFocusLost", true);
         JComboBox<String> structures = new JComboBox<>();
         structures.setEditable(true);
         structures.addItem(ScanLabels.NONE);
@@ -169,6 +177,19 @@ final class ScanImportDialog {
     }
 
     private void enableStart() {
-        start.setEnabled(labels.recognised() > 0 && folder(folder.getText()).isPresent());
+        boolean hasAxes = outline(axes, GeometryOverride.areAxes(axes.getText()));
+        boolean hasSpacing = outline(spacing, GeometryOverride.isSpacing(spacing.getText()));
+        boolean hasFolder = outline(folder, folder(folder.getText()).isPresent());
+        boolean replaces = folder(folder.getText())
+                .filter(to -> Files.exists(to.resolve(ThoraxFolder.INDEX_FILE)))
+                .isPresent();
+        start.setText(replaces ? "Import and replace the body" : "Import");
+        start.setEnabled(labels.recognised() > 0 && hasAxes && hasSpacing && hasFolder);
+    }
+
+    /** Marks a field whose text cannot be used. */
+    private static boolean outline(JTextField field, boolean valid) {
+        field.putClientProperty("JComponent.outline", valid ? null : "error");
+        return valid;
     }
 }

@@ -56,17 +56,30 @@ public final class ScanImporter {
             session.refuse("An import is running; cancel it first.");
             return;
         }
+        CancellableProgress progress = new CancellableProgress(display::showProgress);
+        running = Optional.of(progress);
         display.showProgress("reading " + file.getFileName(), 0);
         BackgroundWorker.execute(
                 () -> ScanLabels.read(file, template(RunSettings.VIRTUAL_MAN)),
                 labels -> {
-                    display.showProgress("", 1);
-                    new ScanImportDialog(file, labels).show(owner, choice -> run(file, choice));
+                    if (isRunning(progress)) {
+                        running = Optional.empty();
+                        display.showProgress("", 1);
+                        new ScanImportDialog(file, labels).show(owner, choice -> run(file, choice));
+                    }
                 },
-                this::fail);
+                sentence -> failIfRunning(progress, sentence));
     }
 
-    /** Cancels the running import. Before its thorax folder is written, nothing is written. */
+    private void failIfRunning(CancellableProgress progress, String sentence) {
+        if (isRunning(progress)) {
+            fail(sentence);
+        }
+    }
+
+    /**
+     * Cancels the running import, or the reading of a scan. Before its thorax folder is written, nothing is written.
+     */
     public void cancel() {
         running.ifPresent(CancellableProgress::cancel);
         running = Optional.empty();
@@ -77,6 +90,10 @@ public final class ScanImporter {
     }
 
     private void run(Path file, ScanImportDialog.Choice choice) {
+        if (running.isPresent()) {
+            session.refuse("An import is running; cancel it first.");
+            return;
+        }
         CancellableProgress progress = new CancellableProgress(display::showProgress);
         running = Optional.of(progress);
         display.showProgress("importing " + file.getFileName(), 0);
@@ -84,11 +101,7 @@ public final class ScanImporter {
                 () -> build(file, choice, progress),
                 built -> built.filter(result -> isRunning(progress))
                         .ifPresent(result -> finish(choice.folder(), result)),
-                sentence -> {
-                    if (isRunning(progress)) {
-                        fail(sentence);
-                    }
-                });
+                sentence -> failIfRunning(progress, sentence));
     }
 
     /** The imported body, written to its folder; empty if the import was cancelled. */

@@ -12,7 +12,12 @@ import javax.swing.JDialog;
 import javax.swing.JTable;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.PatientStructure;
 import org.phrenic.patient.diaphragm.SheetQuality;
 import org.phrenic.patient.pipeline.ImportResult;
 import org.phrenic.ui.window.WindowHarness;
@@ -29,8 +34,8 @@ class ImportSummaryDialogTest {
         WindowHarness.assumeDisplay();
     }
 
-    private static JDialog show(Optional<SheetQuality> quality, Runnable rehearse) {
-        PatientBody body = new PatientBody("scanned", List.of(), List.of("sternum"), List.of());
+    private static JDialog show(List<PatientStructure> structures, Optional<SheetQuality> quality, Runnable rehearse) {
+        PatientBody body = new PatientBody("scanned", structures, List.of("sternum"), List.of());
         return WindowHarness.onEdt(() -> {
             ImportSummaryDialog.show(
                     null,
@@ -44,6 +49,15 @@ class ImportSummaryDialogTest {
         });
     }
 
+    private static PatientStructure structure(StructureKind kind, String name) {
+        TriangleMesh mesh = new TriangleMesh(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2});
+        return new PatientStructure(
+                new Structure(name, kind, 0, Side.MIDLINE, mesh),
+                PatientStructure.Source.VIRTUAL,
+                Optional.empty(),
+                Optional.empty());
+    }
+
     private static Optional<JTable> quality(JDialog dialog) {
         return WindowHarness.find(dialog.getRootPane(), JTable.class, "Quality of the diaphragm");
     }
@@ -52,7 +66,9 @@ class ImportSummaryDialogTest {
     void everyMeasureIsARowAndSaysWhetherItsLimitIsExceeded() {
         AtomicBoolean rehearsed = new AtomicBoolean();
         JDialog dialog = show(
-                Optional.of(new SheetQuality(List.of(KEPT, EXCEEDED), Optional.empty())), () -> rehearsed.set(true));
+                List.of(structure(StructureKind.DIAPHRAGM, "diaphragm"), structure(StructureKind.RIB, "rib_07_R")),
+                Optional.of(new SheetQuality(List.of(KEPT, EXCEEDED), Optional.empty())),
+                () -> rehearsed.set(true));
         JTable table = quality(dialog).orElseThrow();
         assertThat(row(table, 0)).containsExactly("Smallest angle", "15.61", "at least 10", "degrees", "");
         assertThat(row(table, 1)).containsExactly("Outside the cage", "12.35", "at most 10", "mm", "beyond");
@@ -65,8 +81,11 @@ class ImportSummaryDialogTest {
 
     @Test
     void aBodyWithoutADiaphragmHasNoTableOfIt() {
-        JDialog dialog = show(Optional.empty(), () -> {});
+        JDialog dialog = show(List.of(), Optional.empty(), () -> {});
         assertThat(quality(dialog)).isEmpty();
+        JButton button = WindowHarness.find(dialog.getRootPane(), JButton.class, "Rehearse")
+                .orElseThrow();
+        assertThat(button.isEnabled()).as("without a diaphragm no body opens").isFalse();
         WindowHarness.doOnEdt(dialog::dispose);
     }
 

@@ -2,8 +2,11 @@ package org.phrenic.ui.scan;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -11,6 +14,15 @@ class ScanImportDialogTest {
     @Test
     void aFolderMayHaveBlanksInItsName() {
         assertThat(ScanImportDialog.folder(" my scans/body 1 ")).contains(Path.of("my scans/body 1"));
+    }
+
+    /** A body that is there already is not proposed to be replaced. */
+    @Test
+    void theProposedFolderDoesNotExist(@TempDir Path folder) throws IOException {
+        Path scan = folder.resolve("case.nii.gz");
+        assertThat(ScanImportDialog.proposedFolder(scan)).isEqualTo(folder.resolve("case-body"));
+        Files.createDirectory(folder.resolve("case-body"));
+        assertThat(ScanImportDialog.proposedFolder(scan)).isEqualTo(folder.resolve("case-body-2"));
     }
 
     /** Without a name the body would be written into the working directory. */

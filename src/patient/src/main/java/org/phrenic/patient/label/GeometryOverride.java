@@ -1,7 +1,9 @@
 package org.phrenic.patient.label;
 
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
@@ -18,6 +20,7 @@ public record GeometryOverride(Optional<String> axes, Optional<String> spacing) 
 
     private static final double MIN_SPACING_MM = 0.1;
     private static final double MAX_SPACING_MM = 50;
+    private static final Pattern AXES = Pattern.compile("(?i)(?=.*[LR])(?=.*[PA])(?=.*[SI])[LRPASI]{3}");
 
     /**
      * Returns the volume with these axes and this spacing.
@@ -65,6 +68,21 @@ public record GeometryOverride(Optional<String> axes, Optional<String> spacing) 
         return centred(volume, toMm);
     }
 
+    /** Whether a text states axes: one letter each of L or R, P or A, S or I, in any order and case. */
+    public static boolean areAxes(String letters) {
+        return AXES.matcher(letters.strip()).matches();
+    }
+
+    /** Whether a text states the size of a voxel along columns, rows and slices, mm. */
+    public static boolean isSpacing(String text) {
+        String[] parts = text.split(",", -1);
+        return parts.length == 3 && Arrays.stream(parts).allMatch(part -> isSpacing(number(part)));
+    }
+
+    private static boolean isSpacing(double mm) {
+        return mm >= MIN_SPACING_MM && mm <= MAX_SPACING_MM;
+    }
+
     /**
      * Returns the volume with another voxel size.
      *
@@ -72,17 +90,17 @@ public record GeometryOverride(Optional<String> axes, Optional<String> spacing) 
      * @throws BadInputException if the text is invalid
      */
     public static LabelVolume spacing(LabelVolume volume, String text) {
+        if (!isSpacing(text)) {
+            throw new BadInputException("--spacing: found '" + text
+                    + "', expected the size of a voxel along columns, rows and slices in mm, 0.1 to 50,"
+                    + " such as 1.75,1.75,1.25");
+        }
         LabelGrid grid = volume.grid();
         String[] parts = text.split(",", -1);
         double[] centre = place(grid, -1);
         double[] toMm = new double[12];
         for (int direction = 0; direction < 3; direction++) {
-            double spacing = parts.length == 3 ? number(parts[direction]) : Double.NaN;
-            if (!(spacing >= MIN_SPACING_MM && spacing <= MAX_SPACING_MM)) {
-                throw new BadInputException("--spacing: found '" + text
-                        + "', expected the size of a voxel along columns, rows and slices in mm, 0.1 to 50,"
-                        + " such as 1.75,1.75,1.25");
-            }
+            double spacing = number(parts[direction]);
             double[] next = place(grid, direction);
             for (int row = 0; row < 3; row++) {
                 toMm[4 * row + direction] = (next[row] - centre[row]) * spacing / grid.spacing(direction);

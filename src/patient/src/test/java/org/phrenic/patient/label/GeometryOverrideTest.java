@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -51,5 +52,15 @@ class GeometryOverrideTest {
                         + " --spacing");
         GeometryOverride stated = new GeometryOverride(Optional.empty(), Optional.of("4,4,4"));
         assertThat(stated.apply(volume, "scan").grid().spacing(2)).isCloseTo(4, within(1e-9));
+    }
+
+    /** What the window's dialog lets pass is what an import takes. */
+    @Test
+    void textsOfAxesAndSpacingAreJudgedAsTheyAreTaken() {
+        assertThat(List.of("LPS", "ras", " SAL ")).allMatch(GeometryOverride::areAxes);
+        assertThat(List.of("LPX", "LLS", "LP", "LPSA", "")).noneMatch(GeometryOverride::areAxes);
+        assertThat(List.of("1,1,1", "1.75, 1.75, 1.25", "0.1,50,3")).allMatch(GeometryOverride::isSpacing);
+        assertThat(List.of("1,1", "1,1,0", "1,1,x", "1,1,51", "1;1;1", "NaN,1,1", ""))
+                .noneMatch(GeometryOverride::isSpacing);
     }
 }
