@@ -50,13 +50,13 @@ public record CArm(
     }
 
     /** Along the rows of the image, to the patient's left at zero angles, unit vector. */
-    double[] right() {
+    public double[] right() {
         double a = StrictMath.toRadians(leftObliqueDeg);
         return Vectors.of(StrictMath.cos(a), StrictMath.sin(a), 0);
     }
 
     /** Up the columns of the image, toward the head at zero angles, unit vector. */
-    double[] up() {
+    public double[] up() {
         return Vectors.cross(axis(), right());
     }
 

@@ -31,6 +31,13 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
         BARRED
     }
 
+    /** This advice with a remark on what the body lacks; a free path is then one to be careful with. */
+    public PathAdvice withRemark(String remark) {
+        List<String> all = new ArrayList<>(reasons);
+        all.add(remark);
+        return new PathAdvice(level == Level.FREE ? Level.CAREFUL : level, headline, List.copyOf(all), margin, way);
+    }
+
     public static PathAdvice of(PathOverBreath path) {
         int moments = path.analyses().size();
         int free = path.freeMoments();

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.phrenic.access.AbsentObstacles;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.CostalGroove;
 import org.phrenic.access.NoGoZone;
@@ -26,12 +27,12 @@ import org.phrenic.access.path.Approach;
 import org.phrenic.access.path.PathAnalysis;
 import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.access.path.TargetAccess;
-import org.phrenic.anatomy.StructureKind;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.document.report.ReportDocument.Picture;
+import org.phrenic.simulation.observe.Surface;
 
 /** The report of a rehearsal, as values for JSON and as a document. */
 public final class RehearsalReport {
@@ -124,9 +125,9 @@ public final class RehearsalReport {
                 "The body has no organs but those listed in its scene: bowel, gall bladder, kidney and large vessels"
                         + " count only where the body has them.",
                 AttemptRecord.NOT_VALIDATED));
-        if (rehearsal.surfaces().stream().noneMatch(s -> s.kind() == StructureKind.LUNG)) {
-            words.add("This body has no lungs: a path through them is not noticed.");
-        }
+        AbsentObstacles.sentence(
+                        rehearsal.surfaces().stream().map(Surface::name).toList())
+                .ifPresent(absent -> words.add(Character.toUpperCase(absent.charAt(0)) + absent.substring(1) + "."));
         return words;
     }
 

@@ -3,6 +3,7 @@ package org.phrenic.ui.access;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
+import org.phrenic.access.AbsentObstacles;
 import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.PathOverBreath;
@@ -11,6 +12,7 @@ import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.ultrasound.ProbePose;
+import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
 
@@ -69,7 +71,11 @@ public final class EntrySelection {
         Callable<PathOverBreath> analysis = () -> PathOverBreath.of(
                 body.planningScene(), about.map().cycle(), onSkinRest, about.target(), plan.needle(), plan.avoided());
         Consumer<PathOverBreath> show = found -> {
-            advice = Optional.of(PathAdvice.of(found));
+            PathAdvice ofPath = PathAdvice.of(found);
+            advice = AbsentObstacles.sentence(
+                            body.scene().surfaces().stream().map(Surface::name).toList())
+                    .map(ofPath::withRemark)
+                    .or(() -> Optional.of(ofPath));
             rehearsal.fireState();
         };
         work.run(analysis, show, session::refuse);

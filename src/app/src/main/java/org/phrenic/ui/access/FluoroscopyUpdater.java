@@ -27,7 +27,10 @@ final class FluoroscopyUpdater {
     private final GuidanceSettings settings;
     private final Consumer<FluoroscopyShot> listener;
     private Fluoroscope fluoroscope;
+    /** Grey levels, which stay while the C-arm does, so that pictures of a breath can be compared. */
     private double[] range = new double[0];
+
+    private GuidanceSettings.ArmAngles rangeAngles;
 
     /**
      * @param place of the frame and its surfaces; overwritten
@@ -77,7 +80,8 @@ final class FluoroscopyUpdater {
         List<SteelRod> steel =
                 state.hasNeedle() ? List.of(new SteelRod(state.hub(), state.tip(), needle.radiusMm())) : List.of();
         var radiograph = fluoroscope.take(frame, arm, Fluoroscope.ENERGY_KEV, steel);
-        if (range.length == 0) {
+        if (!angles.equals(rangeAngles)) {
+            rangeAngles = angles;
             range = RadiographRenderer.range(radiograph);
         }
         FluoroscopyShot shot = FluoroscopyShot.of(radiograph, range, state);

@@ -48,6 +48,13 @@ public final class PickMode implements SceneViewport.MouseTool {
         rehearsal.fireState();
     }
 
+    /** The next click chooses nothing. */
+    void cancel() {
+        if (mode != Kind.NONE) {
+            toggle(Kind.NONE);
+        }
+    }
+
     public Kind mode() {
         return mode;
     }

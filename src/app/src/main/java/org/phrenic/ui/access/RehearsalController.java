@@ -67,6 +67,7 @@ public final class RehearsalController implements Session.Listener {
     private final ProbeController probe = new ProbeController(this);
     private final GuidanceSettings pictures = new GuidanceSettings();
     private boolean cameraPlaced;
+    private boolean awaitsScene;
 
     private final List<Listener> listeners = new ArrayList<>();
     RehearsalStage stage = RehearsalStage.CLOSED;
@@ -96,10 +97,10 @@ public final class RehearsalController implements Session.Listener {
         if (!isActive()) {
             stage = RehearsalStage.LOADING;
             session.returnToLive();
-            boolean loadsAgain = session.live().showOrgans();
+            awaitsScene = session.live().showOrgans();
             view.setMarkSource(() -> state().map(state ->
                     new NeedleMarkers(state, entrySelection.levelNow(state), pictures.isSeeThrough())));
-            session.scene().filter(scene -> !loadsAgain).ifPresentOrElse(this::setBody, this::fireState);
+            session.scene().filter(scene -> !awaitsScene).ifPresentOrElse(this::setBody, this::fireState);
         }
     }
 
@@ -131,8 +132,11 @@ public final class RehearsalController implements Session.Listener {
 
     @Override
     public void onLoading(String what, double share) {
-        if (isActive() && stage != RehearsalStage.LOADING) {
-            preparation.awaitBody();
+        if (isActive()) {
+            awaitsScene = true;
+            if (stage != RehearsalStage.LOADING) {
+                preparation.awaitBody();
+            }
         }
     }
 
@@ -145,10 +149,26 @@ public final class RehearsalController implements Session.Listener {
 
     @Override
     public void onChange() {
+        if (isActive() && awaitsScene && !session.live().isLoading()) {
+            loadingEnded();
+        }
         preparation.recordBreathIfChanged();
     }
 
+    /** Loading was cancelled or has failed: the rehearsal goes on with the present body. */
+    private void loadingEnded() {
+        if (session.live().hasOrgans()) {
+            session.scene().ifPresent(this::setBody);
+        } else {
+            awaitsScene = false;
+            stage = RehearsalStage.UNAVAILABLE;
+            unavailableReason = "The organs of this body are not loaded; end the rehearsal and begin it again.";
+            fireState();
+        }
+    }
+
     private void setBody(LiveScene scene) {
+        awaitsScene = false;
         if (!cameraPlaced) {
             cameraPlaced = true;
             // Runs after the view has taken over the scene.

@@ -52,6 +52,7 @@ final class RehearsalPreparation {
     private void enter(RehearsalStage stage) {
         rehearsal.detachRun();
         rehearsal.stage = stage;
+        rehearsal.pickMode().cancel();
     }
 
     void setBody(LiveScene scene) {
@@ -87,6 +88,8 @@ final class RehearsalPreparation {
 
     private void recordBreath() {
         enter(RehearsalStage.RECORDING_BREATH);
+        cycle = List.of();
+        rehearsal.entrySelection().clear();
         // The needle does not move the body, so a steady breath need not be simulated again.
         repeatSteadyBreath();
         rehearsal.recordedFraction = 0;
@@ -224,6 +227,9 @@ final class RehearsalPreparation {
     }
 
     void setTargetBehind(PickResult pick) {
+        if (rehearsal.stage != RehearsalStage.READY) {
+            return;
+        }
         RehearsalBody body = rehearsal.body.orElseThrow();
         double size = diameterMm;
         computeMap(() -> TargetLesion.behindSurface(
@@ -231,6 +237,9 @@ final class RehearsalPreparation {
     }
 
     void setTarget(TargetLesion target) {
+        if (rehearsal.stage != RehearsalStage.READY) {
+            return;
+        }
         computeMap(() -> target);
     }
 

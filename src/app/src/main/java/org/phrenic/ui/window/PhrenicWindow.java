@@ -27,7 +27,7 @@ import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.WindowPreferences;
 import org.phrenic.ui.session.Workspace;
 import org.phrenic.ui.view.AppearanceModel;
-import org.phrenic.ui.view.RenderLoop;
+import org.phrenic.ui.view.RenderedFrame;
 import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.widget.AppIcon;
 import org.phrenic.ui.widget.Theme;
@@ -296,8 +296,7 @@ public final class PhrenicWindow {
             statusBar.showFrameRate(view.framesPerS());
             statusBar.showPace(
                     session.live().isBehindRealTime() && !session.live().isFlatOut());
-            statusBar.showResolution(
-                    view.frame().map(RenderLoop.RenderedFrame::resolution).orElse(1.0));
+            statusBar.showResolution(view.frame().map(RenderedFrame::resolution).orElse(1.0));
             if (!now.stabilityMessage().equals(limitSentence)) {
                 limitSentence = now.stabilityMessage();
                 if (!limitSentence.isEmpty()) {

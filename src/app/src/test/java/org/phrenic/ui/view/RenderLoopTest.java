@@ -24,10 +24,10 @@ class RenderLoopTest {
 
     /** Receives the first picture. */
     private static final class FirstPicture implements RenderLoop.Listener {
-        private final CompletableFuture<RenderLoop.RenderedFrame> picture = new CompletableFuture<>();
+        private final CompletableFuture<RenderedFrame> picture = new CompletableFuture<>();
 
         @Override
-        public void onFrame(RenderLoop.RenderedFrame drawn) {
+        public void onFrame(RenderedFrame drawn) {
             picture.complete(drawn);
         }
 

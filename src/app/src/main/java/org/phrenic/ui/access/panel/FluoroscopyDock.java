@@ -2,6 +2,7 @@ package org.phrenic.ui.access.panel;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.AffineTransform;
@@ -13,8 +14,10 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
+import org.joml.Vector3d;
 import org.phrenic.access.imaging.CArm;
 import org.phrenic.access.plan.Aids;
+import org.phrenic.scene.annotate.PatientOrientation;
 import org.phrenic.ui.access.FluoroscopyShot;
 import org.phrenic.ui.access.GuidanceSettings;
 import org.phrenic.ui.access.RehearsalController;
@@ -112,6 +115,18 @@ public final class FluoroscopyDock extends AccessPanel {
             setOpaque(true);
         }
 
+        /** Directions of the patient at the edges of the picture. */
+        private static void drawLetters(Graphics2D g, CArm arm, double left, double scale) {
+            String right = PatientOrientation.letters(new Vector3d(arm.right()));
+            String top = PatientOrientation.letters(new Vector3d(arm.up()));
+            float middle = (float) (scale * arm.rows() / 2);
+            float width = (float) (scale * arm.columns());
+            FontMetrics metrics = g.getFontMetrics();
+            g.drawString(PatientOrientation.opposite(right), (float) left + MARGIN, middle);
+            g.drawString(right, (float) left + width - MARGIN - metrics.stringWidth(right), middle);
+            g.drawString(top, (float) left + (width - metrics.stringWidth(top)) / 2, MARGIN + metrics.getAscent());
+        }
+
         @Override
         protected void paintContent(Graphics2D g) {
             g.setColor(Color.BLACK);
@@ -130,7 +145,7 @@ public final class FluoroscopyDock extends AccessPanel {
             AffineTransform place = new AffineTransform(scale, 0, 0, scale, left, 0);
             g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
             g.drawImage(shot.get().picture(), place, null);
-            g.drawString("R", (float) left + MARGIN, (float) (scale * arm.rows() / 2));
+            drawLetters(g, arm, left, scale);
             if (outlined) {
                 double[] target = shot.get().state().target();
                 double[] p = arm.project(target[0], target[1], target[2]);

@@ -22,7 +22,7 @@ import org.phrenic.scene.NeedleMarkers;
 import org.phrenic.ui.access.AttemptHistory;
 import org.phrenic.ui.access.PickMode;
 import org.phrenic.ui.access.UltrasoundShot;
-import org.phrenic.ui.view.RenderLoop;
+import org.phrenic.ui.view.RenderedFrame;
 import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.window.WindowHarness;
 
@@ -198,7 +198,7 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
         return window.window()
                 .view()
                 .frame()
-                .flatMap(RenderLoop.RenderedFrame::needleMarks)
+                .flatMap(RenderedFrame::needleMarks)
                 .filter(NeedleMarkers::seeThrough)
                 .isPresent();
     }

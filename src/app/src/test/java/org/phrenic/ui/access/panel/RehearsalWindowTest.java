@@ -1,6 +1,7 @@
 package org.phrenic.ui.access.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -73,6 +74,20 @@ class RehearsalWindowTest extends RehearsalProbeCases {
         assertThat(JsonWriter.format(new RehearsalReport(again).values()))
                 .isEqualTo(Files.readString(report.resolve("report.json")));
         clinic.goOn();
+    }
+
+    /** Five steps of 2 mm before the first shows in a frame. */
+    @Test
+    void stepsInQuickSuccessionAddUp() throws Exception {
+        clinic.begin();
+        WindowHarness.doOnEdt(() -> {
+            for (int step = 0; step < 5; step++) {
+                rehearsal().needle().moveBy(2);
+            }
+        });
+        until("the needle in", () -> state().placed() && state().depthMm() > 9.9);
+        clinic.rest();
+        assertThat(state().depthMm()).isCloseTo(10, within(0.1));
     }
 
     @Test

@@ -1,0 +1,56 @@
+package org.phrenic.access;
+
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Pattern;
+
+/**
+ * Organs and vessels about the liver that people have and a body lacks, as a scan that does not label them. A path
+ * through one of them is not noticed.
+ */
+public final class AbsentObstacles {
+    /** Names of structures by what they are, in lower case. */
+    private static final Map<String, Pattern> USUAL = new LinkedHashMap<>();
+
+    static {
+        usual("lungs", "lungs?(_.*)?");
+        usual("heart", "heart.*");
+        usual("aorta", "(vessel_)?aorta.*");
+        usual("inferior vena cava", "(vessel_)?inferior_vena_cava.*");
+        usual("portal vein", "(vessel_)?portal_.*|liver_vessels.*");
+        usual("gall bladder", "gallbladder.*");
+        usual("right kidney", "kidney(_r)?|organ_kidneys?.*");
+        usual("stomach", "stomach.*");
+        usual("duodenum", "duodenum.*|organ_bowel.*");
+        usual("colon", "colon.*|organ_bowel.*");
+    }
+
+    private AbsentObstacles() {}
+
+    private static void usual(String what, String names) {
+        USUAL.put(what, Pattern.compile(names));
+    }
+
+    /** What a body lacks. */
+    public static List<String> of(Collection<String> structures) {
+        List<String> names =
+                structures.stream().map(name -> name.toLowerCase(Locale.ROOT)).toList();
+        return USUAL.entrySet().stream()
+                .filter(usual -> names.stream()
+                        .noneMatch(name -> usual.getValue().matcher(name).matches()))
+                .map(Map.Entry::getKey)
+                .toList();
+    }
+
+    /** One sentence without a full stop; empty if nothing is absent. */
+    public static Optional<String> sentence(Collection<String> structures) {
+        List<String> absent = of(structures);
+        return absent.isEmpty()
+                ? Optional.empty()
+                : Optional.of("not in this body and so not avoided: " + String.join(", ", absent));
+    }
+}
