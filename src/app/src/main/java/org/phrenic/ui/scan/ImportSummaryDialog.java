@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import javax.swing.JButton;
 import javax.swing.JDialog;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
@@ -38,10 +37,10 @@ final class ImportSummaryDialog {
         tables.addTab("Structures", new JScrollPane(table(result.body())));
         result.quality().ifPresent(quality -> tables.addTab(title(quality), new JScrollPane(table(quality))));
         JPanel content =
-                new JPanel(new MigLayout("insets 14, gap 8, fill, wrap 1", "[grow, fill]", "[][grow][][140!]"));
+                new JPanel(new MigLayout("insets 14, gap 8, fill, wrap 1", "[grow, fill]", "[][grow][][110:140:]"));
         content.add(Controls.heading(result.body().name()));
         content.add(tables, "grow");
-        content.add(new JLabel(missing(result.body())), "wmin 0");
+        content.add(Dialogs.wrappedText(missing(result.body())), "wmin 0");
         content.add(new JScrollPane(notes(result.body().notes())), "grow");
         JButton rehearseButton = Dialogs.closing("Rehearse", "Rehearse liver access with this body", rehearse);
         // The window goes on with the former body.
@@ -97,14 +96,14 @@ final class ImportSummaryDialog {
 
             @Override
             public Class<?> getColumnClass(int column) {
-                return column == VOLUME_COLUMN ? Number.class : String.class;
+                return column == VOLUME_COLUMN ? Long.class : String.class;
             }
         };
         body.structures().forEach(s -> model.addRow(row(s)));
         JTable table = new JTable(model);
         table.getAccessibleContext().setAccessibleName("Structures of the body");
         table.setAutoCreateRowSorter(true);
-        return Dialogs.widths(table, 200, 80, 90, 130, 70);
+        return Dialogs.widths(Dialogs.leftByTab(table), 200, 80, 90, 130, 70);
     }
 
     private static Object[] row(PatientStructure s) {

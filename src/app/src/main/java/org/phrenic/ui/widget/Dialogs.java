@@ -2,13 +2,17 @@ package org.phrenic.ui.widget;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.KeyboardFocusManager;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
+import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTable;
+import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.table.DefaultTableModel;
@@ -62,7 +66,26 @@ public final class Dialogs {
             }
         });
         table.getAccessibleContext().setAccessibleName(name);
+        return leftByTab(table);
+    }
+
+    /** Lets the Tab key go on to the next part of the window, not to the next cell, which the arrow keys go to. */
+    public static JTable leftByTab(JTable table) {
+        table.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
+        table.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
         return table;
+    }
+
+    /** Text that wraps, and that can be selected. */
+    public static JTextArea wrappedText(String text) {
+        JTextArea area = new JTextArea(text);
+        area.setLineWrap(true);
+        area.setWrapStyleWord(true);
+        area.setEditable(false);
+        area.setOpaque(false);
+        area.setFont(new JLabel().getFont());
+        area.setBorder(BorderFactory.createEmptyBorder());
+        return area;
     }
 
     /** Sets the preferred widths of the columns of a table, pixels. */

@@ -5,13 +5,11 @@ import java.awt.Font;
 import java.awt.Frame;
 import java.util.List;
 import java.util.Optional;
-import javax.swing.BorderFactory;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
-import javax.swing.JTextArea;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.ui.widget.Dialogs;
@@ -47,15 +45,19 @@ final class HelpDialogs {
         String[][] mouse = {
             {"Left drag", "Turn", "About the patient's long axis and up or down"},
             {"Middle drag, Shift+left drag", "Move", "In the plane of the picture"},
-            {"Wheel", "Enlarge", "Towards the cursor"},
+            {"Wheel", "Enlarge", "Towards the cursor; with Ctrl while the wheel moves the needle"},
             {"Click", "Name", "Structure and place under the cursor, in the status line"},
             {"Double click", "Turn about here", "The view turns about the place under the cursor"},
+            {"Wheel, with an entry", "Insert or withdraw", "2 mm a notch; with Shift 10 mm (rehearsing)"},
+            {"Left drag of the hub", "Turn the needle", "About its point on the skin (rehearsing)"},
+            {"Left drag of the probe", "Slide the probe", "Over the skin (rehearsing)"},
+            {"Right drag of the probe", "Tilt and rock", "Or Ctrl+left drag (rehearsing)"},
         };
         JPanel content = new JPanel(new MigLayout("insets 14, gap 8, wrap 1", "[grow, fill]", "[grow, fill][][fill]"));
         content.add(new JScrollPane(keyTable("Keys", rows)));
         content.add(new JLabel("In the view"));
         JScrollPane below = new JScrollPane(keyTable("Mouse", mouse));
-        below.setPreferredSize(new Dimension(640, 150));
+        below.setPreferredSize(new Dimension(640, 220));
         content.add(below);
         return closable(owner, "Keys", content, new Dimension(720, 620));
     }
@@ -78,12 +80,12 @@ final class HelpDialogs {
         content.add(title);
         content.add(new JLabel("A simulator of breathing: diaphragm, ribs, sternum, lungs and liver."));
         content.add(bold(Disclaimer.TEXT), "gapbottom 8");
-        content.add(wrappedText("It implements and extends " + CITATION), "wmin 0");
-        content.add(wrappedText("Apache License 2.0. It uses:"), "wmin 0, gapbottom 0");
+        content.add(Dialogs.wrappedText("It implements and extends " + CITATION), "wmin 0");
+        content.add(Dialogs.wrappedText("Apache License 2.0. It uses:"), "wmin 0, gapbottom 0");
         content.add(scroll, "gapbottom 8");
         String platform =
                 "Java " + Runtime.version() + graphics.map(g -> "; " + g).orElse("");
-        content.add(wrappedText(platform), "wmin 0");
+        content.add(Dialogs.wrappedText(platform), "wmin 0");
         return closable(owner, "About Phrenic", content, new Dimension(620, 560));
     }
 
@@ -91,17 +93,6 @@ final class HelpDialogs {
         JLabel label = new JLabel(text);
         label.setFont(label.getFont().deriveFont(Font.BOLD));
         return label;
-    }
-
-    private static JTextArea wrappedText(String text) {
-        JTextArea area = new JTextArea(text);
-        area.setLineWrap(true);
-        area.setWrapStyleWord(true);
-        area.setEditable(false);
-        area.setOpaque(false);
-        area.setFont(new JLabel().getFont());
-        area.setBorder(BorderFactory.createEmptyBorder());
-        return area;
     }
 
     private static JDialog closable(Frame owner, String title, JPanel content, Dimension size) {

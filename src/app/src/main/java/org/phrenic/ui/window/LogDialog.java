@@ -89,7 +89,8 @@ final class LogDialog extends Handler {
                 "Copy", "Copy the selected lines, or all of them", () -> copy(list.getSelectedValuesList()));
         JPanel content = new JPanel(new MigLayout("insets 12", "[grow, fill]", "[grow, fill]"));
         content.add(new JScrollPane(list));
-        return Dialogs.of(owner, "Log", content, new Dimension(760, 320), "", copy);
+        JButton close = Dialogs.closing("Close", "Close the log", () -> {});
+        return Dialogs.of(owner, "Log", content, new Dimension(760, 320), "", copy, close);
     }
 
     private void copy(List<String> chosen) {

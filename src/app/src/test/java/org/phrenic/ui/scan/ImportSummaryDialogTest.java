@@ -89,6 +89,17 @@ class ImportSummaryDialogTest {
         WindowHarness.doOnEdt(dialog::dispose);
     }
 
+    /** A number that is compared as text comes after 30 with 200, and before it with 4. */
+    @Test
+    void volumesAreSortedAsNumbers() {
+        JDialog dialog = show(Optional.empty(), () -> {});
+        JTable table = WindowHarness.find(dialog.getRootPane(), JTable.class, "Structures of the body")
+                .orElseThrow();
+        assertThat(table.getColumnClass(table.getColumn("Volume, ml").getModelIndex()))
+                .isAssignableTo(Comparable.class);
+        WindowHarness.doOnEdt(dialog::dispose);
+    }
+
     private static List<String> row(JTable table, int row) {
         return WindowHarness.onEdt(() -> Stream.of(0, 1, 2, 3, 4)
                 .map(column -> String.valueOf(table.getValueAt(row, column)))

@@ -32,6 +32,7 @@ import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
+import org.phrenic.ui.widget.Dialogs;
 import org.phrenic.ui.widget.FileDialogs;
 import org.phrenic.ui.widget.ScrollablePanel;
 
@@ -119,6 +120,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         table.getAccessibleContext().setAccessibleName("Attempts of this session");
         table.setFillsViewportHeight(true);
+        Dialogs.leftByTab(table);
         for (int i = 0; i < COLUMNS.size(); i++) {
             table.getColumnModel().getColumn(i).setPreferredWidth(COLUMNS.get(i).width);
         }
