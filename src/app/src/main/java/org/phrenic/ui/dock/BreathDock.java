@@ -85,7 +85,8 @@ public final class BreathDock extends SessionDock {
         }
         Controls.highlightWhenSelected(hold);
         hold.setToolTipText("Hold the breath where it is, or let it go on");
-        hold.setMnemonic('H');
+        // The Help menu has H.
+        hold.setMnemonic('o');
         hold.addActionListener(e -> session.change(
                 hold.isSelected() ? "Hold of the breath" : "End of the hold",
                 Assignment.of("window", Breathing.HOLD, hold.isSelected())));

@@ -30,12 +30,14 @@ final class MainMenuBar extends JMenuBar {
         JMenu edit = addMenu("Edit", 'E', List.of());
         JMenuItem undo = edit.add(actions.undo);
         JMenuItem redo = edit.add(actions.redo);
-        edits.addListener(() -> {
+        Runnable showEdits = () -> {
             undo.setText(edits.undoPresentationName().orElse("Undo"));
             redo.setText(edits.redoPresentationName().orElse("Redo"));
-            undo.setEnabled(edits.undoPresentationName().isPresent());
-            redo.setEnabled(edits.redoPresentationName().isPresent());
-        });
+            actions.undo.setEnabled(edits.undoPresentationName().isPresent());
+            actions.redo.setEnabled(edits.redoPresentationName().isPresent());
+        };
+        showEdits.run();
+        edits.addListener(showEdits);
         addMenu(
                 "Breath",
                 'B',

@@ -49,9 +49,9 @@ final class MainToolBar extends JToolBar {
         speed.addActionListener(e -> session.setSpeed(((PlaybackSpeed) speed.getSelectedItem()).factor()));
         addBox(speed, "Speed", "Simulated time over real time");
         addGroupSeparator();
-        quiet = addTextButton(actions.quiet);
-        deep = addTextButton(actions.deep);
-        hold = addTextButton(actions.hold);
+        quiet = addTextButton(actions.quiet, session);
+        deep = addTextButton(actions.deep, session);
+        hold = addTextButton(actions.hold, session);
         addGroupSeparator();
         addViews(actions, view);
         addGap();
@@ -80,7 +80,7 @@ final class MainToolBar extends JToolBar {
         views.setRenderer(Controls.renderer(name -> name == null ? TURNED : name.toString()));
         views.addActionListener(e -> {
             if (!updating && views.getSelectedIndex() >= 0) {
-                actions.views.get(views.getSelectedIndex()).actionPerformed(e);
+                actions.views.get(views.getSelectedIndex()).run();
             }
         });
         addBox(views, "View", "From where to look");
@@ -100,9 +100,13 @@ final class MainToolBar extends JToolBar {
         return addButton(button, action);
     }
 
-    private JToggleButton addTextButton(MenuAction action) {
-        JToggleButton button = new JToggleButton(action);
-        button.setIcon(null);
+    /** A button that shows a state: a press asks for it, and whether it is there is shown by {@link #refresh}. */
+    private JToggleButton addTextButton(MenuAction action, Session session) {
+        JToggleButton button = new JToggleButton(action.name());
+        button.addActionListener(e -> {
+            action.actionPerformed(e);
+            refresh(session);
+        });
         return addButton(button, action);
     }
 

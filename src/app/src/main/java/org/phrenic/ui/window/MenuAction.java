@@ -1,5 +1,6 @@
 package org.phrenic.ui.window;
 
+import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.KeyboardFocusManager;
 import java.awt.Toolkit;
@@ -9,6 +10,9 @@ import java.awt.event.KeyEvent;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.Icon;
+import javax.swing.JComboBox;
+import javax.swing.JList;
+import javax.swing.JTable;
 import javax.swing.KeyStroke;
 import javax.swing.text.JTextComponent;
 
@@ -68,20 +72,39 @@ final class MenuAction extends AbstractAction {
         return (modifiers.isEmpty() ? "" : modifiers + "+") + KeyEvent.getKeyText(key.getKeyCode());
     }
 
+    /** Does it, whatever has the focus. */
+    void run() {
+        operation.run();
+    }
+
     @Override
     public void actionPerformed(ActionEvent e) {
-        if (!isTextInput()) {
+        boolean typed = EventQueue.getCurrentEvent() instanceof KeyEvent key
+                && isTyped(
+                        key,
+                        KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner());
+        if (!typed) {
             operation.run();
         }
     }
 
-    /** Whether the event is a character typed into a text field, though the character is an accelerator too. */
-    private static boolean isTextInput() {
-        return EventQueue.getCurrentEvent() instanceof KeyEvent key
-                && (key.getModifiersEx() & COMMAND_KEYS) == 0
+    /**
+     * Whether a key is a character that a text field takes, or that a list, a table or a box of choices may select by,
+     * though the character is an accelerator too.
+     *
+     * @param focused part that has the focus; null for none
+     */
+    static boolean isTyped(KeyEvent key, Component focused) {
+        return (key.getModifiersEx() & COMMAND_KEYS) == 0
                 && key.getKeyCode() >= KeyEvent.VK_SPACE
                 && (key.getKeyCode() < KeyEvent.VK_F1 || key.getKeyCode() > KeyEvent.VK_F12)
-                && KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner() instanceof JTextComponent field
-                && field.isEditable();
+                && takesCharacters(focused);
+    }
+
+    private static boolean takesCharacters(Component focused) {
+        return (focused instanceof JTextComponent field && field.isEditable())
+                || focused instanceof JList
+                || focused instanceof JComboBox
+                || focused instanceof JTable;
     }
 }

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
+import javax.swing.JDialog;
 import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
 import org.phrenic.model.assembly.Breathing;
@@ -18,6 +19,7 @@ import org.phrenic.ui.access.NeedleController;
 import org.phrenic.ui.access.PickMode;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.session.Session;
+import org.phrenic.ui.session.Workspace;
 import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.widget.Icons;
 
@@ -52,6 +54,8 @@ final class MenuActions {
     final List<MenuAction> help;
 
     private final PhrenicWindow window;
+    /** The table of keys, of which there is one; null before it is first shown. */
+    private JDialog keys;
 
     MenuActions(PhrenicWindow window) {
         this.window = window;
@@ -78,7 +82,11 @@ final class MenuActions {
                 .withIcon(Icons.RESET);
         quiet = action("Quiet", "Breathe quietly", "Q", () -> selectPreset("quiet"));
         deep = action("Deep", "Breathe deeply", "D", () -> selectPreset("deep"));
-        hold = action("Hold", "Hold the breath where it is, or let it go on", "H", this::toggleHold);
+        hold = action(
+                "Hold",
+                "Hold the breath where it is, or at end-expiration while rehearsing; again: breathe on",
+                "H",
+                this::toggleHold);
         theme = action("Light or dark", "Change between a light and a dark window", "menu L", window::toggleTheme)
                 .withIcon(Icons.THEME);
         addViews(window.view());
@@ -179,6 +187,14 @@ final class MenuActions {
         addProbe("Rotate clockwise", "5 degrees", "PERIOD", r -> r.probe().turn(-ROTATE_DEG, 0, 0));
     }
 
+    /** Enables what does something in a workspace. */
+    void setWorkspace(Workspace workspace) {
+        boolean clinician = workspace == Workspace.CLINICIAN;
+        needle.forEach(action -> action.setEnabled(clinician));
+        probe.forEach(action -> action.setEnabled(clinician));
+        docks.get(DockLayout.Place.BOTTOM.ordinal()).setEnabled(!clinician);
+    }
+
     private void addProbe(String name, String tip, String key, Consumer<RehearsalController> operation) {
         probe.add(action(name, tip, key, () -> operation.accept(rehearsal())));
     }
@@ -201,7 +217,11 @@ final class MenuActions {
     }
 
     private void showKeys() {
-        HelpDialogs.keys(window.frame(), all()).setVisible(true);
+        if (keys == null) {
+            keys = HelpDialogs.keys(window.frame(), all());
+        }
+        keys.setVisible(true);
+        keys.toFront();
     }
 
     private void showLog() {

@@ -176,6 +176,7 @@ public final class PhrenicWindow {
     private void applyWorkspace(Workspace workspace) {
         docks.arrange(workspace);
         toolBar.setWorkspace(workspace);
+        commands.setWorkspace(workspace);
         statusBar.setNumericsVisible(workspace == Workspace.RESEARCHER);
         layout.revalidate();
         layout.repaint();

@@ -24,6 +24,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
@@ -34,6 +35,7 @@ import javax.swing.JList;
 import javax.swing.JMenu;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
+import javax.swing.JToggleButton;
 import javax.swing.TransferHandler;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -548,6 +550,76 @@ class WindowTest {
             String name = control.getAccessibleContext().getAccessibleName();
             assertThat(name).as("accessible name of " + control).isNotBlank();
         }
+    }
+
+    @Test
+    void aPressOnTheChosenPresetLeavesItChosen() throws Exception {
+        asAtFirst();
+        JToggleButton quiet = window.control(JToggleButton.class, "Quiet");
+        WindowHarness.await("the preset", () -> WindowHarness.onEdt(quiet::isSelected));
+        WindowHarness.doOnEdt(quiet::doClick);
+        assertThat(WindowHarness.onEdt(quiet::isSelected)).isTrue();
+    }
+
+    @Test
+    void commandsThatDoNothingAreOff() throws Exception {
+        asAtFirst();
+        WindowHarness.doOnEdt(() -> {
+            while (window.session().edits().undoPresentationName().isPresent()) {
+                window.session().edits().undo();
+            }
+        });
+        assertThat(isEnabled("Undo")).isFalse();
+        window.command("Deep");
+        assertThat(isEnabled("Undo")).isTrue();
+        window.command("Undo");
+        assertThat(isEnabled("Redo")).isTrue();
+        assertThat(List.of("Insert", "Take sample", "Put probe")).noneMatch(WindowTest::isEnabled);
+        assertThat(isEnabled("Plots and timeline")).isTrue();
+    }
+
+    private static boolean isEnabled(String name) {
+        return WindowHarness.onEdt(() -> window.window().commands().all().stream()
+                .filter(command -> command.name().equals(name))
+                .findFirst()
+                .orElseThrow()
+                .isEnabled());
+    }
+
+    @Test
+    void theTableOfKeysIsShownOnce() {
+        window.command("Keys");
+        window.command("Keys");
+        List<Window> shown = Stream.of(Window.getWindows())
+                .filter(w -> w.isVisible() && w instanceof JDialog dialog && "Keys".equals(dialog.getTitle()))
+                .toList();
+        assertThat(shown).hasSize(1);
+        WindowHarness.doOnEdt(shown.get(0)::dispose);
+    }
+
+    @Test
+    void theLogIsClosedByItsButton() {
+        window.command("Log");
+        JDialog log = Stream.of(Window.getWindows())
+                .filter(w -> w.isVisible() && w instanceof JDialog dialog && "Log".equals(dialog.getTitle()))
+                .map(JDialog.class::cast)
+                .findFirst()
+                .orElseThrow();
+        WindowHarness.doOnEdt(() -> WindowHarness.find(log.getRootPane(), JButton.class, "Close")
+                .orElseThrow()
+                .doClick());
+        assertThat(log.isVisible()).isFalse();
+    }
+
+    /** Keys with Alt: one that a menu has would never reach a button of a dock. */
+    @Test
+    void mnemonicsAreTakenOnce() {
+        List<Integer> mnemonics = window.controls().stream()
+                .filter(AbstractButton.class::isInstance)
+                .map(control -> ((AbstractButton) control).getMnemonic())
+                .filter(key -> key != 0)
+                .toList();
+        assertThat(mnemonics).doesNotHaveDuplicates();
     }
 
     @Test
