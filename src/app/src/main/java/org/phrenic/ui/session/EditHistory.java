@@ -18,7 +18,7 @@ public final class EditHistory {
 
     static final int MAX_EDITS = 200;
 
-    private final UndoManager edits = new UndoManager();
+    private final RetractingUndoManager edits = new RetractingUndoManager();
     private final List<Runnable> listeners = new ArrayList<>();
     private final LongSupplier clockNs;
     private boolean mergeable;
@@ -40,10 +40,20 @@ public final class EditHistory {
      * @param keys that it sets, in any order; changes without keys never merge
      * @param undo restores what was before
      * @param redo makes the change again
+     * @return the change, for {@link #retract}
      */
-    void add(EditName name, List<String> keys, Runnable undo, Runnable redo) {
-        edits.addEdit(new ScenarioEdit(name, keys.stream().sorted().toList(), undo, redo));
+    UndoableEdit add(EditName name, List<String> keys, Runnable undo, Runnable redo) {
+        UndoableEdit edit = new ScenarioEdit(name, keys.stream().sorted().toList(), undo, redo);
+        edits.addEdit(edit);
         mergeable = true;
+        fireChange();
+        return edit;
+    }
+
+    /** Forgets a change that could not be made after all, if it is the one that would be undone next. */
+    void retract(UndoableEdit edit) {
+        edits.retract(edit);
+        mergeable = false;
         fireChange();
     }
 
@@ -82,6 +92,15 @@ public final class EditHistory {
 
     private void fireChange() {
         listeners.forEach(Runnable::run);
+    }
+
+    private static final class RetractingUndoManager extends UndoManager {
+        void retract(UndoableEdit edit) {
+            if (editToBeUndone() == edit) {
+                int at = edits.indexOf(edit);
+                trimEdits(at, at);
+            }
+        }
     }
 
     private final class ScenarioEdit extends AbstractUndoableEdit {

@@ -1,7 +1,6 @@
 package org.phrenic.ui.session;
 
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -75,9 +74,8 @@ public final class Session implements AutoCloseable {
     private LiveScene bodyAtRest;
     private volatile LiveScene firstBody;
     private final CountDownLatch picture;
-    private Scenario requested;
-    private int historyFrame = -1;
-    private boolean resumeAfterHistory;
+    private final EditedScenario edited;
+    private final LookingBack lookingBack;
     private double speed = 1;
 
     public Session(Scenario first) {
@@ -91,8 +89,9 @@ public final class Session implements AutoCloseable {
      */
     public Session(Scenario first, boolean pictureFirst) {
         picture = new CountDownLatch(pictureFirst ? 1 : 0);
-        requested = first;
         live = new LiveRun(first, new RunListener());
+        edited = new EditedScenario(first, live, edits, this::scenario);
+        lookingBack = new LookingBack(live);
         live.play();
         tickTimer = new Timer(TICK_MS, e -> fire(l -> l.onTick(live.status())));
         tickTimer.start();
@@ -139,7 +138,7 @@ public final class Session implements AutoCloseable {
 
     /** The present values; before the first scene is loaded, the requested ones. */
     public Scenario scenario() {
-        return scene == null ? requested : live.scenario();
+        return scene == null ? edited.requested() : live.scenario();
     }
 
     /** As {@link #change(EditName, Assignment...)}, named by one label. */
@@ -152,18 +151,11 @@ public final class Session implements AutoCloseable {
      * nothing.
      */
     public void change(EditName name, Assignment... assignments) {
-        List<Assignment> list = Arrays.asList(assignments);
-        Scenario before = scenario();
         try {
-            setValues(list);
+            edited.change(name, List.of(assignments));
         } catch (IllegalArgumentException e) {
             reportRefusal(e.getMessage());
-            return;
         }
-        List<Assignment> inverse = list.stream()
-                .map(a -> new Assignment("undo", a.setting(), before.get(a.setting())))
-                .toList();
-        edits.add(name, list.stream().map(Assignment::key).toList(), () -> setValues(inverse), () -> setValues(list));
     }
 
     /** As {@link #change(EditName, Assignment...)}, undone on its own however soon it follows another change. */
@@ -177,21 +169,17 @@ public final class Session implements AutoCloseable {
         open(EditName.of(label), scenario);
     }
 
+    /** Loads another scenario; the change is forgotten if that fails or is cancelled. */
     public void open(EditName name, Scenario scenario) {
-        Scenario before = scenario();
-        loadScenario(scenario);
-        edits.add(name, List.of(), () -> loadScenario(before), () -> loadScenario(scenario));
+        edited.open(name, scenario);
     }
 
-    private void setValues(List<Assignment> assignments) {
-        Scenario next = scenario().with(assignments);
-        live.change(assignments);
-        requested = next;
-    }
-
-    private void loadScenario(Scenario scenario) {
-        requested = scenario;
-        live.load(scenario);
+    /** Keeps the scene that runs; without one, that which loads. */
+    public void cancelLoading() {
+        live.cancelLoading();
+        if (scene != null) {
+            edited.forgetLoading();
+        }
     }
 
     /** Opens a scenario, a thorax folder or a trace; reads it off the event dispatch thread. */
@@ -205,28 +193,20 @@ public final class Session implements AutoCloseable {
 
     /** Shows a recorded frame; the simulation is paused meanwhile. */
     public void showHistoryFrame(int index) {
-        if (historyFrame < 0) {
-            resumeAfterHistory = live.isPlaying();
-            live.pause();
-        }
-        historyFrame = index;
+        lookingBack.show(index);
         fire(Listener::onScrub);
     }
 
     /** Shows the present, and resumes the simulation if it was running before. */
     public void returnToLive() {
-        if (historyFrame >= 0) {
-            historyFrame = -1;
-            if (resumeAfterHistory) {
-                live.play();
-            }
+        if (lookingBack.end()) {
             fire(Listener::onScrub);
         }
     }
 
     /** The recorded frame that is shown; empty for the present. */
     public OptionalInt historyFrame() {
-        return historyFrame < 0 ? OptionalInt.empty() : OptionalInt.of(historyFrame);
+        return lookingBack.frame();
     }
 
     /** Sets the speed of simulated time over real time that the user wants. */
@@ -251,8 +231,8 @@ public final class Session implements AutoCloseable {
 
     /** Plays or pauses; leaves a recorded frame for the present. */
     public void togglePlay() {
-        if (historyFrame >= 0) {
-            resumeAfterHistory = true;
+        if (historyFrame().isPresent()) {
+            lookingBack.setResuming(true);
             returnToLive();
         } else if (live.isPlaying()) {
             live.pause();
@@ -260,6 +240,14 @@ public final class Session implements AutoCloseable {
             live.play();
         }
         fire(Listener::onChange);
+    }
+
+    /** Pauses in the present, and goes on by one time step. */
+    public void stepOnce() {
+        lookingBack.setResuming(false);
+        returnToLive();
+        live.pause();
+        live.stepOnce();
     }
 
     /** Shows a sentence that is worth knowing. */
@@ -320,7 +308,8 @@ public final class Session implements AutoCloseable {
         public void ready(LiveScene ready) {
             SwingUtilities.invokeLater(() -> {
                 scene = ready;
-                historyFrame = -1;
+                edited.endLoading();
+                lookingBack.end();
                 fire(l -> l.onScene(ready));
                 fire(Listener::onChange);
             });
@@ -328,7 +317,10 @@ public final class Session implements AutoCloseable {
 
         @Override
         public void failed(String sentence) {
-            SwingUtilities.invokeLater(() -> reportRefusal(sentence));
+            SwingUtilities.invokeLater(() -> {
+                edited.forgetLoading();
+                reportRefusal(sentence);
+            });
         }
 
         @Override

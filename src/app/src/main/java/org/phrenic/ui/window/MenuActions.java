@@ -76,7 +76,7 @@ final class MenuActions {
         redo = action("Redo", "Redo the change undone last", "menu shift Z", session.edits()::redo);
         play = action("Play or pause", "Start or pause breathing", "SPACE", session::togglePlay)
                 .withIcon(Icons.PAUSE);
-        step = action("One step", "Pause and go on by one time step", "S", this::stepOnce)
+        step = action("One step", "Pause and go on by one time step", "S", session::stepOnce)
                 .withIcon(Icons.STEP);
         reset = action("Back to the start", "Restart with the present values", "R", this::restart)
                 .withIcon(Icons.RESET);
@@ -234,12 +234,6 @@ final class MenuActions {
 
     private void selectPreset(String preset) {
         window.docks().breath().selectPreset(preset);
-    }
-
-    private void stepOnce() {
-        window.session().live().pause();
-        window.session().returnToLive();
-        window.session().live().stepOnce();
     }
 
     private void restart() {

@@ -99,8 +99,7 @@ public final class PhrenicWindow {
         SwingUtilities.updateComponentTreeUI(statusBar);
         SwingUtilities.updateComponentTreeUI(frame);
         view = new SceneViewport(session, appearance);
-        loading = new LoadingPanel(
-                "loading", "Keep the present scene", () -> session.live().cancelLoading());
+        loading = new LoadingPanel("loading", "Keep the present scene", session::cancelLoading);
         importing = new LoadingPanel("importing", "Import nothing", this::cancelImport);
         welcome = new WelcomePanel(this::showWorkspace, this::dismissWelcome);
         files = new WindowFiles(frame, session, view, preferences, this::openExercise, new ImportDisplay());

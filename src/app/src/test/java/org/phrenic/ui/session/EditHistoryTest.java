@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
+import javax.swing.undo.UndoableEdit;
 import org.junit.jupiter.api.Test;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.material.RibRotation;
@@ -110,6 +111,19 @@ class EditHistoryTest {
         history.undo();
         change(new EditName("Depth", "1", "1.2"), "depth=1.2");
         assertThat(history.redoPresentationName()).isEmpty();
+    }
+
+    @Test
+    void aChangeThatCouldNotBeMadeIsForgotten() {
+        change(new EditName("Depth", "1", "1.1"), "depth=1.1");
+        UndoableEdit failed = history.add(EditName.of("Open scan"), List.of(), () -> {}, () -> {});
+        assertThat(history.undoPresentationName()).hasValue("Undo Open scan");
+        history.retract(failed);
+        assertThat(history.undoPresentationName()).hasValue("Undo Depth 1 -> 1.1");
+        assertThat(history.redoPresentationName()).isEmpty();
+        change(new EditName("Rib rotation", "1", "1.2"), "rib_rotation=1.2");
+        history.retract(failed);
+        assertThat(history.undoPresentationName()).hasValue("Undo Rib rotation 1 -> 1.2");
     }
 
     @Test

@@ -2,27 +2,89 @@ package org.phrenic.ui.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Path;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.live.LiveScene;
 
-/** The first picture comes before the first scene where it is asked to. */
+/** The first scene, openings, and looking back at recorded frames, over a small scene. */
 class SessionTest {
     private static final long PATIENCE_S = 60;
     /** The small scene is assembled in less. */
     private static final long UNDISTURBED_MS = 2_000;
 
+    private static final Scenario SMALL =
+            Scenario.defaults().with("resolution=low", "lungs=off", "sternum=off", "liver=false");
+
+    @TempDir
+    Path folder;
+
+    private static Session running() {
+        Session session = EventThread.get(() -> new Session(SMALL));
+        EventThread.until("a scene", () -> session.scene().isPresent());
+        return session;
+    }
+
+    @Test
+    void anOpeningThatFailsCannotBeUndone() {
+        try (Session session = running()) {
+            AtomicReference<String> refused = new AtomicReference<>("");
+            EventThread.run(() -> {
+                session.addListener(new Session.Listener() {
+                    @Override
+                    public void onMessage(Session.Message message) {
+                        refused.set(message.text());
+                    }
+                });
+                session.open("Open nothing", SMALL.with("anatomy=" + folder));
+                assertThat(session.edits().undoPresentationName()).hasValue("Undo Open nothing");
+            });
+            EventThread.until("a refusal", () -> !refused.get().isEmpty());
+            EventThread.run(
+                    () -> assertThat(session.edits().undoPresentationName()).isEmpty());
+        }
+    }
+
+    @Test
+    void anotherSceneGoesOnWhereThePastWasShownOfOneThatRan() {
+        try (Session session = running()) {
+            long first = EventThread.get(() -> session.scene().orElseThrow().id());
+            EventThread.run(() -> {
+                session.showHistoryFrame(0);
+                session.open("Stiffer", SMALL.with("rib_rotation=0.5"));
+            });
+            EventThread.until(
+                    "another scene", () -> session.scene().orElseThrow().id() != first);
+            assertThat(session.live().isPlaying()).isTrue();
+            assertThat(EventThread.get(session::historyFrame)).isEmpty();
+        }
+    }
+
+    @Test
+    void oneStepFromThePastIsAStepFromThePresent() {
+        try (Session session = running()) {
+            EventThread.run(() -> session.showHistoryFrame(0));
+            // What was asked before is done when this is answered.
+            long before = session.live().recordedScenario().steps();
+            EventThread.run(session::stepOnce);
+            assertThat(session.live().recordedScenario().steps()).isEqualTo(before + 1);
+            assertThat(session.live().isPlaying()).isFalse();
+            assertThat(EventThread.get(session::historyFrame)).isEmpty();
+        }
+    }
+
     @Test
     void theFirstSceneWaitsForTheFirstPicture() throws Exception {
-        Scenario small = Scenario.defaults().with("resolution=low", "lungs=off", "sternum=off", "liver=false");
         CountDownLatch body = new CountDownLatch(1);
         CountDownLatch scene = new CountDownLatch(1);
         Session[] made = new Session[1];
         SwingUtilities.invokeAndWait(() -> {
-            made[0] = new Session(small, true);
+            made[0] = new Session(SMALL, true);
             made[0].addListener(new Session.Listener() {
                 @Override
                 public void onBody(LiveScene atRest) {
