@@ -1,10 +1,15 @@
 package org.phrenic.ui.dock;
 
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.nio.file.Path;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
@@ -19,6 +24,7 @@ import org.phrenic.scene.style.ClipPlane;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.ColourMap;
 import org.phrenic.scene.style.ColourScale;
+import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.style.StructureLabels;
 import org.phrenic.scene.style.Transparency;
 import org.phrenic.scene.surface.SceneBounds;
@@ -95,7 +101,18 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
             Controls.describe(new JComboBox<>(Clip.values()), "Clip plane", "Cut away what lies beyond a plane");
     private final JSlider clipSlider = Controls.describe(
             Controls.slider(0, SLIDER_MAX, SLIDER_MAX / 2), "Place of the clip plane", "Where the plane is");
+    private final JComboBox<String> sorting = Controls.describe(
+            new JComboBox<>(new String[] {"Fast", "Sorted for each pixel"}),
+            "Quality of translucency",
+            "Sorted is right for organs within organs, and takes longer");
+    private final JCheckBox rest = Controls.describe(
+            new JCheckBox("Shape at rest"),
+            "Shape at rest",
+            "The shape at end-expiration as a wireframe over the coloured structure");
+    private final transient Map<Overlay.Kind, JCheckBox> overlays = new EnumMap<>(Overlay.Kind.class);
     private transient double[] bounds = new double[6];
+    private transient SceneStyle shown;
+    private boolean following;
 
     public DisplayDock(Session session, AppearanceModel appearance) {
         this(session, appearance, null);
@@ -122,14 +139,44 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         add(clip, "wmin 0");
         add(clipSlider, "wmin 40");
         addHeading("Translucency");
-        JComboBox<String> sorting = Controls.describe(
-                new JComboBox<>(new String[] {"Fast", "Sorted for each pixel"}),
-                "Quality of translucency",
-                "Sorted is right for organs within organs, and takes longer");
-        sorting.addActionListener(e -> appearance.changeStyle(style ->
+        sorting.addActionListener(e -> change(style ->
                 style.withTransparency(sorting.getSelectedIndex() == 0 ? Transparency.TWO_PASS : Transparency.PEELED)));
         add(sorting, "wmin 0");
+        shown = appearance.chosenStyle();
+        appearance.addListener(this::followStyle);
         session.addListener(this);
+    }
+
+    /** Changes the style, unless the controls follow it. */
+    private void change(UnaryOperator<SceneStyle> how) {
+        if (!following) {
+            appearance.changeStyle(how);
+        }
+    }
+
+    /** Shows a style that was changed elsewhere. */
+    private void followStyle() {
+        SceneStyle before = shown;
+        SceneStyle now = appearance.chosenStyle();
+        shown = now;
+        following = true;
+        overlays.forEach((kind, box) -> box.setSelected(now.lines().overlays().contains(kind)));
+        rest.setSelected(now.lines().restWireframe());
+        select(sorting, now.quality().transparency() == Transparency.TWO_PASS ? 0 : 1);
+        if (now.clip().isEmpty()) {
+            select(clip, 0);
+        }
+        // Without a surface to measure from, distances are chosen before they are shown.
+        if (now.field() != before.field()) {
+            select(field, FIELDS.indexOf(now.field()));
+        }
+        following = false;
+    }
+
+    private static void select(JComboBox<?> box, int index) {
+        if (box.getSelectedIndex() != index) {
+            box.setSelectedIndex(index);
+        }
     }
 
     private void addOverlays() {
@@ -140,17 +187,14 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         addOverlay(Overlay.Kind.FIBRES, "Fibres", "Edges along the muscle's fibres");
         addOverlay(Overlay.Kind.ACTION_LINES, "Action lines", "Lines of muscle force of the paper's material");
         addOverlay(Overlay.Kind.HELICAL_AXES, "Helical axes", "Axes about which ribs and sternum turn");
-        JCheckBox rest = Controls.describe(
-                new JCheckBox("Shape at rest"),
-                "Shape at rest",
-                "The shape at end-expiration as a wireframe over the coloured structure");
-        rest.addActionListener(e -> appearance.changeStyle(style -> style.withRestWireframe(rest.isSelected())));
+        rest.addActionListener(e -> change(style -> style.withRestWireframe(rest.isSelected())));
         add(rest);
     }
 
     private void addOverlay(Overlay.Kind kind, String label, String tip) {
         JCheckBox box = Controls.describe(new JCheckBox(label), label, tip);
-        box.addActionListener(e -> appearance.changeStyle(style -> style.withOverlay(kind, box.isSelected())));
+        box.addActionListener(e -> change(style -> style.withOverlay(kind, box.isSelected())));
+        overlays.put(kind, box);
         add(box);
     }
 
@@ -159,8 +203,15 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         reference.setVisible(false);
         structure.addActionListener(e -> applyColours());
         field.addActionListener(e -> onFieldSelected());
-        minimum.addActionListener(e -> applyColours());
-        maximum.addActionListener(e -> applyColours());
+        for (JTextField end : List.of(minimum, maximum)) {
+            end.addActionListener(e -> applyColours());
+            end.addFocusListener(new FocusAdapter() {
+                @Override
+                public void focusLost(FocusEvent e) {
+                    applyColours();
+                }
+            });
+        }
         JPanel range = new JPanel(new MigLayout("insets 0, gap 4", "[][grow, fill, 30::]0[]4[grow, fill, 30::][]", ""));
         range.add(new JLabel("Range"));
         range.add(minimum);
@@ -189,6 +240,9 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         if (before != null) {
             structure.setSelectedItem(before);
         }
+        if (clip.getSelectedIndex() > 0) {
+            applyClipPlane();
+        }
     }
 
     private ColourField selectedField() {
@@ -202,7 +256,9 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         maximum.setText(strain ? "30" : "20");
         unit.setText(strain ? "%" : "mm");
         reference.setVisible(selected == ColourField.DISTANCE);
-        if (selected == ColourField.DISTANCE && appearance.reference().isEmpty()) {
+        if (!following
+                && selected == ColourField.DISTANCE
+                && appearance.reference().isEmpty()) {
             chooser.get().ifPresentOrElse(this::readReference, () -> field.setSelectedIndex(0));
         } else {
             applyColours();
@@ -235,22 +291,21 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         }
         boolean unmeasured = selectedField() == ColourField.DISTANCE
                 && appearance.reference().isEmpty();
-        ColourField shown = unmeasured ? ColourField.NONE : selectedField();
-        Optional<ColourScale> scale = scale(shown);
+        ColourField coloured = unmeasured ? ColourField.NONE : selectedField();
+        Optional<ColourScale> scale = scale(coloured);
         minimum.putClientProperty("JComponent.outline", scale.isPresent() ? null : "error");
         maximum.putClientProperty("JComponent.outline", scale.isPresent() ? null : "error");
-        scale.ifPresent(s -> appearance.changeStyle(style -> style.withField(shown, chosen.structure(), s)));
+        scale.ifPresent(s -> change(style -> style.withField(coloured, chosen.structure(), s)));
     }
 
-    private Optional<ColourScale> scale(ColourField shown) {
-        try {
-            double from = Double.parseDouble(minimum.getText().strip());
-            double to = Double.parseDouble(maximum.getText().strip());
-            ColourMap map = shown == ColourField.STRAIN ? ColourMap.COOL_WARM : ColourMap.VIRIDIS;
-            return Optional.of(new ColourScale(map, from, to, shown == ColourField.STRAIN ? "%" : "mm"));
-        } catch (IllegalArgumentException e) {
-            return Optional.empty();
-        }
+    private Optional<ColourScale> scale(ColourField coloured) {
+        String in = unit.getText();
+        double from = NumberFormats.parse(minimum.getText(), in).orElse(Double.NaN);
+        double to = NumberFormats.parse(maximum.getText(), in).orElse(Double.NaN);
+        ColourMap map = coloured == ColourField.STRAIN ? ColourMap.COOL_WARM : ColourMap.VIRIDIS;
+        return ColourScale.rangeProblem(from, to).isPresent()
+                ? Optional.empty()
+                : Optional.of(new ColourScale(map, from, to, in));
     }
 
     /** Sets the clip plane: at the left end of the slider nothing is cut away, at the right end everything. */
@@ -258,7 +313,7 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         Clip selected = (Clip) clip.getSelectedItem();
         clipSlider.setEnabled(selected != Clip.NONE);
         if (selected == Clip.NONE) {
-            appearance.changeStyle(style -> style.withClip(Optional.empty()));
+            change(style -> style.withClip(Optional.empty()));
             return;
         }
         double removed = clipSlider.getValue() / (double) SLIDER_MAX;
@@ -267,6 +322,6 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         double place = low + share * (bounds[3 + selected.axis] - low);
         clipSlider.setToolTipText(NumberFormats.text("Where the plane is: %.0f mm", place));
         ClipPlane plane = selected.plane.apply(place);
-        appearance.changeStyle(style -> style.withClip(Optional.of(plane)));
+        change(style -> style.withClip(Optional.of(plane)));
     }
 }

@@ -95,7 +95,7 @@ final class SliderRow extends SettingRow {
         if (field.getText().equals(NumberFormats.format(value))) {
             return;
         }
-        OptionalDouble number = NumberFormats.parse(field.getText());
+        OptionalDouble number = NumberFormats.parse(field.getText(), unit);
         if (number.isEmpty()) {
             showInputMessage("Found '" + field.getText() + "', expected a number from " + range() + ".");
             setShownValue(value);

@@ -5,6 +5,8 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * Numbers as the window shows and reads them: few significant digits, a decimal point whatever the locale, the unit.
@@ -12,6 +14,11 @@ import java.util.OptionalDouble;
 public final class NumberFormats {
     /** Digits shown of a value that is set by hand. */
     static final int SIGNIFICANT_DIGITS = 4;
+
+    private static final Pattern TYPED =
+            Pattern.compile("([+-]?(?:\\d+(?:[.,]\\d*)?|[.,]\\d+)(?:[eE][+-]?\\d+)?)\\s*(.*)");
+
+    private static final Pattern GROUPED = Pattern.compile("[+-]?[1-9]\\d{0,2},\\d{3}");
 
     private static final double MIN_PLAIN = 1e-4;
     private static final double MAX_PLAIN = 1e7;
@@ -62,17 +69,29 @@ public final class NumberFormats {
         return unit.equals("1") ? "" : " " + unit;
     }
 
-    /** Parses a typed number with a decimal point or comma, and perhaps a unit; empty if it is none. */
-    public static OptionalDouble parse(String typed) {
-        String number = typed.strip().replace(',', '.').replaceFirst("(?<=[0-9.])\\s*[^0-9.eE+\\s-].*$", "");
-        try {
-            double value = Double.parseDouble(number);
-            return Double.isFinite(value) && !number.matches(".*[dDfFxX]$")
-                    ? OptionalDouble.of(value)
-                    : OptionalDouble.empty();
-        } catch (NumberFormatException invalid) {
+    /**
+     * Parses a typed number with a decimal point or comma, and perhaps its unit. It is none with another unit, and with
+     * a comma that may group thousands: 1,000.
+     *
+     * @param unit of the number, {@code 1} for none
+     * @return the number; empty if the text is none
+     */
+    public static OptionalDouble parse(String typed, String unit) {
+        Matcher text = TYPED.matcher(typed.strip());
+        if (!text.matches() || GROUPED.matcher(text.group(1)).matches() || !isUnit(text.group(2), unit)) {
             return OptionalDouble.empty();
         }
+        double value = Double.parseDouble(text.group(1).replace(',', '.'));
+        return Double.isFinite(value) ? OptionalDouble.of(value) : OptionalDouble.empty();
+    }
+
+    /** Whether a text is a unit or nothing; spaces count for nothing, nor does the 1 of {@code 1/min}. */
+    private static boolean isUnit(String typed, String unit) {
+        return typed.isEmpty() || (!unit.equals("1") && bare(typed).equals(bare(unit)));
+    }
+
+    private static String bare(String unit) {
+        return unit.replace("\u00b2", "^2").replace(" ", "").replaceFirst("^1(?=/)", "");
     }
 
     /** {@link String#format} with a decimal point whatever the locale. */

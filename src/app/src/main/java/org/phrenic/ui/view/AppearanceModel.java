@@ -70,6 +70,11 @@ public final class AppearanceModel {
         return overrideStyle.apply(style);
     }
 
+    /** The style that the user has chosen. */
+    public SceneStyle chosenStyle() {
+        return style;
+    }
+
     /** Sets a change that is applied over the chosen style, and a map that colours the skin. */
     public void overrideStyle(UnaryOperator<SceneStyle> over, Optional<AccessMapField> colours) {
         overrideStyle = over;

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.data.Percentage.withPercentage;
 
 import java.awt.Paint;
+import java.awt.event.FocusEvent;
+import java.awt.event.FocusListener;
 import java.awt.event.MouseEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,7 +16,9 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
+import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
+import javax.swing.JTextField;
 import org.jfree.chart.plot.CombinedDomainXYPlot;
 import org.jfree.chart.plot.IntervalMarker;
 import org.jfree.chart.plot.XYPlot;
@@ -539,6 +543,45 @@ class DocksTest {
         assertThat(on(() -> colours(dock).getSelectedItem())).isEqualTo("No colours");
         assertThat(looks.style().field()).isEqualTo(ColourField.NONE);
         EventThread.run(() -> session.removeListener(listener));
+    }
+
+    @Test
+    void theDefaultAppearanceTakesTheControlsBackToo() {
+        AppearanceModel looks = on(AppearanceModel::new);
+        DisplayDock dock = on(() -> showDock(looks, null));
+        JCheckBox springs = WindowHarness.find(dock, JCheckBox.class, "Springs").orElseThrow();
+        JComboBox<?> clip =
+                WindowHarness.find(dock, JComboBox.class, "Clip plane").orElseThrow();
+        EventThread.run(() -> {
+            springs.doClick();
+            clip.setSelectedIndex(1);
+            colours(dock).setSelectedIndex(1);
+        });
+        assertThat(looks.style().lines().overlays()).isNotEmpty();
+        assertThat(looks.style().clip()).isPresent();
+        assertThat(looks.style().field()).isEqualTo(ColourField.DISPLACEMENT);
+        EventThread.run(looks::reset);
+        assertThat(springs.isSelected()).isFalse();
+        assertThat(clip.getSelectedIndex()).isZero();
+        assertThat(on(() -> colours(dock).getSelectedItem())).isEqualTo("No colours");
+        assertThat(looks.style().clip()).isEmpty();
+        assertThat(looks.style().field()).isEqualTo(ColourField.NONE);
+    }
+
+    @Test
+    void aRangeOfColoursIsTakenWhenItsFieldIsLeft() {
+        AppearanceModel looks = on(AppearanceModel::new);
+        DisplayDock dock = on(() -> showDock(looks, null));
+        JTextField end = WindowHarness.find(dock, JTextField.class, "Greatest value of the colours")
+                .orElseThrow();
+        EventThread.run(() -> {
+            colours(dock).setSelectedIndex(1);
+            end.setText("12,5 mm");
+            for (FocusListener listener : end.getFocusListeners()) {
+                listener.focusLost(new FocusEvent(end, FocusEvent.FOCUS_LOST));
+            }
+        });
+        assertThat(looks.style().scale().max()).isEqualTo(12.5);
     }
 
     @Test

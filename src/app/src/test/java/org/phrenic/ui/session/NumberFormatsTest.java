@@ -40,19 +40,41 @@ class NumberFormatsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"450, 450", "0.5, 0.5", "' 450 N/m', 450", "15/min, 15", "1e-3, 0.001", "1e-3 s, 0.001", "-2.5, -2.5"})
-    void whatIsTypedMayCarryItsUnit(String typed, double value) {
-        assertThat(NumberFormats.parse(typed)).hasValue(value);
+    @CsvSource({
+        "450, N/m, 450",
+        "0.5, 1, 0.5",
+        "' 450 N/m', N/m, 450",
+        "450N/m, N/m, 450",
+        "15/min, 1/min, 15",
+        "15 1/min, 1/min, 15",
+        "1e-3, s, 0.001",
+        "1e-3 s, s, 0.001",
+        "5., mm, 5",
+        "1.5 kg/m\u00b2, kg/m^2, 1.5",
+        "'2 N s/m', N s/m, 2",
+        "-2.5, mm, -2.5"
+    })
+    void whatIsTypedMayCarryItsUnit(String typed, String unit, double value) {
+        assertThat(NumberFormats.parse(typed, unit)).hasValue(value);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.4 kN/m, N/m", "5 cm, mm", "3 MN, mN", "2 mm, 1", "5 %, mm", "5 5, mm"})
+    void anotherUnitIsRefused(String typed, String unit) {
+        assertThat(NumberFormats.parse(typed, unit)).isEmpty();
     }
 
     @Test
     void aDecimalCommaIsAPoint() {
-        assertThat(NumberFormats.parse("0,5")).hasValue(0.5);
+        assertThat(NumberFormats.parse("0,5", "mm")).hasValue(0.5);
+        assertThat(NumberFormats.parse("0,125", "mm")).hasValue(0.125);
+        assertThat(NumberFormats.parse("12,5 mm", "mm")).hasValue(12.5);
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "abc", "NaN", "Infinity", "1..2", "1e999", "--3"})
+    @ValueSource(
+            strings = {"", "abc", "NaN", "Infinity", "1..2", "1e999", "--3", "1,000", "-12,500", "1,000.5", "1 000"})
     void whatIsNoNumberIsRefused(String typed) {
-        assertThat(NumberFormats.parse(typed)).isEmpty();
+        assertThat(NumberFormats.parse(typed, "N/m")).isEmpty();
     }
 }
