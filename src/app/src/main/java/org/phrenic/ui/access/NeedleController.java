@@ -124,11 +124,15 @@ public final class NeedleController {
         command(needle -> needle.holdAt(end));
     }
 
+    /** Whether the breath is held, or will be at the next end of a phase. */
+    public boolean isBreathHeld() {
+        return session.scenario().hold()
+                || rehearsal.state().filter(s -> !s.pendingHold().isEmpty()).isPresent();
+    }
+
     /** Holds the breath at end-expiration, or releases it. */
     public void toggleHold() {
-        boolean holds = session.scenario().hold()
-                || rehearsal.state().filter(s -> !s.pendingHold().isEmpty()).isPresent();
-        hold(holds ? Optional.empty() : Optional.of(BreathEvent.Kind.END_EXPIRATION));
+        hold(isBreathHeld() ? Optional.empty() : Optional.of(BreathEvent.Kind.END_EXPIRATION));
     }
 
     public void lookAlong() {

@@ -33,8 +33,10 @@ final class MainToolBar extends JToolBar {
     private final JComboBox<String> views = new JComboBox<>();
     private boolean updating;
     private final Map<Workspace, JToggleButton> workspaceButtons = new EnumMap<>(Workspace.class);
+    private final transient MenuActions actions;
 
     MainToolBar(MenuActions actions, Session session, SceneViewport view, Consumer<Workspace> showWorkspace) {
+        this.actions = actions;
         setFloatable(false);
         setName("toolbar");
         setBorder(BorderFactory.createCompoundBorder(
@@ -144,6 +146,11 @@ final class MainToolBar extends JToolBar {
         boolean preset = session.scenario().trace().isEmpty();
         quiet.setSelected(preset && session.scenario().preset().equals("quiet"));
         deep.setSelected(preset && session.scenario().preset().equals("deep"));
-        hold.setSelected(session.scenario().hold());
+        refreshHold();
+    }
+
+    /** Shows whether the breath is held, or will be. */
+    void refreshHold() {
+        hold.setSelected(actions.isBreathHeld());
     }
 }

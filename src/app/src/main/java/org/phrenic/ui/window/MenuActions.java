@@ -245,6 +245,11 @@ final class MenuActions {
         }
     }
 
+    /** Whether the breath is held, or will be. */
+    boolean isBreathHeld() {
+        return rehearsal().needle().isBreathHeld();
+    }
+
     private void toggleHold() {
         Session session = window.session();
         boolean on = !session.scenario().hold();

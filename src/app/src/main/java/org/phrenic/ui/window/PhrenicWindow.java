@@ -293,6 +293,7 @@ public final class PhrenicWindow {
         @Override
         public void onTick(RunStatus now) {
             statusBar.show(now);
+            toolBar.refreshHold();
             statusBar.showFrameRate(view.framesPerS());
             statusBar.showPace(
                     session.live().isBehindRealTime() && !session.live().isFlatOut());
