@@ -109,11 +109,17 @@ public final class EntrySelection {
 
     /** How the path is marked at present; on any thread. */
     public PathAdvice.Level levelNow(NeedleState state) {
+        PathAdvice.Level present = presentLevel(state);
+        boolean partly = advice.filter(a -> a.level() != PathAdvice.Level.FREE).isPresent();
+        return present == PathAdvice.Level.FREE && partly ? PathAdvice.Level.CAREFUL : present;
+    }
+
+    /** What is to be said of the path at one moment, whatever comes later in the breath. */
+    public static PathAdvice.Level presentLevel(NeedleState state) {
         if (!state.reasons().isEmpty()) {
             return PathAdvice.Level.BARRED;
         }
         boolean close = state.marginMm() < AccessMap.SUFFICIENT_MARGIN_MM;
-        boolean partly = advice.filter(a -> a.level() != PathAdvice.Level.FREE).isPresent();
-        return close || partly || !state.warnings().isEmpty() ? PathAdvice.Level.CAREFUL : PathAdvice.Level.FREE;
+        return close || !state.warnings().isEmpty() ? PathAdvice.Level.CAREFUL : PathAdvice.Level.FREE;
     }
 }

@@ -1,6 +1,7 @@
 package org.phrenic.ui.access.panel;
 
 import java.util.Optional;
+import java.util.stream.Collectors;
 import javax.swing.JButton;
 import javax.swing.JToggleButton;
 import org.phrenic.access.path.AccessMap;
@@ -8,6 +9,7 @@ import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.simulation.live.RunStatus;
+import org.phrenic.ui.access.EntrySelection;
 import org.phrenic.ui.access.PickMode;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.session.NumberFormats;
@@ -95,16 +97,20 @@ final class EntryPanel extends AccessPanel {
     }
 
     private void showCurrent(NeedleState state) {
-        if (!state.warnings().isEmpty()) {
-            currentAdvice.setAdvice(PathAdvice.Level.BARRED, "Now: " + String.join("; ", state.warnings()), "");
-        } else if (!state.reasons().isEmpty()) {
-            currentAdvice.setAdvice(PathAdvice.Level.BARRED, "Now barred: " + String.join("; ", state.reasons()), "");
+        PathAdvice.Level level = EntrySelection.presentLevel(state);
+        // The part of the needle in the body warns of what bars the whole path too.
+        String warnings = state.warnings().stream()
+                .filter(warning -> !state.reasons().contains(warning))
+                .collect(Collectors.joining("; "));
+        if (!state.reasons().isEmpty()) {
+            currentAdvice.setAdvice(
+                    level, "Now barred: " + String.join("; ", state.reasons()), Controls.capitalise(warnings));
+        } else if (!warnings.isEmpty()) {
+            currentAdvice.setAdvice(level, "Now: " + warnings, "");
         } else {
             String margin = state.nearest().isEmpty()
                     ? "nothing near"
                     : NumberFormats.text("%.1f mm from %s", state.marginMm(), state.nearest());
-            boolean close = state.marginMm() < AccessMap.SUFFICIENT_MARGIN_MM;
-            PathAdvice.Level level = close ? PathAdvice.Level.CAREFUL : PathAdvice.Level.FREE;
             currentAdvice.setAdvice(level, "Now free: " + margin, "");
         }
     }
