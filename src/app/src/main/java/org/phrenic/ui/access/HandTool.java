@@ -79,7 +79,7 @@ final class HandTool {
         lastX = e.getX();
         lastY = e.getY();
         switch (held) {
-            case NEEDLE -> turnNeedle(e);
+            case NEEDLE -> rehearsal.state().filter(NeedleState::hasNeedle).ifPresent(state -> turnNeedle(state, e));
             case PROBE -> slideProbe(e);
             case PROBE_ANGLES -> rehearsal.probe().turn(0, DEG_PER_PX * dy, -DEG_PER_PX * dx);
             case NOTHING -> {}
@@ -99,8 +99,7 @@ final class HandTool {
     }
 
     /** Turns the needle so that its hub is under the mouse, in the plane of the picture through the hub. */
-    private void turnNeedle(MouseEvent e) {
-        NeedleState state = rehearsal.state().orElseThrow();
+    private void turnNeedle(NeedleState state, MouseEvent e) {
         double[] entry = state.entry().orElseThrow();
         Camera camera = view.camera();
         double[] ray = camera.ray(e.getX(), e.getY(), view.getWidth(), view.getHeight());

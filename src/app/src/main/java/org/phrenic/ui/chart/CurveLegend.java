@@ -23,7 +23,7 @@ final class CurveLegend extends ScrollablePanel {
     private final transient Runnable onSelection;
     private final JLabel time = new JLabel("", SwingConstants.RIGHT);
 
-    private record CurveRow(JCheckBox box, JLabel value) {}
+    private record CurveRow(JLabel swatch, JCheckBox box, JLabel value) {}
 
     /** @param onSelection runs when other curves are selected */
     CurveLegend(List<PlotCurve> curves, Set<String> shown, Runnable onSelection) {
@@ -48,11 +48,21 @@ final class CurveLegend extends ScrollablePanel {
         JLabel swatch = new JLabel(swatch(curve));
         swatch.setToolTipText(tip);
         JLabel value = new JLabel("", SwingConstants.RIGHT);
-        rows.put(curve, new CurveRow(box, value));
+        rows.put(curve, new CurveRow(swatch, box, value));
         add(swatch);
         add(box);
         add(value, "wrap");
         revalidate();
+    }
+
+    /** Removes a curve, if it is listed. */
+    void remove(PlotCurve curve) {
+        CurveRow row = rows.remove(curve);
+        if (row != null) {
+            List.of(row.swatch, row.box, row.value).forEach(this::remove);
+            revalidate();
+            repaint();
+        }
     }
 
     List<PlotCurve> selectedCurves() {

@@ -167,7 +167,9 @@ public final class PlotDock extends JPanel implements Session.Listener {
         ring.clear();
         changedS = 0;
         lastScenario = session.scenario();
+        pointTracker.curves().forEach(legend::remove);
         pointTracker.reset(scene);
+        chart.setCurves(legend.selectedCurves());
         followLatest();
     }
 

@@ -146,17 +146,18 @@ public final class RenderLoop implements AutoCloseable {
         });
     }
 
-    /** Picks the surface under a pixel; {@code done} gets the result on the render thread. */
+    /** Picks the surface under a pixel; {@code done} gets it on the render thread, or nothing in another scene. */
     void pick(
             double px, double py, Request at, ToDoubleFunction<Surface> opacity, Consumer<Optional<PickResult>> done) {
         runTask(gl -> {
-            if (scene != null && scene.id() == at.scene().id()) {
-                if (picker == null) {
-                    picker = new Picker(scene.surfaces());
-                }
-                double[] sight = at.camera().ray(px, py, at.width(), at.height());
-                done.accept(picker.pick(frame, sight, opacity));
+            boolean same = scene != null && scene.id() == at.scene().id();
+            if (same && picker == null) {
+                picker = new Picker(scene.surfaces());
             }
+            done.accept(
+                    same
+                            ? picker.pick(frame, at.camera().ray(px, py, at.width(), at.height()), opacity)
+                            : Optional.empty());
         });
     }
 

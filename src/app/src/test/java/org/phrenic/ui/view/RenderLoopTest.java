@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Timeout;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.Camera;
+import org.phrenic.scene.camera.PickResult;
 import org.phrenic.scene.gl.FrameStatistics;
 import org.phrenic.scene.gl.GraphicsInfo;
 import org.phrenic.scene.style.SceneStyle;
@@ -37,6 +38,21 @@ class RenderLoopTest {
         @Override
         public void onUnavailable(String sentence) {
             picture.completeExceptionally(new IllegalStateException(sentence));
+        }
+    }
+
+    @Test
+    void aPickIsAnsweredThoughThereIsNoScene() throws Exception {
+        try (Session session = new Session(Scenario.defaults().with("resolution=low", "threads=1"))) {
+            RenderLoop loop = new RenderLoop(session.live(), Optional::empty, new FirstPicture());
+            loop.start();
+            try {
+                CompletableFuture<Optional<PickResult>> answer = new CompletableFuture<>();
+                loop.pick(1, 1, null, surface -> 1, answer::complete);
+                assertThat(answer.get(100, TimeUnit.SECONDS)).isEmpty();
+            } finally {
+                loop.close();
+            }
         }
     }
 

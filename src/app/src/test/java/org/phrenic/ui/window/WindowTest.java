@@ -451,6 +451,8 @@ class WindowTest {
                 () -> window.session().open("Another scene", running().with("rib_rotation=0.5", "resolution=medium")));
         reloaded("medium", before);
         assertThat(WindowHarness.onEdt(pointed::getText)).isBlank();
+        assertThat(WindowHarness.find(window.window().frame().getRootPane(), JCheckBox.class, "Point 1"))
+                .isEmpty();
     }
 
     @Test
