@@ -99,7 +99,7 @@ public final class DockManager {
         right.removeAll();
         bottom.removeAll();
         if (research) {
-            rehearsalController.deactivate();
+            leaveRehearsal();
             addOrgans();
             JComponent show = ScrollablePanel.scrollPane(display);
             left.addTab("Show", null, show, "The model over the surfaces, colours, clip plane");
@@ -153,14 +153,34 @@ public final class DockManager {
         rehearsalController.addListener(new RehearsalController.Listener() {
             @Override
             public void onAttemptEnded(Rehearsal report) {
-                right.setSelectedIndex(right.indexOfComponent(attempts));
+                select(attempts);
             }
 
             @Override
             public void onAttemptStarted() {
-                right.setSelectedIndex(Math.max(0, right.indexOfComponent(rehearsal)));
+                select(rehearsal);
             }
         });
+    }
+
+    /** Selects a dock at the right, if it is there: a report may come after another workspace. */
+    private void select(Component dock) {
+        int at = right.indexOfComponent(dock);
+        if (at >= 0) {
+            right.setSelectedIndex(at);
+        }
+    }
+
+    /** Ends the rehearsal; a sample whose needle is still in the body gives no report, and that is said. */
+    private void leaveRehearsal() {
+        boolean unfinished = rehearsalController
+                .state()
+                .filter(state -> state.placed() && state.samples() > 0)
+                .isPresent();
+        rehearsalController.deactivate();
+        if (unfinished) {
+            session.note("The attempt has ended without a report: the needle was not out after its sample.");
+        }
     }
 
     /** Shows or hides a place; one without docks stays hidden. */

@@ -19,6 +19,7 @@ import org.phrenic.document.JsonWriter;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.ui.access.RehearsalStage;
+import org.phrenic.ui.session.Workspace;
 import org.phrenic.ui.window.WindowHarness;
 
 /**
@@ -100,6 +101,35 @@ class RehearsalWindowTest extends RehearsalProbeCases {
         assertThat(clinic.ended().record().hit()).isFalse();
         assertThat(WindowHarness.onEdt(() -> attempts().card().text())).startsWith("Missed");
         window.screenshot("rehearse-miss");
+    }
+
+    @Test
+    void anAttemptThatIsLeftAfterASampleIsSaidToHaveNoReport() throws Exception {
+        clinic.begin();
+        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(12));
+        until("the needle in", () -> state().placed() && state().depthMm() > 11);
+        window.command("Take sample");
+        until("a sample", () -> state().samples() == 1);
+        WindowHarness.doOnEdt(() -> window.window().showWorkspace(Workspace.RESEARCHER));
+        assertThat(WindowHarness.onEdt(() -> window.window().banner().message()))
+                .contains("without a report");
+        WindowHarness.doOnEdt(() -> window.window().showWorkspace(Workspace.CLINICIAN));
+        clinic.ready();
+    }
+
+    @Test
+    void aHoldByKeyIsShownWhileItWaits() throws Exception {
+        clinic.begin();
+        JToggleButton hold = window.control(JToggleButton.class, "Hold at expiration");
+        window.key("H");
+        until("the button", hold::isSelected);
+        until("a held breath", () -> state().label() == RespiratoryPhase.HOLD);
+        assertThat(WindowHarness.onEdt(hold::isSelected)).isTrue();
+        assertThat(WindowHarness.onEdt(
+                        () -> window.control(JToggleButton.class, "Hold").isSelected()))
+                .isTrue();
+        window.key("H");
+        until("the button", () -> !hold.isSelected());
     }
 
     private static boolean repeats() {
