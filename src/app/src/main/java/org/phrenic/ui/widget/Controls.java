@@ -11,6 +11,7 @@ import javax.swing.AbstractButton;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.Icon;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JList;
@@ -20,6 +21,8 @@ import javax.swing.JToggleButton;
 import javax.swing.ListCellRenderer;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
+import javax.swing.event.PopupMenuEvent;
+import javax.swing.event.PopupMenuListener;
 import javax.swing.text.JTextComponent;
 import net.miginfocom.swing.MigLayout;
 
@@ -55,6 +58,24 @@ public final class Controls {
             public void changedUpdate(DocumentEvent e) {
                 action.run();
             }
+        });
+    }
+
+    /** Calls an action when the list of a box closes while the box has the focus. */
+    public static void onListClosed(JComboBox<?> box, Runnable action) {
+        box.addPopupMenuListener(new PopupMenuListener() {
+            @Override
+            public void popupMenuWillBecomeVisible(PopupMenuEvent e) {}
+
+            @Override
+            public void popupMenuWillBecomeInvisible(PopupMenuEvent e) {
+                if (box.isFocusOwner()) {
+                    action.run();
+                }
+            }
+
+            @Override
+            public void popupMenuCanceled(PopupMenuEvent e) {}
         });
     }
 

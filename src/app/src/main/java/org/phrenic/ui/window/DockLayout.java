@@ -3,8 +3,11 @@ package org.phrenic.ui.window;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.event.ActionEvent;
 import java.util.EnumMap;
 import java.util.Map;
+import javax.swing.AbstractAction;
+import javax.swing.Action;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -54,11 +57,30 @@ final class DockLayout extends JPanel {
         for (JSplitPane pane : new JSplitPane[] {left, right, bottom}) {
             pane.setBorder(BorderFactory.createEmptyBorder());
             pane.setContinuousLayout(true);
+            moveByArrowsInFocus(pane);
         }
         for (Place place : Place.values()) {
             sizes.put(place, place.size);
         }
         add(bottom);
+    }
+
+    /** Lets arrow keys move the divider only where the pane itself has the focus (F8), not a part of a dock. */
+    private static void moveByArrowsInFocus(JSplitPane pane) {
+        for (String name : new String[] {"negativeIncrement", "positiveIncrement"}) {
+            Action usual = pane.getActionMap().get(name);
+            pane.getActionMap().put(name, new AbstractAction(name) {
+                @Override
+                public boolean isEnabled() {
+                    return pane.isFocusOwner();
+                }
+
+                @Override
+                public void actionPerformed(ActionEvent e) {
+                    usual.actionPerformed(e);
+                }
+            });
+        }
     }
 
     /** Takes the sizes that the docks of a workspace had last; pictures need more room than lists. */

@@ -88,6 +88,8 @@ public final class DockManager {
         tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
         tabs.putClientProperty("JTabbedPane.tabAreaAlignment", "leading");
         tabs.setBorder(BorderFactory.createEmptyBorder());
+        // The mouse leaves the focus, and with it the keys, where they are.
+        tabs.setRequestFocusEnabled(false);
         return tabs;
     }
 

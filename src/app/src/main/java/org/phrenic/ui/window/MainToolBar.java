@@ -34,9 +34,11 @@ final class MainToolBar extends JToolBar {
     private boolean updating;
     private final Map<Workspace, JToggleButton> workspaceButtons = new EnumMap<>(Workspace.class);
     private final transient MenuActions actions;
+    private final SceneViewport view;
 
     MainToolBar(MenuActions actions, Session session, SceneViewport view, Consumer<Workspace> showWorkspace) {
         this.actions = actions;
+        this.view = view;
         setFloatable(false);
         setName("toolbar");
         setBorder(BorderFactory.createCompoundBorder(
@@ -55,7 +57,7 @@ final class MainToolBar extends JToolBar {
         deep = addTextButton(actions.deep, session);
         hold = addTextButton(actions.hold, session);
         addGroupSeparator();
-        addViews(actions, view);
+        addViews();
         addGap();
         addIconButton(actions.picture);
         add(Box.createHorizontalGlue());
@@ -73,7 +75,7 @@ final class MainToolBar extends JToolBar {
     }
 
     /** The standard views, of which the box shows the one that the camera has. */
-    private void addViews(MenuActions actions, SceneViewport view) {
+    private void addViews() {
         // The actions of the views come first, in the order of AnatomicalView.
         actions.views.stream()
                 .limit(AnatomicalView.values().length)
@@ -117,12 +119,15 @@ final class MainToolBar extends JToolBar {
         Controls.describe(button, action.name(), action.tip() + (key.isEmpty() ? "" : " (" + key + ")"));
         button.setName("toolbar." + action.name());
         button.setFocusable(true);
+        // The mouse leaves the focus, and with it the keys, to the view.
+        button.setRequestFocusEnabled(false);
         add(button);
         return button;
     }
 
     private void addBox(JComboBox<?> box, String name, String tip) {
         Controls.describe(box, name, tip);
+        Controls.onListClosed(box, view::requestFocusInWindow);
         box.setMaximumSize(box.getPreferredSize());
         add(box);
     }

@@ -158,11 +158,6 @@ final class MenuActions {
         addNeedle("Turn to the patient's right", degrees, "LEFT", n -> n.turnBy(-TURN_DEG, 0));
         addNeedle("Turn to the head", degrees, "UP", n -> n.turnBy(0, TURN_DEG));
         addNeedle("Turn to the feet", degrees, "DOWN", n -> n.turnBy(0, -TURN_DEG));
-        // The split panes around the view take the arrow keys otherwise.
-        needle.subList(needle.size() - 4, needle.size()).forEach(turn -> {
-            window.view().getInputMap().put(turn.accelerator(), turn.name());
-            window.view().getActionMap().put(turn.name(), turn);
-        });
     }
 
     private void addProbeActions() {
@@ -185,6 +180,11 @@ final class MenuActions {
         addProbe("Rotate anticlockwise", "5 degrees, as seen from outside", "COMMA", r -> r.probe()
                 .turn(ROTATE_DEG, 0, 0));
         addProbe("Rotate clockwise", "5 degrees", "PERIOD", r -> r.probe().turn(-ROTATE_DEG, 0, 0));
+    }
+
+    /** Lets keys act on needle and probe from the parts of the window. */
+    NeedleKeys needleKeys() {
+        return new NeedleKeys(Stream.concat(needle.stream(), probe.stream()).toList(), window.view());
     }
 
     /** Enables what does something in a workspace. */

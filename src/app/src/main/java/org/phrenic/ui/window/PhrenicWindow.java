@@ -55,6 +55,7 @@ public final class PhrenicWindow {
     private final ThemeUpdater themeUpdater = new ThemeUpdater();
     private final WindowFiles files;
     private final MenuActions commands;
+    private final NeedleKeys needleKeys;
     private final MainToolBar toolBar;
     private final CountDownLatch closed = new CountDownLatch(1);
 
@@ -104,6 +105,7 @@ public final class PhrenicWindow {
         welcome = new WelcomePanel(this::showWorkspace, this::dismissWelcome);
         files = new WindowFiles(frame, session, view, preferences, this::openExercise, new ImportDisplay());
         commands = new MenuActions(this);
+        needleKeys = commands.needleKeys();
         toolBar = new MainToolBar(commands, session, view, this::showWorkspace);
         layout = new DockLayout(preferences, new OverlayPane(view, banner, loading, importing, welcome));
         docks = new DockManager(session, appearance, view, layout, preferences);
@@ -176,6 +178,7 @@ public final class PhrenicWindow {
         docks.arrange(workspace);
         toolBar.setWorkspace(workspace);
         commands.setWorkspace(workspace);
+        docks.components().forEach(needleKeys::add);
         statusBar.setNumericsVisible(workspace == Workspace.RESEARCHER);
         layout.revalidate();
         layout.repaint();
