@@ -19,29 +19,35 @@ import org.phrenic.ui.session.Workspace;
 final class DockLayout extends JPanel {
     /** Side of the window that a dock is at. */
     enum Place {
-        LEFT(288),
-        RIGHT(368),
-        BOTTOM(228);
+        LEFT(288, 220),
+        RIGHT(368, 300),
+        BOTTOM(228, 90);
 
         private final int size;
+        private final int minimum;
 
-        Place(int size) {
+        Place(int size, int minimum) {
             this.size = size;
+            this.minimum = minimum;
         }
     }
 
     private static final int DIVIDER_SIZE = 5;
     private static final int PICTURE_WIDTH = 392;
-    private static final int MIN_VIEW_SIZE = 280;
+    private static final int MIN_VIEW_SIZE = 260;
     private static final double BOTTOM_SHARE = 0.32;
 
     private final transient WindowPreferences preferences;
     private final JSplitPane left = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
     private final JSplitPane right = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
     private final JSplitPane bottom = new JSplitPane(JSplitPane.VERTICAL_SPLIT);
+    /** Sizes that the user wants. */
     private final transient Map<Place, Integer> sizes = new EnumMap<>(Place.class);
+    /** Sizes that there was room for when the docks were laid out. */
+    private final transient Map<Place, Integer> given = new EnumMap<>(Place.class);
+
     private String keys = "";
-    private boolean laidOut;
+    private transient Dimension laidOut = new Dimension();
     /** Whether the docks of another workspace are being set. */
     private boolean changing;
 
@@ -89,7 +95,7 @@ final class DockLayout extends JPanel {
         keys = workspace == Workspace.CLINICIAN ? "dock.clinician." : "dock.";
         for (Place place : Place.values()) {
             int usual = workspace == Workspace.CLINICIAN && place == Place.LEFT ? PICTURE_WIDTH : place.size;
-            sizes.put(place, preferences.number(keys + place.name(), usual));
+            sizes.put(place, Math.max(place.minimum, preferences.number(keys + place.name(), usual)));
         }
         changing = true;
     }
@@ -97,15 +103,15 @@ final class DockLayout extends JPanel {
     /** The docks of a workspace are set. */
     void endChange() {
         changing = false;
+        applySizes();
     }
 
     /** Sets the dock of a place; null hides the place. */
     void setDock(Place place, JComponent dock) {
-        if (laidOut && dock(place) != null && !changing) {
-            sizes.put(place, size(place));
-        }
+        takeMovedDividers();
         if (dock != null) {
-            dock.setMinimumSize(new Dimension(120, 90));
+            boolean below = place == Place.BOTTOM;
+            dock.setMinimumSize(new Dimension(below ? 120 : place.minimum, below ? place.minimum : 90));
         }
         if (place == Place.LEFT) {
             left.setLeftComponent(dock);
@@ -113,9 +119,7 @@ final class DockLayout extends JPanel {
             splitPane(place).setRightComponent(dock);
         }
         splitPane(place).setDividerSize(dock == null ? 0 : DIVIDER_SIZE);
-        if (laidOut) {
-            applySizes();
-        }
+        applySizes();
     }
 
     /** The dock of a place; null for none. */
@@ -134,10 +138,26 @@ final class DockLayout extends JPanel {
 
     @Override
     public void doLayout() {
+        boolean resized = !getSize().equals(laidOut);
+        if (resized) {
+            takeMovedDividers();
+        }
         super.doLayout();
-        if (!laidOut && getWidth() > 0) {
-            laidOut = true;
+        if (resized) {
+            laidOut = getSize();
             applySizes();
+        }
+    }
+
+    /** Takes the sizes of docks whose divider was moved since they were laid out. */
+    private void takeMovedDividers() {
+        if (changing) {
+            return;
+        }
+        for (Place place : Place.values()) {
+            if (dock(place) != null && given.containsKey(place) && given.get(place) != size(place)) {
+                sizes.put(place, size(place));
+            }
         }
     }
 
@@ -147,29 +167,55 @@ final class DockLayout extends JPanel {
         return size == Place.BOTTOM.size ? Math.max(size, (int) (BOTTOM_SHARE * getHeight())) : size;
     }
 
+    /** Gives the docks the sizes that are wanted, or those that there is room for beside the view. */
     private void applySizes() {
+        if (changing || getWidth() == 0) {
+            return;
+        }
         validate();
         if (dock(Place.BOTTOM) != null) {
             int size = bottomSize() + DIVIDER_SIZE;
             bottom.setDividerLocation(Math.max(MIN_VIEW_SIZE / 2, getHeight() - size));
         }
+        int room = getWidth() - MIN_VIEW_SIZE - 2 * DIVIDER_SIZE;
+        int rightWidth = dock(Place.RIGHT) == null ? 0 : sizes.get(Place.RIGHT);
+        int leftWidth = dock(Place.LEFT) == null ? 0 : leftWidth(room, sizes.get(Place.LEFT), rightWidth);
         if (dock(Place.LEFT) != null) {
-            left.setDividerLocation(sizes.get(Place.LEFT));
+            left.setDividerLocation(leftWidth);
         }
         bottom.validate();
         if (dock(Place.RIGHT) != null) {
-            right.setDividerLocation(Math.max(MIN_VIEW_SIZE, right.getWidth() - DIVIDER_SIZE - sizes.get(Place.RIGHT)));
+            int width = rightWidth(room, leftWidth, rightWidth);
+            right.setDividerLocation(Math.max(0, right.getWidth() - DIVIDER_SIZE - width));
+        }
+        bottom.validate();
+        given.clear();
+        for (Place place : Place.values()) {
+            if (dock(place) != null) {
+                given.put(place, size(place));
+            }
         }
         revalidate();
     }
 
+    /** Width of the dock at the left, which gives way first, pixels. */
+    static int leftWidth(int room, int wanted, int wantedRight) {
+        return Math.max(Place.LEFT.minimum, Math.min(wanted, room - wantedRight));
+    }
+
+    /** Width of the dock at the right beside one at the left, pixels. */
+    static int rightWidth(int room, int leftWidth, int wanted) {
+        return Math.max(Place.RIGHT.minimum, Math.min(wanted, room - leftWidth));
+    }
+
+    /** Saves the sizes that are wanted, not those that a small window forces. */
     void saveSizes() {
         if (keys.isEmpty()) {
             return;
         }
+        takeMovedDividers();
         for (Place place : Place.values()) {
-            int size = dock(place) != null && laidOut ? size(place) : sizes.get(place);
-            preferences.setNumber(keys + place.name(), size);
+            preferences.setNumber(keys + place.name(), sizes.get(place));
         }
     }
 }

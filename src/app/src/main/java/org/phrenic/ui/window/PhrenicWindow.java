@@ -131,7 +131,7 @@ public final class PhrenicWindow {
         frame.getRootPane().setTransferHandler(new FileDropHandler(files::open, session::refuse));
         commands.bindNumericKeypad(frame.getRootPane());
         frame.setIconImages(AppIcon.images());
-        frame.setMinimumSize(new Dimension(760, 520));
+        frame.setMinimumSize(new Dimension(790, 520));
         restoreBounds();
         toolBar.refresh(session);
     }
