@@ -1,5 +1,6 @@
 package org.phrenic.ui.dock;
 
+import java.awt.Insets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -42,6 +43,9 @@ public final class BreathDock extends SessionDock {
             List.of(Breathing.RATE, Breathing.INSPIRATORY_FRACTION, Breathing.CHEST_SHARE);
     private static final List<Parameter> REPLACED_BY_TRACE = List.of(Breathing.RATE, Breathing.INSPIRATORY_FRACTION);
 
+    /** So that two columns fit into a narrow dock. */
+    private static final Insets BUTTON_MARGIN = new Insets(2, 4, 2, 4);
+
     private final PhaseBar bar = new PhaseBar();
     private final JLabel breath = Controls.secondaryLabel(" ");
     private final transient Map<String, JToggleButton> presets = new LinkedHashMap<>();
@@ -56,13 +60,13 @@ public final class BreathDock extends SessionDock {
 
     public BreathDock(Session session) {
         super(session);
-        body.add(phasePanel());
-        body.add(presetButtons());
+        body.add(phasePanel(), "wmin 0");
+        body.add(presetButtons(), "wmin 0");
         rows = Stream.of(Breathing.RATE, Breathing.DEPTH, Breathing.INSPIRATORY_FRACTION, Breathing.CHEST_SHARE)
                 .map(parameter -> new SliderRow(session, parameter))
                 .toList();
         rows.forEach(body::add);
-        body.add(trace());
+        body.add(trace(), "wmin 0");
         follow();
     }
 
@@ -81,7 +85,8 @@ public final class BreathDock extends SessionDock {
             button.addActionListener(e -> selectPreset(name));
             presetGroup.add(button);
             presets.put(name, button);
-            panel.add(button);
+            button.setMargin(BUTTON_MARGIN);
+            panel.add(button, "wmin 0");
         }
         Controls.highlightWhenSelected(hold);
         hold.setToolTipText("Hold the breath where it is, or let it go on");
@@ -90,7 +95,8 @@ public final class BreathDock extends SessionDock {
         hold.addActionListener(e -> session.change(
                 hold.isSelected() ? "Hold of the breath" : "End of the hold",
                 Assignment.of("window", Breathing.HOLD, hold.isSelected())));
-        panel.add(hold);
+        hold.setMargin(BUTTON_MARGIN);
+        panel.add(hold, "wmin 0");
         return panel;
     }
 

@@ -1,8 +1,6 @@
 package org.phrenic.ui.dock;
 
-import java.awt.BorderLayout;
 import java.awt.Color;
-import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
@@ -27,6 +25,8 @@ import org.phrenic.ui.widget.Theme;
 public final class OrgansDock extends ScrollablePanel implements Session.Listener {
     private static final int PERCENT = 100;
     private static final int OPACITY_WIDTH = 72;
+    private static final int LEAST_OPACITY_WIDTH = 36;
+    private static final int LABEL_WIDTH = 70;
     private static final int SWATCH_SIZE = 14;
 
     private record GroupRow(AppearanceModel.Group group, JCheckBox visible, JSlider opacity, JToggleButton wire) {}
@@ -76,14 +76,12 @@ public final class OrgansDock extends ScrollablePanel implements Session.Listene
         JToggleButton wire = Controls.flat(new JToggleButton(Icons.MESH));
         Controls.describe(wire, label + " wireframe", "Surface or wireframe: " + label);
         wire.addActionListener(e -> change(group, look -> look.withWireframe(wire.isSelected())));
-        opacity.setPreferredSize(new Dimension(OPACITY_WIDTH, opacity.getPreferredSize().height));
-        JPanel tools = new JPanel(new MigLayout("insets 0, gap 4, novisualpadding", "[][][]", "[center]"));
-        tools.add(colour);
-        tools.add(opacity, "w " + OPACITY_WIDTH + "!");
-        tools.add(wire);
-        JPanel row = new JPanel(new BorderLayout(4, 0));
-        row.add(visible, BorderLayout.CENTER);
-        row.add(tools, BorderLayout.EAST);
+        String columns = "[" + LABEL_WIDTH + "::, grow, fill][][" + LEAST_OPACITY_WIDTH + ":" + OPACITY_WIDTH + "][]";
+        JPanel row = new JPanel(new MigLayout("insets 0, gap 4, novisualpadding", columns, "[center]"));
+        row.add(visible, "w 0:" + LABEL_WIDTH + ":");
+        row.add(colour);
+        row.add(opacity, "growx, wmin 0");
+        row.add(wire);
         rows.add(new GroupRow(group, visible, opacity, wire));
         add(row, "wmin 0");
     }

@@ -26,6 +26,7 @@ import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.ScenarioStore;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
+import org.phrenic.ui.widget.ScrollablePanel;
 
 /**
  * Scenarios stored by name: save, restore, delete, and switch between two of them to compare. The last whole breath of
@@ -74,7 +75,7 @@ public final class SettingsDock extends JPanel implements Session.Listener {
                 }
             }
         });
-        JPanel body = new JPanel(
+        JPanel body = new ScrollablePanel(
                 new MigLayout("insets 8, fillx, hidemode 3", "[grow,fill,sg b][grow,fill,sg b][grow,fill,sg b]"));
         body.add(emptyLabel, "spanx 3, wmin 0, wrap");
         body.add(new JScrollPane(list), "spanx 3, growx, growy, pushy, h 90:140:, wrap");
@@ -93,7 +94,7 @@ public final class SettingsDock extends JPanel implements Session.Listener {
         body.add(overlay, "spanx 3, wrap");
         table.setVisible(false);
         body.add(table, "spanx 3, wmin 0");
-        add(body, BorderLayout.CENTER);
+        add(ScrollablePanel.scrollPane(body), BorderLayout.CENTER);
         refresh();
         session.addListener(this);
     }

@@ -9,7 +9,7 @@ import javax.swing.ScrollPaneConstants;
 import javax.swing.Scrollable;
 import net.miginfocom.swing.MigLayout;
 
-/** A panel in a scroll pane: as wide as the viewport, as high as it needs. */
+/** A panel in a scroll pane: as wide as the viewport, and as high where it needs less. */
 public class ScrollablePanel extends JPanel implements Scrollable {
     public ScrollablePanel() {
         this(new MigLayout("insets 0 0 8 0, fillx, hidemode 3, gapy 0, wrap 1", "[grow,fill]"));
@@ -50,6 +50,6 @@ public class ScrollablePanel extends JPanel implements Scrollable {
 
     @Override
     public boolean getScrollableTracksViewportHeight() {
-        return false;
+        return getParent() != null && getParent().getHeight() > getPreferredSize().height;
     }
 }

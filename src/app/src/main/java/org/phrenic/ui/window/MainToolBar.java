@@ -11,6 +11,7 @@ import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JToggleButton;
 import javax.swing.JToolBar;
+import javax.swing.SwingUtilities;
 import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.Camera;
 import org.phrenic.ui.session.PlaybackSpeed;
@@ -19,12 +20,15 @@ import org.phrenic.ui.session.Workspace;
 import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Icons;
+import org.phrenic.ui.widget.RowsLayout;
 import org.phrenic.ui.widget.Theme;
 
 /** The tool bar: run, breathing, view, workspace. */
 final class MainToolBar extends JToolBar {
     /** Shown where the camera has none of the standard views; not among those that can be chosen. */
     private static final String TURNED = "Turned";
+
+    private static final int ROW_GAP = 3;
 
     private final JButton play;
     private final JToggleButton hold;
@@ -40,6 +44,7 @@ final class MainToolBar extends JToolBar {
         this.actions = actions;
         this.view = view;
         setFloatable(false);
+        setLayout(new RowsLayout(ROW_GAP));
         setName("toolbar");
         setBorder(BorderFactory.createCompoundBorder(
                 BorderFactory.createMatteBorder(0, 0, 1, 0, Theme.BORDER),
@@ -130,6 +135,16 @@ final class MainToolBar extends JToolBar {
         Controls.onListClosed(box, view::requestFocusInWindow);
         box.setMaximumSize(box.getPreferredSize());
         add(box);
+    }
+
+    @Override
+    public void setBounds(int x, int y, int width, int height) {
+        boolean otherWidth = width != getWidth();
+        super.setBounds(x, y, width, height);
+        if (otherWidth) {
+            // The height that is asked for may be another.
+            SwingUtilities.invokeLater(this::revalidate);
+        }
     }
 
     private void addGap() {

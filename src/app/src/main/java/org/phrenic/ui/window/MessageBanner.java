@@ -17,8 +17,12 @@ import org.phrenic.ui.widget.Theme;
 public final class MessageBanner extends JPanel {
     private static final int NOTE_DURATION_MS = 6_000;
     private static final int REFUSED_DURATION_MS = 15_000;
-    private static final int TEXT_WIDTH = 420;
-    private static final int TEXT_WIDTH_WITH_BUTTON = 230;
+    private static final int MAX_WIDTH = 620;
+    private static final int LEFT = 12;
+    private static final int RIGHT = 8;
+    private static final int GAP = 10;
+    private static final int TEXT_WIDTH = 480;
+    private static final int LEAST_TEXT_WIDTH = 80;
 
     private final JLabel text = new JLabel();
     private final JButton actionButton = new JButton("Help");
@@ -26,9 +30,11 @@ public final class MessageBanner extends JPanel {
     private final Timer hideTimer = new Timer(NOTE_DURATION_MS, e -> setVisible(false));
     private Session.Message.Kind kind = Session.Message.Kind.NOTE;
     private transient Runnable action = () -> {};
+    private String sentence = "";
+    private int textWidth;
 
     MessageBanner() {
-        super(new MigLayout("insets 8 12 8 8, gap 10", "[grow, fill][][]", "[center]"));
+        super(new MigLayout("insets 8 " + LEFT + " 8 " + RIGHT + ", gap " + GAP + " 6", "[grow, fill][]", ""));
         setName("banner");
         text.setName("banner.text");
         text.getAccessibleContext().setAccessibleName("Message");
@@ -40,8 +46,8 @@ public final class MessageBanner extends JPanel {
         });
         hideTimer.setRepeats(false);
         add(text, "wmin 0");
-        add(actionButton, "hidemode 3");
-        add(close);
+        add(close, "aligny top, wrap");
+        add(actionButton, "hidemode 3, span 2, growx 0, wmin 0");
         setVisible(false);
     }
 
@@ -57,13 +63,13 @@ public final class MessageBanner extends JPanel {
         }
         kind = message.kind();
         action = whenPressed;
-        int width = button.isPresent() ? TEXT_WIDTH_WITH_BUTTON : TEXT_WIDTH;
-        String sentence = Controls.escapeHtml(Controls.capitalise(message.text()));
-        text.setText("<html><body width='" + width + "'>" + sentence + "</body></html>");
+        sentence = Controls.escapeHtml(Controls.capitalise(message.text()));
+        textWidth = 0;
         text.getAccessibleContext().setAccessibleDescription(message.text());
         button.ifPresent(actionButton::setText);
         actionButton.setVisible(button.isPresent());
         applyColours();
+        fit(MAX_WIDTH);
         setVisible(true);
         hideTimer.stop();
         if (kind != Session.Message.Kind.DIVERGED) {
@@ -72,6 +78,16 @@ public final class MessageBanner extends JPanel {
         }
         revalidate();
         repaint();
+    }
+
+    /** Wraps the message so that the banner is at most so wide, pixels. */
+    void fit(int room) {
+        int around = getInsets().left + getInsets().right + LEFT + GAP + close.getPreferredSize().width + RIGHT;
+        int width = Math.max(LEAST_TEXT_WIDTH, Math.min(TEXT_WIDTH, Math.min(room, MAX_WIDTH) - around));
+        if (width != textWidth) {
+            textWidth = width;
+            text.setText("<html><body width='" + width + "'>" + sentence + "</body></html>");
+        }
     }
 
     /** The message that is shown; empty if none is. */

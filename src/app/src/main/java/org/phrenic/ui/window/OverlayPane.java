@@ -11,7 +11,6 @@ import javax.swing.JLayeredPane;
 final class OverlayPane extends JLayeredPane {
     private static final int MARGIN = 14;
     private static final int BOTTOM_MARGIN = 34;
-    private static final int MAX_BANNER_WIDTH = 620;
 
     private final JComponent view;
     private final MessageBanner banner;
@@ -51,8 +50,9 @@ final class OverlayPane extends JLayeredPane {
         int top = welcome.isVisible() ? welcome.getPreferredSize().height : 0;
         welcome.setBounds(0, 0, w, top);
         view.setBounds(0, top, w, Math.max(0, h - top));
+        banner.fit(w - 2 * MARGIN);
         Dimension b = banner.getPreferredSize();
-        int wide = Math.max(0, Math.min(Math.min(MAX_BANNER_WIDTH, b.width), w - 2 * MARGIN));
+        int wide = Math.max(0, Math.min(b.width, w - 2 * MARGIN));
         banner.setBounds((w - wide) / 2, top + MARGIN, wide, b.height);
         Dimension l = loading.getPreferredSize();
         wide = Math.max(0, Math.min(l.width, w - 2 * MARGIN));

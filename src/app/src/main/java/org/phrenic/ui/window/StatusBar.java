@@ -29,12 +29,21 @@ final class StatusBar extends JPanel {
     private static final String PHASE_TIP =
             "Phase of the breath; repeated: a steady breath is played from its record until a setting changes";
 
+    private static final List<String> IMPORTANCE =
+            List.of("phase", "time", "realtime", "quality", "frames", "step", "dt", "steps", "nodes");
+
+    private static final List<String> NUMERICS = List.of("dt", "steps", "step", "nodes");
+    private static final int GAP = 10;
+    /** Least width for the structure clicked last, pixels. */
+    private static final int PICKED_WIDTH = 180;
+
     private final transient Map<String, JLabel> fields = new LinkedHashMap<>();
     private final JLabel pickedLabel = new JLabel(" ");
     private String meshes = "";
+    private boolean numerics = true;
 
     StatusBar() {
-        super(new MigLayout("insets 3 10 3 10, gap 10, novisualpadding, hidemode 3", "[grow, 0::]", "[]"));
+        super(new MigLayout("insets 3 10 3 10, gap " + GAP + ", novisualpadding, hidemode 3", "[grow, 0::]", "[]"));
         setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Theme.BORDER));
         pickedLabel.setName("pointed");
         pickedLabel.getAccessibleContext().setAccessibleName("Structure and place pointed at");
@@ -61,7 +70,25 @@ final class StatusBar extends JPanel {
 
     /** Shows or hides the fields on time steps and nodes. */
     void setNumericsVisible(boolean shown) {
-        List.of("dt", "steps", "step", "nodes").forEach(name -> fields.get(name).setVisible(shown));
+        numerics = shown;
+        fit(getWidth());
+    }
+
+    @Override
+    public void setBounds(int x, int y, int width, int height) {
+        super.setBounds(x, y, width, height);
+        fit(width);
+    }
+
+    /** Shows the fields that there is room for beside the structure clicked last, the most important first. */
+    private void fit(int width) {
+        int room = width == 0 ? Integer.MAX_VALUE : width - PICKED_WIDTH;
+        for (String name : IMPORTANCE) {
+            JLabel field = fields.get(name);
+            boolean wanted = numerics || !NUMERICS.contains(name);
+            room -= wanted ? field.getMinimumSize().width + GAP : 0;
+            field.setVisible(wanted && room >= 0);
+        }
     }
 
     void show(RunStatus s) {

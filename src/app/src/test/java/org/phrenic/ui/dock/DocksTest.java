@@ -3,6 +3,7 @@ package org.phrenic.ui.dock;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.data.Percentage.withPercentage;
 
+import java.awt.Container;
 import java.awt.Paint;
 import java.awt.event.FocusEvent;
 import java.awt.event.FocusListener;
@@ -19,6 +20,8 @@ import java.util.stream.Stream;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JTextField;
+import javax.swing.JToggleButton;
+import javax.swing.SwingUtilities;
 import org.jfree.chart.plot.CombinedDomainXYPlot;
 import org.jfree.chart.plot.IntervalMarker;
 import org.jfree.chart.plot.XYPlot;
@@ -582,6 +585,30 @@ class DocksTest {
             }
         });
         assertThat(looks.style().scale().max()).isEqualTo(12.5);
+    }
+
+    /** The dock at the right is no narrower. */
+    @Test
+    void presetsAreWholeInANarrowDock() {
+        EventThread.run(() -> {
+            BreathDock dock = new BreathDock(session);
+            dock.setSize(300, 400);
+            for (int i = 0; i < 2; i++) {
+                layOut(dock);
+            }
+            for (String name : BreathingPreset.names()) {
+                JToggleButton button = dock.presetButton(name);
+                int right = SwingUtilities.convertPoint(button, button.getWidth(), 0, dock).x;
+                assertThat(right).as(name).isLessThan(300);
+                assertThat(button.getWidth()).as(name).isGreaterThanOrEqualTo(button.getPreferredSize().width);
+            }
+        });
+    }
+
+    private static void layOut(Container part) {
+        part.invalidate();
+        part.doLayout();
+        Stream.of(part.getComponents()).filter(Container.class::isInstance).forEach(child -> layOut((Container) child));
     }
 
     @Test

@@ -6,15 +6,21 @@ import java.awt.Component;
 import java.util.Optional;
 import javax.swing.JLabel;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.simulation.live.RunStatus;
 
 class StatusBarTest {
     private final StatusBar bar = new StatusBar();
 
     private String text(String name) {
+        return field(name).getText();
+    }
+
+    private JLabel field(String name) {
         for (Component field : bar.getComponents()) {
             if (("status." + name).equals(field.getName())) {
-                return ((JLabel) field).getText();
+                return (JLabel) field;
             }
         }
         throw new AssertionError("no field " + name);
@@ -38,6 +44,33 @@ class StatusBarTest {
         assertThat(text("realtime")).isEqualTo("paused");
         assertThat(text("steps")).isBlank();
         assertThat(text("time")).isEqualTo("t 1.00 s");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {500, 800, 1100, 1400})
+    void noFieldIsPrintedOverAnother(int width) {
+        bar.show(status(true));
+        bar.setBounds(0, 0, width, 24);
+        bar.doLayout();
+        int right = 0;
+        for (Component field : bar.getComponents()) {
+            if (field.isVisible()) {
+                assertThat(field.getX()).isGreaterThanOrEqualTo(right);
+                right = field.getX() + field.getWidth();
+            }
+        }
+        assertThat(right).isLessThanOrEqualTo(width);
+    }
+
+    @Test
+    void thePhaseStaysLongestAndNodesGoFirst() {
+        bar.setBounds(0, 0, 500, 24);
+        assertThat(field("phase").isVisible()).isTrue();
+        assertThat(field("nodes").isVisible()).isFalse();
+        bar.setBounds(0, 0, 2000, 24);
+        assertThat(field("nodes").isVisible()).isTrue();
+        bar.setNumericsVisible(false);
+        assertThat(field("nodes").isVisible()).isFalse();
     }
 
     @Test
