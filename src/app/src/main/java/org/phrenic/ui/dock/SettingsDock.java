@@ -5,6 +5,7 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import javax.swing.DefaultListModel;
 import javax.swing.JButton;
@@ -26,6 +27,7 @@ import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.ScenarioStore;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
+import org.phrenic.ui.widget.Dialogs;
 import org.phrenic.ui.widget.ScrollablePanel;
 
 /**
@@ -36,6 +38,7 @@ public final class SettingsDock extends JPanel implements Session.Listener {
     private final transient Session session;
     private final transient ScenarioStore store;
     private final transient Supplier<Optional<String>> askName;
+    private final transient Predicate<String> confirms;
     private final PlotDock plots;
     private final DefaultListModel<String> names = new DefaultListModel<>();
     private final JList<String> list = new JList<>(names);
@@ -54,16 +57,25 @@ public final class SettingsDock extends JPanel implements Session.Listener {
 
     /** @param plots where the breath of the settings that are left stays as an overlay */
     public SettingsDock(Session session, PlotDock plots) {
-        this(session, ScenarioStore.ofUser(), null, plots);
+        this(session, ScenarioStore.ofUser(), null, null, plots);
     }
 
-    /** @param askName asks for a name; null for a dialog */
-    SettingsDock(Session session, ScenarioStore store, Supplier<Optional<String>> askName, PlotDock plots) {
+    /**
+     * @param askName asks for a name; null for a dialog
+     * @param confirms whether a question is answered by yes; null for a dialog
+     */
+    SettingsDock(
+            Session session,
+            ScenarioStore store,
+            Supplier<Optional<String>> askName,
+            Predicate<String> confirms,
+            PlotDock plots) {
         super(new BorderLayout());
         this.session = session;
         this.store = store;
         this.plots = plots;
         this.askName = askName == null ? this::promptName : askName;
+        this.confirms = confirms == null ? question -> Dialogs.confirm(this, "Settings", question) : confirms;
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.setVisibleRowCount(6);
         list.getAccessibleContext().setAccessibleName("Stored settings");
@@ -106,11 +118,15 @@ public final class SettingsDock extends JPanel implements Session.Listener {
 
     void save() {
         askName.get()
+                .map(String::strip)
                 .ifPresent(name -> reportingErrors(() -> {
-                    store.save(name, session.scenario());
-                    refresh();
-                    list.setSelectedValue(name.strip(), true);
-                    session.note("Settings '" + name.strip() + "' are stored.");
+                    if (!store.names().contains(name)
+                            || confirms.test("Replace the settings '" + name + "', which are stored already?")) {
+                        store.save(name, session.scenario());
+                        refresh();
+                        list.setSelectedValue(name, true);
+                        session.note("Settings '" + name + "' are stored.");
+                    }
                 }));
     }
 
@@ -120,9 +136,9 @@ public final class SettingsDock extends JPanel implements Session.Listener {
         }
     }
 
-    private void delete() {
+    void delete() {
         String name = list.getSelectedValue();
-        if (name != null) {
+        if (name != null && confirms.test("Delete the settings '" + name + "'? This cannot be undone.")) {
             reportingErrors(() -> {
                 store.delete(name);
                 refresh();

@@ -1,6 +1,7 @@
 package org.phrenic.ui.widget;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
 import java.awt.Window;
@@ -10,6 +11,7 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
+import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
@@ -55,6 +57,12 @@ public final class Dialogs {
             then.run();
         });
         return button;
+    }
+
+    /** Asks a question; true for yes. */
+    public static boolean confirm(Component parent, String title, String question) {
+        return JOptionPane.showConfirmDialog(parent, question, title, JOptionPane.YES_NO_OPTION)
+                == JOptionPane.YES_OPTION;
     }
 
     /** A table of text that cannot be edited. */

@@ -67,7 +67,7 @@ final class DockGallery {
             frames.put("parameters-narrow", frame(new ParameterDock(session[0]), 300, 500));
             frames.put("breath", frame(new BreathDock(session[0]), 360, 470));
             frames.put("forces", frame(new ForcesDock(session[0]), 360, 330));
-            settings[0] = new SettingsDock(session[0], store, null, plot[0]);
+            settings[0] = new SettingsDock(session[0], store, null, null, plot[0]);
             frames.put("settings", frame(settings[0], 360, 460));
             frames.put("timeline", frame(new TimelineDock(session[0]), 1100, 70));
             frames.put("plot", frame(plot[0], 1100, 330));

@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
@@ -60,6 +61,7 @@ import org.phrenic.ui.session.ScenarioStore;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.AppearanceModel;
 import org.phrenic.ui.widget.SliderScale;
+import org.phrenic.ui.widget.Theme;
 import org.phrenic.ui.window.WindowHarness;
 
 /**
@@ -412,8 +414,7 @@ class DocksTest {
     void settingsAreStoredRestoredAndComparedWhileItBreathes(@TempDir Path folder) {
         ScenarioStore store = new ScenarioStore(folder);
         String[] name = {"as it was"};
-        SettingsDock dock =
-                on(() -> new SettingsDock(session, store, () -> Optional.of(name[0]), new PlotDock(session)));
+        SettingsDock dock = on(() -> settings(store, name, question -> false, new PlotDock(session)));
         EventThread.run(dock::save);
         long scene = on(() -> session.scene().orElseThrow().id());
         EventThread.run(() -> session.change("Depth", Assignment.read("test", "depth", "1.3")));
@@ -427,6 +428,40 @@ class DocksTest {
         assertThat(on(() -> session.scene().orElseThrow().id())).isEqualTo(scene);
     }
 
+    private static SettingsDock settings(
+            ScenarioStore store, String[] name, Predicate<String> confirms, PlotDock plots) {
+        return new SettingsDock(session, store, () -> Optional.of(name[0]), confirms, plots);
+    }
+
+    @Test
+    void storedSettingsAreReplacedAndDeletedOnlyOnAYes(@TempDir Path folder) {
+        ScenarioStore store = new ScenarioStore(folder);
+        boolean[] yes = {false};
+        List<String> asked = new ArrayList<>();
+        SettingsDock dock = on(() -> settings(
+                store,
+                new String[] {"mine "},
+                question -> {
+                    asked.add(question);
+                    return yes[0];
+                },
+                new PlotDock(session)));
+        EventThread.run(dock::save);
+        assertThat(asked).isEmpty();
+        EventThread.run(() -> {
+            session.change("Depth", Assignment.read("test", "depth", "1.3"));
+            dock.save();
+            dock.delete();
+        });
+        assertThat(asked).hasSize(2);
+        assertThat(store.load("mine").get(Breathing.DEPTH)).isEqualTo(1);
+        yes[0] = true;
+        EventThread.run(dock::save);
+        assertThat(store.load("mine").get(Breathing.DEPTH)).isEqualTo(1.3);
+        EventThread.run(dock::delete);
+        assertThat(store.names()).isEmpty();
+    }
+
     private static void breathe(double seconds) {
         double from = session.live().status().timeS();
         EventThread.until("it has breathed", () -> session.live().status().timeS() > from + seconds);
@@ -438,7 +473,7 @@ class DocksTest {
         ScenarioStore store = new ScenarioStore(folder);
         String[] name = {"shallow"};
         PlotDock plots = on(() -> new PlotDock(session));
-        SettingsDock dock = on(() -> new SettingsDock(session, store, () -> Optional.of(name[0]), plots));
+        SettingsDock dock = on(() -> settings(store, name, question -> false, plots));
         EventThread.run(dock::save);
         EventThread.run(() -> session.change("Depth", Assignment.read("test", "depth", "1.3")));
         name[0] = "deeper";
@@ -591,6 +626,7 @@ class DocksTest {
     @Test
     void presetsAreWholeInANarrowDock() {
         EventThread.run(() -> {
+            Theme.install(false);
             BreathDock dock = new BreathDock(session);
             dock.setSize(300, 400);
             for (int i = 0; i < 2; i++) {
