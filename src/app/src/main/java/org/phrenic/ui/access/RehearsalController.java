@@ -12,6 +12,7 @@ import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.AccessMapField;
 import org.phrenic.scene.BodySection;
 import org.phrenic.scene.NeedleMarkers;
@@ -274,6 +275,11 @@ public final class RehearsalController implements Session.Listener {
                     map -> appearance.overrideStyle(map::applyTo, colours),
                     () -> appearance.overrideStyle(style -> style, Optional.empty()));
         }
+    }
+
+    /** A scenario without what the rehearsal itself has set. */
+    public Scenario ofUser(Scenario scenario) {
+        return preparation.ofUser(scenario);
     }
 
     void note(String sentence) {

@@ -133,6 +133,11 @@ final class RehearsalPreparation {
         setsRepetition = false;
     }
 
+    /** A scenario without what the rehearsal itself has set. */
+    Scenario ofUser(Scenario scenario) {
+        return setsRepetition ? scenario.without(Breathing.REPEAT) : scenario;
+    }
+
     private void setRepetition(boolean on) {
         session.live().change(List.of(Assignment.of("rehearsal", Breathing.REPEAT, on)));
     }

@@ -63,7 +63,7 @@ final class MenuActions {
         WindowFiles files = window.files();
         open = action("Open...", "Open a scenario, a thorax folder or a trace", "menu O", files::chooseAndOpen);
         importScan = action("Import scan...", "Make a body of the labels of a scan", "menu I", files::chooseAndImport);
-        save = action("Save scenario...", "Save the present values as a scenario", "menu S", files::saveScenario);
+        save = action("Save scenario...", "Save the present values as a scenario", "menu S", window::saveScenario);
         picture = action("Save picture...", "Save the view as a PNG file", "F12", files::savePicture)
                 .withIcon(Icons.CAMERA);
         copy = action(

@@ -40,6 +40,7 @@ public final class PhrenicWindow {
     private static final double SCREEN_SHARE = 0.94;
 
     private final JFrame frame = new JFrame("Phrenic");
+    private final ScenarioTitle title = new ScenarioTitle();
     private final WindowPreferences preferences;
     private final Session session;
     private final AppearanceModel appearance = new AppearanceModel();
@@ -170,6 +171,15 @@ public final class PhrenicWindow {
         docks.rehearsalController().open(plan);
     }
 
+    /** Saves the present values as a scenario. */
+    void saveScenario() {
+        Scenario present = docks.rehearsalController().ofUser(session.scenario());
+        files.saveScenario(present, () -> {
+            title.saved(present);
+            frame.setTitle(title.text(session.scenario()));
+        });
+    }
+
     private void cancelImport() {
         files.scans().cancel();
     }
@@ -289,7 +299,8 @@ public final class PhrenicWindow {
         public void onScene(LiveScene scene) {
             statusBar.show(scene);
             loading.setVisible(false);
-            frame.setTitle(scene.scenario().name() + " - Phrenic");
+            title.opened(scene.scenario());
+            frame.setTitle(title.text(session.scenario()));
             LogDialog.logNotes(scene.body());
         }
 
@@ -312,6 +323,7 @@ public final class PhrenicWindow {
         @Override
         public void onChange() {
             toolBar.refresh(session);
+            frame.setTitle(title.text(session.scenario()));
         }
 
         @Override

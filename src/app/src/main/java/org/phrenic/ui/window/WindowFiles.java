@@ -80,11 +80,10 @@ public final class WindowFiles {
         return scans;
     }
 
-    /** Saves the present values as a scenario. */
-    void saveScenario() {
-        Scenario scenario = session.scenario();
+    /** Saves a scenario; {@code saved} runs once it is. */
+    void saveScenario(Scenario scenario, Runnable saved) {
         FileDialogs.save(frame, "Save scenario", scenario.name() + ".yaml")
-                .ifPresent(file -> save(file, () -> YamlWriter.write(file, scenario.toMap())));
+                .ifPresent(file -> save(file, () -> YamlWriter.write(file, scenario.toMap()), saved));
     }
 
     /** Saves the view at twice its size. */
@@ -101,11 +100,16 @@ public final class WindowFiles {
     }
 
     private void savePicture(Path file, BufferedImage image) {
-        save(file, () -> PngFile.write(file, image));
+        save(file, () -> PngFile.write(file, image), () -> {});
     }
 
-    private void save(Path file, Runnable write) {
+    private void save(Path file, Runnable write, Runnable saved) {
         BackgroundWorker.execute(
-                Executors.callable(write), done -> session.note("Saved " + file + "."), session::refuse);
+                Executors.callable(write),
+                done -> {
+                    session.note("Saved " + file + ".");
+                    saved.run();
+                },
+                session::refuse);
     }
 }

@@ -247,6 +247,10 @@ class WindowTest {
                 .isGreaterThan(nodes);
     }
 
+    private static String title() {
+        return WindowHarness.onEdt(() -> window.window().frame().getTitle());
+    }
+
     private static boolean drop(Path file) {
         Transferable files = new Transferable() {
             @Override
@@ -278,6 +282,9 @@ class WindowTest {
         WindowHarness.await("the dropped scene", () -> running().name().equals("dropped"));
         assertThat(window.set("rib_rotation")).isEqualTo(0.5);
         window.breathe(0.1);
+        WindowHarness.await("the title", () -> "dropped - Phrenic".equals(title()));
+        window.command("Quiet");
+        WindowHarness.await("the title of what is changed", () -> "dropped* - Phrenic".equals(title()));
     }
 
     /** A spleen and a liver by the numbers of TotalSegmentator, without a rib: imported, and refused as a body. */

@@ -147,6 +147,10 @@ class RehearsalWindowTest extends RehearsalProbeCases {
     @Test
     void aRehearsalRepeatsTheBreathAndLeavesTheSettingAsItWas() throws Exception {
         assertThat(WindowHarness.onEdt(RehearsalWindowTest::repeats)).isTrue();
+        assertThat(WindowHarness.onEdt(
+                        () -> rehearsal().ofUser(window.session().scenario()).toMap()))
+                .as("what is saved")
+                .doesNotContainEntry("repeat_breath", true);
         WindowHarness.doOnEdt(() -> rehearsal().deactivate());
         until("breaths that are simulated", () -> !repeats());
         end(true);

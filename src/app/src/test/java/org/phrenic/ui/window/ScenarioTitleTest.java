@@ -1,0 +1,44 @@
+package org.phrenic.ui.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.phrenic.scenario.Scenario;
+
+class ScenarioTitleTest {
+    private static final Scenario QUIET = Scenario.defaults();
+
+    private final ScenarioTitle title = new ScenarioTitle();
+    private final String plain = QUIET.name() + " - Phrenic";
+    private final String marked = QUIET.name() + "* - Phrenic";
+
+    @Test
+    void aChangeMarksTheNameUntilItIsTakenBackOrSaved() {
+        title.opened(QUIET);
+        assertThat(title.text(QUIET)).isEqualTo(plain);
+        Scenario deep = QUIET.with("preset=deep");
+        assertThat(title.text(deep)).isEqualTo(marked);
+        assertThat(title.text(QUIET)).isEqualTo(plain);
+        // Another material loads another scene under the same name.
+        title.opened(deep);
+        assertThat(title.text(deep)).isEqualTo(marked);
+        title.saved(deep);
+        assertThat(title.text(deep)).isEqualTo("deep - Phrenic");
+        assertThat(title.text(QUIET)).isEqualTo("deep* - Phrenic");
+    }
+
+    @Test
+    void aNameStaysThatOfTheScenario() {
+        Scenario named = QUIET.with("name=mine");
+        title.opened(QUIET);
+        title.opened(named);
+        assertThat(title.text(named)).isEqualTo("mine - Phrenic");
+        assertThat(title.text(named.with("preset=deep"))).isEqualTo("mine* - Phrenic");
+    }
+
+    @Test
+    void neitherAHoldNorARehearsalIsAChange() {
+        title.opened(QUIET);
+        assertThat(title.text(QUIET.with("hold=true", "repeat_breath=true"))).isEqualTo(plain);
+    }
+}
