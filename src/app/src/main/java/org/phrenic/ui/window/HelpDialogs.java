@@ -44,9 +44,9 @@ final class HelpDialogs {
                 .toArray(String[][]::new);
         String[][] mouse = {
             {"Left drag", "Turn", "About the patient's long axis and up or down"},
-            {"Middle drag, Shift+left drag", "Move", "In the plane of the picture"},
-            {"Wheel", "Enlarge", "Towards the cursor; with Ctrl while the wheel moves the needle"},
-            {"Click", "Name", "Structure and place under the cursor, in the status line"},
+            {"Middle or Shift+drag", "Move", "In the plane of the picture"},
+            {"Wheel", "Enlarge", "Towards the cursor; with an entry by Ctrl+wheel"},
+            {"Click", "Name", "Structure and place, in the status line"},
             {"Double click", "Turn about here", "The view turns about the place under the cursor"},
             {"Wheel, with an entry", "Insert or withdraw", "2 mm a notch; with Shift 10 mm (rehearsing)"},
             {"Left drag of the hub", "Turn the needle", "About its point on the skin (rehearsing)"},

@@ -82,11 +82,7 @@ final class MenuActions {
                 .withIcon(Icons.RESET);
         quiet = action("Quiet", "Breathe quietly", "Q", () -> selectPreset("quiet"));
         deep = action("Deep", "Breathe deeply", "D", () -> selectPreset("deep"));
-        hold = action(
-                "Hold",
-                "Hold the breath where it is, or at end-expiration while rehearsing; again: breathe on",
-                "H",
-                this::toggleHold);
+        hold = action("Hold", "Hold, or breathe on; rehearsing, at end-expiration", "H", this::toggleHold);
         theme = action("Light or dark", "Change between a light and a dark window", "menu L", window::toggleTheme)
                 .withIcon(Icons.THEME);
         addViews(window.view());
