@@ -89,7 +89,7 @@ public final class PickMode implements SceneViewport.MouseTool {
         } else if (what == Kind.PROBE) {
             rehearsal.probe().put(pick.get().restPosition());
         } else {
-            rehearsal.setTargetBehind(pick.get());
+            rehearsal.preparation.setTargetBehind(pick.get());
         }
     }
 

@@ -17,7 +17,6 @@ import org.phrenic.scene.AccessMapField;
 import org.phrenic.scene.BodySection;
 import org.phrenic.scene.NeedleMarkers;
 import org.phrenic.scene.camera.AnatomicalView;
-import org.phrenic.scene.camera.PickResult;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.BackgroundWorker;
@@ -60,7 +59,7 @@ public final class RehearsalController implements Session.Listener {
     private final AppearanceModel appearance;
     private final SceneViewport view;
     private final BackgroundWorker worker = new BackgroundWorker("phrenic-rehearsal");
-    private final RehearsalPreparation preparation;
+    final RehearsalPreparation preparation;
     private final AttemptRunner attempt;
     private final EntrySelection entrySelection;
     private final PickMode pickMode;
@@ -133,11 +132,9 @@ public final class RehearsalController implements Session.Listener {
 
     @Override
     public void onLoading(String what, double share) {
-        if (isActive()) {
-            awaitsScene = true;
-            if (stage != RehearsalStage.LOADING) {
-                preparation.awaitBody();
-            }
+        awaitsScene |= isActive();
+        if (isActive() && stage != RehearsalStage.LOADING) {
+            preparation.awaitBody();
         }
     }
 
@@ -224,11 +221,6 @@ public final class RehearsalController implements Session.Listener {
             entrySelection.clear();
             startAttempt(true);
         }
-    }
-
-    /** Sets a target below a place of the liver's surface. */
-    void setTargetBehind(PickResult pick) {
-        preparation.setTargetBehind(pick);
     }
 
     /** Makes a lesion that the body shows the target. */

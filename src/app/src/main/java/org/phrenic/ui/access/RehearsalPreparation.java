@@ -231,6 +231,7 @@ final class RehearsalPreparation {
         }
     }
 
+    /** Sets a target below a place of the liver's surface. */
     void setTargetBehind(PickResult pick) {
         if (rehearsal.stage != RehearsalStage.READY) {
             return;

@@ -92,7 +92,7 @@ class ImportSummaryDialogTest {
     /** A number that is compared as text comes after 30 with 200, and before it with 4. */
     @Test
     void volumesAreSortedAsNumbers() {
-        JDialog dialog = show(Optional.empty(), () -> {});
+        JDialog dialog = show(List.of(), Optional.empty(), () -> {});
         JTable table = WindowHarness.find(dialog.getRootPane(), JTable.class, "Structures of the body")
                 .orElseThrow();
         assertThat(table.getColumnClass(table.getColumn("Volume, ml").getModelIndex()))
