@@ -57,8 +57,8 @@ public final class LabelNames {
         BY_EXPRESSION.put(
                 Pattern.compile("(subcutaneous|torso|visceral|intermuscular) (fat|adipose.*)"), LabelTable.SKIN);
         BY_EXPRESSION.put(Pattern.compile("(skeletal )?muscles?"), "muscle_skeletal");
-        BY_EXPRESSION.put(Pattern.compile("(all )?bones?|skeleton"), "bone_skeleton");
-        BY_EXPRESSION.put(Pattern.compile("spine|vertebrae|vertebral column"), "bone_spine");
+        BY_EXPRESSION.put(Pattern.compile("(all )?bones?|skeleton"), LabelTable.ALL_BONES);
+        BY_EXPRESSION.put(Pattern.compile("spine|vertebrae|vertebral column"), LabelTable.SPINE);
         BY_EXPRESSION.put(
                 Pattern.compile("(?!.*vertebra)(.* )?(skin|body|torso|trunk|external)( .*)?"), LabelTable.SKIN);
     }

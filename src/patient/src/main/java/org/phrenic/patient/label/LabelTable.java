@@ -30,6 +30,11 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     /** All costal cartilages under one label; split by {@link CartilageSplitter}. */
     public static final String COSTAL_CARTILAGES = "costal_cartilages";
 
+    /** All bones under one label; ribs, sternum and spine are separated where they can be. */
+    public static final String ALL_BONES = "bone_skeleton";
+    /** All vertebrae under one label. */
+    public static final String SPINE = "bone_spine";
+
     static final String SKIN = "skin";
     /** A label that is left out. */
     public static final String IGNORE = "ignore";

@@ -20,6 +20,7 @@ import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.LungOutline;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
+import org.phrenic.patient.label.LabelTable;
 
 /**
  * Completes a body from any field of view with the structures that are missing from its scan or truncated. A template
@@ -154,10 +155,22 @@ public final class BodyCompletion {
         BodyPlausibility size = new BodyPlausibility(start.affine().factors(), whole.name());
         size.require();
         sizeNote = size.note();
+        wholeSpine().ifPresent(organs::add);
         BoneFit bones = new BoneFit(start, plane, rest, shared, organs);
         TemplateMap map = bones.fit();
         ribs.addAll(bones.ribs());
         template.addAll(rest.parallelStream().map(s -> placed(s, map)).toList());
+    }
+
+    /** The spine of a scan that has all vertebrae under one label, with that of the template. */
+    private Optional<SurfacePair> wholeSpine() {
+        Optional<PatientStructure> spine = shared.stream().anyMatch(s -> s.kind() == StructureKind.VERTEBRA)
+                ? Optional.empty()
+                : body.structures().stream()
+                        .filter(s -> s.structure().name().equals(LabelTable.SPINE))
+                        .findFirst();
+        return spine.flatMap(s -> PatientBody.merged(rest.stream().filter(t -> t.kind() == StructureKind.VERTEBRA))
+                .map(vertebrae -> new SurfacePair(s, s.structure().mesh(), vertebrae, true)));
     }
 
     private static Structure placed(Structure s, TemplateMap map) {

@@ -38,6 +38,8 @@ final class BoneFit {
     private static final int LUNG_POINTS = 80;
     private static final double LUNG_SIGMA_MM = 6;
     private static final double LIVER_SIGMA_MM = 15;
+    /** Of a spine under one label, whose vertebrae may lie at other heights. */
+    private static final double SPINE_SIGMA_MM = 4;
 
     /** The ribs of a scan end short of the spine if half of them have more than this to their joints, mm. */
     private static final double USUAL_GAP_MM = 2;
@@ -60,7 +62,7 @@ final class BoneFit {
     /**
      * @param start first alignment of the template
      * @param plane x of its plane of symmetry, mm
-     * @param organs pairs of surfaces of lungs and liver
+     * @param organs pairs of surfaces of lungs and liver, and of a spine under one label
      */
     BoneFit(
             TemplateMap start,
@@ -205,6 +207,7 @@ final class BoneFit {
             case STERNUM -> STERNUM_SIGMA_MM;
             case COSTAL_CARTILAGE -> CARTILAGE_SIGMA_MM;
             case LUNG -> LUNG_SIGMA_MM;
+            case BONE -> SPINE_SIGMA_MM;
             default -> LIVER_SIGMA_MM;
         };
     }

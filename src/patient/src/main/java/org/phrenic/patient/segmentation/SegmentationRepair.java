@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.mesh.IntList;
+import org.phrenic.patient.label.LabelTable;
 
 /**
  * Mending of voxels: pits, dropped voxels and holes are filled, pieces of a bone joined, specks left out, and ribs
@@ -87,7 +88,7 @@ public final class SegmentationRepair {
 
     /** Whether a structure is several bones under one name, which are no pieces of each other. */
     private static boolean isSeveral(String name) {
-        return name.equals(SkeletonSplitter.ALL_BONES) || name.equals(SkeletonSplitter.SPINE);
+        return name.equals(LabelTable.ALL_BONES) || name.equals(LabelTable.SPINE);
     }
 
     private void fill() {

@@ -12,6 +12,7 @@ import java.util.TreeMap;
 import org.phrenic.anatomy.Side;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.label.LabelTable;
 
 /**
  * Separates ribs, sternum and spine where all bones share a label. The spine is followed up and down from the middle of
@@ -20,8 +21,6 @@ import org.phrenic.mesh.voxel.LabelGrid;
  * the lungs in the middle are the sternum. The rest keeps the common label. Both lungs have labels of their own.
  */
 final class SkeletonSplitter {
-    static final String ALL_BONES = "bone_skeleton";
-    static final String SPINE = "bone_spine";
     private static final String STERNUM = "sternum";
 
     /** Greatest distance of a rib's vertebral end from the axis of the spine, mm. */
@@ -76,7 +75,7 @@ final class SkeletonSplitter {
      * @return a note; empty if no bones share a label or ribs have labels of their own
      */
     static Optional<String> split(Segmentation s) {
-        int all = s.find(ALL_BONES);
+        int all = s.find(LabelTable.ALL_BONES);
         boolean hasRibs = s.names().stream().anyMatch(name -> name.startsWith("rib"));
         if (all == 0 || hasRibs) {
             return Optional.empty();
@@ -112,7 +111,7 @@ final class SkeletonSplitter {
 
     private Optional<String> split(int all) {
         byte[] before = s.voxels.clone();
-        int ofSpine = s.segment(SPINE);
+        int ofSpine = s.segment(LabelTable.SPINE);
         for (int v = 0; v < s.voxels.length; v++) {
             if (s.segmentAt(v) == all && spine.contains(s, v)) {
                 s.voxels[v] = (byte) ofSpine;
@@ -128,12 +127,12 @@ final class SkeletonSplitter {
         }
         name(right, "R");
         name(left, "L");
-        s.inheritFrom(SPINE, ALL_BONES);
+        s.inheritFrom(LabelTable.SPINE, LabelTable.ALL_BONES);
         boolean sternum = false;
         for (Part part : parts) {
             if (isSternum(part)) {
                 write(part.voxels(), s.segment(STERNUM));
-                s.inheritFrom(STERNUM, ALL_BONES);
+                s.inheritFrom(STERNUM, LabelTable.ALL_BONES);
                 sternum = true;
             }
         }
@@ -186,7 +185,7 @@ final class SkeletonSplitter {
         for (int i = 0; i < ribs.size(); i++) {
             String name = String.format(Locale.ROOT, "rib_%02d_%s", i + 1, side);
             write(ribs.get(i).voxels(), s.segment(name));
-            s.inheritFrom(name, ALL_BONES);
+            s.inheritFrom(name, LabelTable.ALL_BONES);
         }
     }
 

@@ -56,7 +56,7 @@ class SkeletonSplitterTest {
         LabelVolume volume = new LabelVolume(grid, Map.of(), List.of());
         return new Segmentation(
                 volume,
-                new LabelTable(Map.of(BONES, SkeletonSplitter.ALL_BONES, RIGHT_LUNG, "lung_R", LEFT_LUNG, "lung_L")),
+                new LabelTable(Map.of(BONES, LabelTable.ALL_BONES, RIGHT_LUNG, "lung_R", LEFT_LUNG, "lung_L")),
                 "scan");
     }
 
@@ -106,7 +106,7 @@ class SkeletonSplitterTest {
         assertThat(SkeletonSplitter.split(s))
                 .contains("bones under one label: 24 ribs are counted from the first, the spine is separated");
         assertThatRibsAreThoseOfTheCage(s);
-        assertThat(s.counts()[s.find(SkeletonSplitter.SPINE)]).isGreaterThan(1000);
+        assertThat(s.counts()[s.find(LabelTable.SPINE)]).isGreaterThan(1000);
     }
 
     /** A plate behind the left ribs touches four of them: with them it is larger than any rib. */
