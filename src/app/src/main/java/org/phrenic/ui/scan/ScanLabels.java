@@ -10,6 +10,7 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.swing.table.AbstractTableModel;
+import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
@@ -122,10 +123,12 @@ final class ScanLabels extends AbstractTableModel {
         return numbered.keySet();
     }
 
-    /** Assigns structures by the label numbers of one of {@link #tools}. */
+    /** Assigns structures by the label numbers of one of {@link #tools}; labels that it does not have are obstacles. */
     void assignByNumber(String tool) {
         for (int row = 0; row < rows.size(); row++) {
-            structures.set(row, numbered.get(tool).getOrDefault(rows.get(row).label(), NONE));
+            Row label = rows.get(row);
+            String text = label.name().isBlank() ? String.valueOf(label.label()) : label.name();
+            structures.set(row, numbered.get(tool).getOrDefault(label.label(), OrganNames.other(text)));
         }
         edited = true;
         fireTableDataChanged();
