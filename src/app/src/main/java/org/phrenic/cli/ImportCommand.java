@@ -1,5 +1,7 @@
 package org.phrenic.cli;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -16,6 +18,7 @@ import org.phrenic.cli.report.NameRanges;
 import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.BadInputException;
 import org.phrenic.patient.ImportProgress;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.diaphragm.SheetQuality;
@@ -130,6 +133,9 @@ final class ImportCommand extends ReportingCommand {
     @Override
     public Integer call() {
         ReportFolder.requireWritable(out);
+        requireOther(file);
+        requireOther(alignTo);
+        requireOther(Path.of(complete));
         Optional<Double> edgeMm =
                 Optional.ofNullable(edge).map(text -> OptionValues.number("--edge", text, 0, MAX_EDGE_MM));
         ConsoleProgress progress = progress();
@@ -146,6 +152,18 @@ final class ImportCommand extends ReportingCommand {
         result.write(out);
         print(result.report(), () -> text(result));
         return ExitCode.SUCCESS;
+    }
+
+    /** Refuses to write into a folder that the import reads. */
+    private void requireOther(Path read) {
+        try {
+            if (read != null && Files.exists(read) && Files.exists(out) && Files.isSameFile(read, out)) {
+                throw new BadInputException(
+                        "--out " + out + ": found a folder that the import reads, expected another");
+            }
+        } catch (IOException e) {
+            throw new BadInputException("--out " + out + ": " + e.getMessage(), e);
+        }
     }
 
     private Optional<Thorax> template(ImportProgress progress) {

@@ -70,6 +70,9 @@ public final class Phrenic implements Callable<Integer> {
         PrintWriter out = new PrintWriter(results, true, StandardCharsets.UTF_8);
         PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
         int code = ExitCode.BAD_INPUT;
+        if (SubCommands.needNoWindow(args)) {
+            System.setProperty("java.awt.headless", "true");
+        }
         if (hasLibraries()) {
             code = execute(out, err, args);
         } else {

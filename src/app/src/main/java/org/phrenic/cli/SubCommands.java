@@ -36,6 +36,11 @@ final class SubCommands {
 
     private SubCommands() {}
 
+    /** Whether a command line needs no window, so that no display is asked for, not even one that has gone. */
+    static boolean needNoWindow(String... args) {
+        return args.length > 0 && NAMES.contains(args[0]) && !List.of(args).contains("window");
+    }
+
     /** Runs the command line of {@code phrenic}; see {@link Phrenic#execute}. */
     static int execute(Phrenic phrenic, BooleanSupplier debug, PrintWriter out, PrintWriter err, String... args) {
         CommandLine line = commandLine(phrenic, args).registerConverter(Path.class, SubCommands::path);

@@ -91,6 +91,14 @@ class ImportCommandTest {
         assertBad("--edge", volume, "--edge", "-1");
         assertBad("three letters", volume, "--axes", "up");
         assertBad("virtual/giant", volume, "--complete", "virtual/giant");
+        Path meshes = Files.createDirectory(folder.resolve("meshes"));
+        assertBad("a folder of meshes and --labels", meshes, "--labels", map.toString());
+        CommandLineRun onto = CommandLineRun.of("import", meshes.toString(), "--out", meshes.toString());
+        assertThat(onto.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(onto.err()).contains("found a folder that the import reads, expected another");
+        CommandLineRun nowhere = CommandLineRun.of("import", volume.toString(), "--out", "");
+        assertThat(nowhere.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(nowhere.err()).contains("found an empty name");
     }
 
     private void assertBad(String part, Path file, String... more) {

@@ -194,6 +194,10 @@ final class TargetDistance {
             offsets = new double[points.length];
             for (int i = 0; i < points.length; i += 3) {
                 tree.closest(points[i], points[i + 1], points[i + 2], hit);
+                if (hit.triangle < 0) {
+                    throw new BadInputException("found a point at " + points[i] + ", " + points[i + 1] + ", "
+                            + points[i + 2] + " mm, expected one near the body");
+                }
                 for (int c = 0; c < 3; c++) {
                     corners[i + c] = rest.triangles()[3 * hit.triangle + c];
                 }

@@ -31,6 +31,9 @@ import org.phrenic.mesh.io.volume.LabelVolumeFiles;
  * vertices are welded and degenerate triangles dropped; the notes of the thorax report this.
  */
 public final class ThoraxFolder {
+    /** Length of a structure that no person has, mm. */
+    private static final double LARGEST_MM = 3000;
+
     /** Name of the file that states name, axes and units of a folder. */
     public static final String INDEX_FILE = "thorax.yaml";
     /** Welding distance, mm: coordinates in files are rounded to about a thousandth. */
@@ -97,6 +100,7 @@ public final class ThoraxFolder {
         List<Repaired> repaired = raw.stream()
                 .map(s -> repairedSurface(s.name(), frame.toLps(s.mesh())))
                 .toList();
+        repaired.forEach(s -> requireSize(folder, s.mesh()));
         List<Structure> structures = new ArrayList<>();
         for (int i = 0; i < raw.size(); i++) {
             structures.add(raw.get(i).withMesh(repaired.get(i).mesh()));
@@ -232,6 +236,17 @@ public final class ThoraxFolder {
             files.put(name, file);
         }
         return files;
+    }
+
+    private static void requireSize(Path folder, TriangleMesh mesh) {
+        double[] box = mesh.bounds();
+        for (int axis = 0; axis < 3; axis++) {
+            if (box[axis + 3] - box[axis] > LARGEST_MM) {
+                throw new BadInputException(folder + ": found a structure of "
+                        + Math.round(box[axis + 3] - box[axis]) + " mm, expected at most " + Math.round(LARGEST_MM)
+                        + " mm; the units of " + INDEX_FILE + " may be wrong");
+            }
+        }
     }
 
     private static Map<String, Path> filesByName(Path folder) {

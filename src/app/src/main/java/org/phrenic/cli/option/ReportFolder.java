@@ -29,6 +29,9 @@ public final class ReportFolder {
      * @throws BadInputException if the folder is not writable; the message is one sentence
      */
     public static Path requireWritable(Path folder) {
+        if (folder.toString().isEmpty()) {
+            throw new BadInputException("--out: found an empty name, expected a folder");
+        }
         Path nearest = folder.toAbsolutePath();
         while (nearest != null && !Files.exists(nearest)) {
             nearest = nearest.getParent();

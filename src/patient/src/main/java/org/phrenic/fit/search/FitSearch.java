@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.function.Function;
 import org.phrenic.engine.parallel.BatchRunner;
+import org.phrenic.file.BadInputException;
 
 /**
  * Searches parameters within bounds. {@link GaussNewtonSearch} runs from the start, then {@link CmaEsSearch} around the
@@ -245,8 +246,8 @@ public final class FitSearch {
         double[] values = space.values(point);
         Evaluation known = journal.known(number);
         if (known != null && !Arrays.equals(known.point(), values)) {
-            throw new IllegalStateException(
-                    "the journal holds other points than the search asks for, expected the same");
+            throw new BadInputException("journal.csv: found other points in line " + (number + 2)
+                    + " than the search asks for, expected those of this fit; --out with another folder begins anew");
         }
         float[] shape = known == null ? null : shapes ? journal.shape(number) : new float[0];
         if (shape != null) {

@@ -80,6 +80,9 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
                 .limit(MAX_LISTED)
                 .mapToObj(String::valueOf)
                 .collect(Collectors.joining(", "));
+        if (labels.isEmpty()) {
+            return "found background alone";
+        }
         return "found labels " + labels
                 + (volume.names().isEmpty() ? " without names" : " with no name of a structure")
                 + (numbers.isPossible()

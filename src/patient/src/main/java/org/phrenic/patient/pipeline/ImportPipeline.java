@@ -14,6 +14,7 @@ import org.phrenic.patient.ScanImport;
 import org.phrenic.patient.SkinEnvelope;
 import org.phrenic.patient.diaphragm.DiaphragmCompletion;
 import org.phrenic.patient.diaphragm.SheetQuality;
+import org.phrenic.patient.label.GeometryOverride;
 import org.phrenic.patient.label.LabelGuess;
 import org.phrenic.patient.label.LabelTable;
 import org.phrenic.patient.label.LungMoments;
@@ -32,6 +33,10 @@ public final class ImportPipeline {
         Optional<LabelGrid> grid = Optional.empty();
         PatientBody scanned;
         if (Files.isDirectory(request.file()) && !LabelVolumeFiles.isVolume(request.file())) {
+            if (request.labels().isPresent() || !request.geometry().equals(GeometryOverride.NONE)) {
+                throw new BadInputException(file + ": found a folder of meshes and --labels, --axes or --spacing, which"
+                        + " are of label volumes, expected none of them");
+            }
             scanned = MeshFolder.read(request.file(), request.name());
         } else {
             LabelVolume volume = request.geometry().apply(LabelVolumeFiles.read(request.file()), file);

@@ -1,5 +1,6 @@
 package org.phrenic.scene.annotate;
 
+import java.awt.AWTError;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.Locale;
@@ -84,7 +85,7 @@ public record Annotations(
                 HaloGraphics.over(g, true, 1).drawText("R", 1, 7, 0, TEXT_SIZE, false);
                 g.dispose();
                 return true;
-            } catch (LinkageError | RuntimeException | InternalError none) {
+            } catch (LinkageError | RuntimeException | InternalError | AWTError none) {
                 return false;
             }
         }

@@ -79,7 +79,9 @@ public final class FactorScale {
             double from = normal.cumulativeProbability(low);
             double to = normal.cumulativeProbability(high);
             double value = normal.inverseCumulativeProbability(from + u * (to - from));
-            return Math.max(low, Math.min(high, value));
+            // Far in a tail the inverse has no finite value; all of the distribution lies at the bound next to its
+            // mean.
+            return Double.isFinite(value) ? Math.max(low, Math.min(high, value)) : n[0] > high ? high : low;
         }
         if (factor.log()) {
             return low * StrictMath.pow(high / low, u);

@@ -38,6 +38,9 @@ public record SweepStudy(
         DesignSpec design,
         List<ResponseSpec> responses,
         List<String> series) {
+    /** Columns of the journal before those of the responses. */
+    public static final List<String> JOURNAL_COLUMNS = List.of("index", "failure", "wall_s", "state_sha256", "machine");
+
     private static final List<String> KEYS =
             List.of("title", "model", "scenario", "settings", "cohort", "factors", "design", "responses", "series");
     private static final List<String> MODELS = List.of(BreathModel.NAME, AccessModel.NAME, IshigamiModel.NAME);
@@ -150,6 +153,10 @@ public record SweepStudy(
         return Files.exists(path) ? path.toString() : value;
     }
 
+    private static boolean isNoColumn(String response) {
+        return JOURNAL_COLUMNS.contains(response) || response.chars().anyMatch(Character::isISOControl);
+    }
+
     private void check(YamlMap yaml) {
         SweepModel made;
         try {
@@ -165,6 +172,15 @@ public record SweepStudy(
         Set<String> columns = new HashSet<>(made.responses());
         if (columns.size() != made.responses().size()) {
             throw yaml.bad("responses", "found two of the same name, expected each name once");
+        }
+        if (made.responses().stream().anyMatch(SweepStudy::isNoColumn)) {
+            throw yaml.bad(
+                    "responses",
+                    "found a name with a line break or one of " + String.join(", ", JOURNAL_COLUMNS)
+                            + ", which are columns of the journal, expected others");
+        }
+        if (new HashSet<>(made.series()).size() != made.series().size()) {
+            throw yaml.bad("series", "found two of the same name, expected each name once");
         }
         for (int f = 0; f < factors.size(); f++) {
             Factor factor = factors.get(f);

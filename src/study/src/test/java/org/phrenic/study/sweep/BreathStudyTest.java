@@ -81,6 +81,18 @@ class BreathStudyTest {
                 .isEqualTo(plan.study().resolved());
     }
 
+    /** Far beyond its bound a distribution lies at this bound, not at the other one. */
+    @Test
+    void aDistributionBeyondItsRangeLiesAtTheNearBound() {
+        String design = "{kind: latin_hypercube, samples: 8}";
+        assertThat(SweepPlan.of(study("factors:\n  - {key: depth, normal: [2.1, 0.01]}\n", design, RESPONSE))
+                        .numbers(0))
+                .containsOnly(2);
+        assertThat(SweepPlan.of(study("factors:\n  - {key: depth, normal: [-0.2, 0.01]}\n", design, RESPONSE))
+                        .numbers(0))
+                .containsOnly(0);
+    }
+
     @Test
     void aWrongStudyIsToldInOneSentenceWithFileLineAndKey() {
         String grid = "{kind: grid}";
@@ -94,6 +106,7 @@ class BreathStudyTest {
         refused(good, "{kind: cube}", RESPONSE, "line 4", "key 'design.kind'", "grid");
         refused(good, "{kind: list}", RESPONSE, "line 4", "neither file nor points");
         refused(good, grid, "", "found no response");
+        refused(good, grid, RESPONSE.replaceFirst("name: \\w+", "name: failure"), "columns of the journal");
         refused(good, grid, RESPONSE.replace("liver_si_mm", "liver_sl_mm"), "did you mean 'liver_si_mm'?");
         refused(good, grid, RESPONSE.replace("size", "ratio"), "line 6", "expected against");
     }

@@ -3,6 +3,7 @@ package org.phrenic.mesh.io.raster;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 import org.phrenic.file.BadInputException;
@@ -43,8 +44,8 @@ final class ImageDecoder {
             }
             done += now;
         }
-        // Reading past the last byte verifies the checksum of a compressed file.
-        in.read();
+        // Reading to the end of a compressed file verifies its checksum.
+        in.transferTo(OutputStream.nullOutputStream());
         int[] sizes = voxels.sizes();
         return new ImageGrid(sizes[0], sizes[1], sizes[2], values, affine);
     }

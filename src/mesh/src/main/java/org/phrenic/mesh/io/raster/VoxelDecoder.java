@@ -3,6 +3,7 @@ package org.phrenic.mesh.io.raster;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
@@ -129,11 +130,12 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
                     throw new EOFException();
                 }
             }
-            // Reading past the last byte verifies the checksum of a compressed file.
-            in.read();
+            // Reading to the end of a compressed file verifies its checksum.
+            in.transferTo(OutputStream.nullOutputStream());
         } catch (EOFException ended) {
             throw new BadInputException(
-                    file + ": found the end after " + done + " voxels, expected " + count + " (" + shown(sizes) + ")",
+                    file + ": found the end after " + done + " voxels, expected " + count + " (" + shown(sizes) + ")"
+                            + (done == count ? " and the checksum of the packed data" : ""),
                     ended);
         } catch (ZipException damaged) {
             throw new BadInputException(

@@ -142,6 +142,10 @@ class DamagedVolumeTest {
         byte[] checksum = packed.clone();
         checksum[packed.length - 6] ^= 1;
         assertRefused("damaged", "crc.nii.gz", checksum);
+        // More data follow than the header states: the checksum is still looked at.
+        byte[] longer = VolumeSamples.gzip(Arrays.copyOf(whole, whole.length + 5));
+        longer[longer.length - 6] ^= 1;
+        assertRefused("damaged", "longer.nii.gz", longer);
         String nrrd = VolumeSamples.nrrd("uchar", "gzip");
         byte[] data = VolumeSamples.gzip(VolumeSamples.voxels(2, LITTLE, 1));
         assertRefused("expected", "short.nrrd", VolumeSamples.join(nrrd + "\n", Arrays.copyOf(data, data.length / 2)));

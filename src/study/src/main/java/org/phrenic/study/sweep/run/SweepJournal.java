@@ -19,13 +19,14 @@ import org.phrenic.file.OutputException;
 import org.phrenic.study.sweep.RunRow;
 import org.phrenic.study.sweep.SweepModel;
 import org.phrenic.study.sweep.SweepOutcome;
+import org.phrenic.study.sweep.SweepStudy;
 
 /**
  * The completed runs of a study in a CSV file to which each run appends a line, in the order of completion. A last line
  * without its line feed, which a killed process leaves, is dropped. One process at a time writes a journal.
  */
 final class SweepJournal implements AutoCloseable {
-    private static final List<String> FIXED = List.of("index", "failure", "wall_s", "state_sha256", "machine");
+    private static final List<String> FIXED = SweepStudy.JOURNAL_COLUMNS;
 
     private final RandomAccessFile file;
     private final Path path;
