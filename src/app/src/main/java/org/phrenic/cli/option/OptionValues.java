@@ -7,6 +7,7 @@ import java.util.Set;
 import org.phrenic.document.KeySuggestion;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scene.style.ColourScale;
@@ -24,15 +25,8 @@ public final class OptionValues {
      * @throws BadInputException if the text is not a finite number
      */
     static double number(String where, String text) {
-        try {
-            double value = Double.parseDouble(text.strip());
-            if (Double.isFinite(value)) {
-                return value;
-            }
-        } catch (NumberFormatException none) {
-            // Reported below.
-        }
-        throw new BadInputException(where + ": found '" + text + "', expected a number");
+        return Numbers.parse(text.strip())
+                .orElseThrow(() -> new BadInputException(where + ": found '" + text + "', expected a number"));
     }
 
     /** Parses a finite number within bounds, both inclusive. */

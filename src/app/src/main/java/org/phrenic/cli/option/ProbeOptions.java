@@ -2,6 +2,7 @@ package org.phrenic.cli.option;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.phrenic.access.Needle;
@@ -17,6 +18,9 @@ import picocli.CommandLine.Option;
 
 /** Options for an ultrasound probe: its place on the skin and its angles, the beam, the controls, a needle. */
 public final class ProbeOptions {
+    private static final double LEAST_NEEDLE_MM = 1;
+    private static final double MOST_NEEDLE_MM = 400;
+
     @Option(
             names = "--skin",
             paramLabel = "PLACE",
@@ -100,6 +104,15 @@ public final class ProbeOptions {
     public Optional<SonatedNeedle> needle() {
         return Optional.ofNullable(needle).map(text -> {
             double[] p = numbers("--needle", text, 6);
+            double lengthMm = Math.hypot(Math.hypot(p[3] - p[0], p[4] - p[1]), p[5] - p[2]);
+            if (lengthMm < LEAST_NEEDLE_MM || lengthMm > MOST_NEEDLE_MM) {
+                throw new BadInputException(String.format(
+                        Locale.ROOT,
+                        "--needle: found entry and tip %.3g mm apart, expected %.0f to %.0f mm",
+                        lengthMm,
+                        LEAST_NEEDLE_MM,
+                        MOST_NEEDLE_MM));
+            }
             return new SonatedNeedle(Arrays.copyOfRange(p, 0, 3), Arrays.copyOfRange(p, 3, 6), Needle.standard());
         });
     }

@@ -3,6 +3,7 @@ package org.phrenic.fit.search;
 import java.util.List;
 import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.material.Lungs;
 import org.phrenic.model.material.Mediastinum;
@@ -66,8 +67,8 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
             if (bounds.length != 2) {
                 throw new IllegalArgumentException("found '" + text + "', expected KEY or KEY=MIN:MAX");
             }
-            double least = Double.parseDouble(bounds[0]);
-            double most = Double.parseDouble(bounds[1]);
+            double least = Numbers.parse(bounds[0]).orElseThrow(NumberFormatException::new);
+            double most = Numbers.parse(bounds[1]).orElseThrow(NumberFormatException::new);
             return new FitParameter(parameter, least, most, Math.max(least, Math.min(most, usual.start)));
         } catch (NumberFormatException none) {
             throw new BadInputException("--tune " + text + ": found no number, expected KEY=MIN:MAX", none);
