@@ -119,12 +119,13 @@ public final class FluoroscopyDock extends AccessPanel {
         private static void drawLetters(Graphics2D g, CArm arm, double left, double scale) {
             String right = PatientOrientation.letters(new Vector3d(arm.right()));
             String top = PatientOrientation.letters(new Vector3d(arm.up()));
-            float middle = (float) (scale * arm.rows() / 2);
-            float width = (float) (scale * arm.columns());
+            int begin = (int) Math.round(left);
+            int width = (int) Math.round(scale * arm.columns());
+            int middle = (int) Math.round(scale * arm.rows() / 2);
             FontMetrics metrics = g.getFontMetrics();
-            g.drawString(PatientOrientation.opposite(right), (float) left + MARGIN, middle);
-            g.drawString(right, (float) left + width - MARGIN - metrics.stringWidth(right), middle);
-            g.drawString(top, (float) left + (width - metrics.stringWidth(top)) / 2, MARGIN + metrics.getAscent());
+            SectionView.paintText(g, PatientOrientation.opposite(right), begin + MARGIN, middle);
+            SectionView.paintText(g, right, begin + width - MARGIN - metrics.stringWidth(right), middle);
+            SectionView.paintText(g, top, begin + (width - metrics.stringWidth(top)) / 2, MARGIN + metrics.getAscent());
         }
 
         @Override

@@ -192,7 +192,7 @@ public final class SectionView extends JPanel {
     }
 
     /** Text with a halo of the background. */
-    private static void paintText(Graphics2D g, String words, int x, int y) {
+    static void paintText(Graphics2D g, String words, int x, int y) {
         Color ink = g.getColor();
         g.setColor(Theme.withAlpha(BACKGROUND, 170));
         Shape outline =
