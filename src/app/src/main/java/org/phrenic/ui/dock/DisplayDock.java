@@ -293,8 +293,8 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
                 && appearance.reference().isEmpty();
         ColourField coloured = unmeasured ? ColourField.NONE : selectedField();
         Optional<ColourScale> scale = scale(coloured);
-        minimum.putClientProperty("JComponent.outline", scale.isPresent() ? null : "error");
-        maximum.putClientProperty("JComponent.outline", scale.isPresent() ? null : "error");
+        Controls.mark(minimum, scale.isPresent());
+        Controls.mark(maximum, scale.isPresent());
         scale.ifPresent(s -> change(style -> style.withField(coloured, chosen.structure(), s)));
     }
 

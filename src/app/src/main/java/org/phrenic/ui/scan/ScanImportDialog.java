@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -123,9 +122,7 @@ final class ScanImportDialog {
                 "span 2, wmin 0, wrap");
         labels.axesProblem()
                 .ifPresent(problem -> content.add(
-                        new JLabel("<html>" + problem.substring(0, 1).toUpperCase(Locale.ROOT) + problem.substring(1)
-                                + "."),
-                        "skip 1, span 2, wmin 0, wrap"));
+                        new JLabel("<html>" + Controls.capitalise(problem) + "."), "skip 1, span 2, wmin 0, wrap"));
         content.add(new JLabel("Voxel, mm"));
         content.add(
                 Controls.describe(spacing, "Voxel, mm", "Size of a voxel along columns, rows and slices"),
@@ -177,19 +174,13 @@ final class ScanImportDialog {
     }
 
     private void enableStart() {
-        boolean hasAxes = outline(axes, GeometryOverride.areAxes(axes.getText()));
-        boolean hasSpacing = outline(spacing, GeometryOverride.isSpacing(spacing.getText()));
-        boolean hasFolder = outline(folder, folder(folder.getText()).isPresent());
+        boolean hasAxes = Controls.mark(axes, GeometryOverride.areAxes(axes.getText()));
+        boolean hasSpacing = Controls.mark(spacing, GeometryOverride.isSpacing(spacing.getText()));
+        boolean hasFolder = Controls.mark(folder, folder(folder.getText()).isPresent());
         boolean replaces = folder(folder.getText())
                 .filter(to -> Files.exists(to.resolve(ThoraxFolder.INDEX_FILE)))
                 .isPresent();
         start.setText(replaces ? "Import and replace the body" : "Import");
         start.setEnabled(labels.recognised() > 0 && hasAxes && hasSpacing && hasFolder);
-    }
-
-    /** Marks a field whose text cannot be used. */
-    private static boolean outline(JTextField field, boolean valid) {
-        field.putClientProperty("JComponent.outline", valid ? null : "error");
-        return valid;
     }
 }

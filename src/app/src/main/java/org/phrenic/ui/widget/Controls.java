@@ -41,6 +41,12 @@ public final class Controls {
         return control;
     }
 
+    /** Marks a field whose text cannot be used; returns whether it can. */
+    public static boolean mark(JComponent field, boolean valid) {
+        field.putClientProperty("JComponent.outline", valid ? null : "error");
+        return valid;
+    }
+
     /** Calls an action after each edit of a text. */
     public static void onEdit(JTextComponent text, Runnable action) {
         text.getDocument().addDocumentListener(new DocumentListener() {

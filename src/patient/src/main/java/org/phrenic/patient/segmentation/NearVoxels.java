@@ -14,7 +14,6 @@ final class NearVoxels {
 
     NearVoxels(Segmentation s, List<Integer> segments) {
         double[] high = new double[3];
-        double[] p = new double[3];
         for (int axis = 0; axis < 3; axis++) {
             low[axis] = Double.POSITIVE_INFINITY;
             high[axis] = Double.NEGATIVE_INFINITY;
@@ -31,9 +30,7 @@ final class NearVoxels {
         segments.forEach(segment -> wanted[segment] = segment > 0);
         for (int v = 0; v < s.voxels.length; v++) {
             if (wanted[s.segmentAt(v)]) {
-                for (int axis = 0; axis < 3; axis++) {
-                    p[axis] = s.coordinate(v, axis);
-                }
+                double[] p = s.point(v);
                 cells.set(cell(index(p, 0), index(p, 1), index(p, 2)));
             }
         }

@@ -180,8 +180,7 @@ final class RibComponents {
         return IntStream.iterate(0, i -> i < shorter.voxels.size(), i -> i + stride)
                 .map(shorter.voxels::get)
                 .mapToDouble(v -> {
-                    double[] point = {s.coordinate(v, 0), s.coordinate(v, 1), s.coordinate(v, 2)};
-                    return distance(point, longer.voxels);
+                    return distance(s.point(v), longer.voxels);
                 })
                 .toArray();
     }

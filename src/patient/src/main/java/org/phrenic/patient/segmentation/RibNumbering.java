@@ -168,7 +168,7 @@ final class RibNumbering {
             if (stray.isEmpty()) {
                 return before - onSide.size();
             }
-            write(ribs.get(stray.get()), 0);
+            s.write(ribs.get(stray.get()).voxels, 0);
             onSide.remove(stray.get());
         }
         return before - onSide.size();
@@ -182,7 +182,8 @@ final class RibNumbering {
      */
     private record VertebralEnd(double z, boolean isCut) {}
 
-    private static String name(int number, Side side) {
+    /** Name of a rib. */
+    static String name(int number, Side side) {
         return String.format(Locale.ROOT, "rib_%02d_%s", number, side == Side.RIGHT ? "R" : "L");
     }
 
@@ -237,24 +238,30 @@ final class RibNumbering {
 
     /** The vertebral end of a rib: the part of its posterior half that is nearest to the median plane. */
     private VertebralEnd vertebralEnd(RibComponents.Rib rib, double middle) {
-        int n = rib.voxels.size();
-        double[][] points = new double[n][];
-        int count = 0;
-        for (int i = 0; i < n; i++) {
-            int v = rib.voxels.get(i);
-            if (s.coordinate(v, 1) >= rib.centre[1]) {
-                points[count++] = new double[] {Math.abs(s.coordinate(v, 0) - middle), s.coordinate(v, 2)};
+        List<double[]> posterior = new ArrayList<>();
+        for (int i = 0; i < rib.voxels.size(); i++) {
+            double[] p = s.point(rib.voxels.get(i));
+            if (p[1] >= rib.centre[1]) {
+                posterior.add(new double[] {Math.abs(p[0] - middle), p[2]});
             }
         }
-        double[][] posterior = Arrays.copyOf(points, count);
-        Arrays.sort(posterior, Comparator.comparingDouble((double[] p) -> p[0]).thenComparingDouble(p -> p[1]));
-        int end = Math.max(1, (int) (END_SHARE * n));
-        double z = Arrays.stream(posterior)
-                .limit(end)
+        double nearest = posterior.stream().mapToDouble(p -> p[0]).min().orElse(0);
+        return new VertebralEnd(
+                endHeight(posterior, rib.voxels.size()).orElse(rib.centre[2]), rib.ends != 0 && nearest > HEAD_MM);
+    }
+
+    /**
+     * Mean height of the vertebral end of a rib: of the voxels nearest to the spine.
+     *
+     * @param posterior distance from the spine and height of each posterior voxel, mm
+     * @param voxels number of voxels of the rib
+     */
+    static OptionalDouble endHeight(List<double[]> posterior, int voxels) {
+        return posterior.stream()
+                .sorted(Comparator.comparingDouble((double[] p) -> p[0]).thenComparingDouble(p -> p[1]))
+                .limit(Math.max(1, (int) (END_SHARE * voxels)))
                 .mapToDouble(p -> p[1])
-                .average()
-                .orElse(rib.centre[2]);
-        return new VertebralEnd(z, rib.ends != 0 && posterior.length > 0 && posterior[0][0] > HEAD_MM);
+                .average();
     }
 
     /** Increasing numbers of least total cost for ribs from top to bottom. */
@@ -310,7 +317,7 @@ final class RibNumbering {
      * is left out if none is near.
      */
     private void apply(List<RibComponents.Rib> ribs, String[] nameOf) {
-        components.attachFragments().forEach(fragment -> write(fragment, 0));
+        components.attachFragments().forEach(fragment -> s.write(fragment.voxels, 0));
         TreeMap<String, List<Integer>> labels = new TreeMap<>();
         for (int i = 0; i < nameOf.length; i++) {
             if (nameOf[i] == null) {
@@ -325,15 +332,9 @@ final class RibNumbering {
         }
         for (int i = 0; i < nameOf.length; i++) {
             if (nameOf[i] != null) {
-                write(ribs.get(i), s.segment(nameOf[i]));
+                s.write(ribs.get(i).voxels, s.segment(nameOf[i]));
             }
         }
         labels.forEach(s::setLabels);
-    }
-
-    private void write(RibComponents.Rib rib, int segment) {
-        for (int i = 0; i < rib.voxels.size(); i++) {
-            s.voxels[rib.voxels.get(i)] = (byte) segment;
-        }
     }
 }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
@@ -304,6 +305,18 @@ public final class Segmentation {
         int j = voxel / columns % rows;
         int k = voxel / columns / rows;
         return toMm[4 * row] * i + toMm[4 * row + 1] * j + toMm[4 * row + 2] * k + toMm[4 * row + 3];
+    }
+
+    /** Centre of a voxel, mm. */
+    double[] point(int voxel) {
+        return new double[] {coordinate(voxel, 0), coordinate(voxel, 1), coordinate(voxel, 2)};
+    }
+
+    /** Gives voxels to a segment; 0 leaves them out. */
+    void write(IntList at, int segment) {
+        for (int i = 0; i < at.size(); i++) {
+            voxels[at.get(i)] = (byte) segment;
+        }
     }
 
     /** The voxels as a grid that shares their memory. */

@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
-import org.phrenic.mesh.IntList;
 import org.phrenic.patient.label.LabelTable;
 
 /**
@@ -168,20 +167,9 @@ public final class SegmentationRepair {
 
     /** Clears specks and collects the voxels of the pieces of bones, the largest piece first. */
     private void collect(VoxelRuns runs, boolean[] kept, Map<Integer, List<int[]>> pieces) {
-        TreeMap<Integer, IntList> voxels = new TreeMap<>();
-        TreeMap<Integer, Integer> segmentOf = new TreeMap<>();
-        for (int run = 0; run < runs.count(); run++) {
-            int component = runs.component(run);
-            int segment = s.segmentAt(runs.from(run));
-            if (kept[component] && pieces.containsKey(segment)) {
-                segmentOf.put(component, segment);
-                IntList list = voxels.computeIfAbsent(component, c -> new IntList());
-                for (int v = runs.from(run); v < runs.to(run); v++) {
-                    list.add(v);
-                }
-            }
-        }
-        voxels.forEach((component, list) -> pieces.get(segmentOf.get(component)).add(list.toArray()));
+        runs.voxels(run -> kept[runs.component(run)] && pieces.containsKey(s.segmentAt(runs.from(run))))
+                .values()
+                .forEach(list -> pieces.get(s.segmentAt(list.get(0))).add(list.toArray()));
         pieces.values().forEach(list -> list.sort(Comparator.comparingInt((int[] piece) -> -piece.length)));
         for (int run = 0; run < runs.count(); run++) {
             if (!kept[runs.component(run)]) {

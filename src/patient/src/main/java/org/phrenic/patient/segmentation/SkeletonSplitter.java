@@ -5,10 +5,8 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import org.phrenic.anatomy.Side;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
@@ -49,8 +47,6 @@ final class SkeletonSplitter {
     private static final int MOST_RIBS = 12;
     /** Greatest distance of two neighbouring vertebral ends over the median distance. */
     private static final double REGULAR = 1.7;
-    /** Share of a rib's voxels that make its vertebral end. */
-    private static final double END_SHARE = 0.03;
 
     private final Segmentation s;
     private final SpineAxis spine;
@@ -125,13 +121,13 @@ final class SkeletonSplitter {
             System.arraycopy(before, 0, s.voxels, 0, before.length);
             return Optional.empty();
         }
-        name(right, "R");
-        name(left, "L");
+        name(right, Side.RIGHT);
+        name(left, Side.LEFT);
         s.inheritFrom(LabelTable.SPINE, LabelTable.ALL_BONES);
         boolean sternum = false;
         for (Part part : parts) {
             if (isSternum(part)) {
-                write(part.voxels(), s.segment(STERNUM));
+                s.write(part.voxels(), s.segment(STERNUM));
                 s.inheritFrom(STERNUM, LabelTable.ALL_BONES);
                 sternum = true;
             }
@@ -151,7 +147,7 @@ final class SkeletonSplitter {
             }
             for (int i = 0; i < part.voxels().size(); i++) {
                 int v = part.voxels().get(i);
-                double[] p = {s.coordinate(v, 0), s.coordinate(v, 1), s.coordinate(v, 2)};
+                double[] p = s.point(v);
                 boolean middle = spine.beside(p) < STRIP_MM && isInFront(p);
                 if (middle || near.isNear(p)) {
                     s.voxels[v] = (byte) (middle ? inFront : nearLungs);
@@ -175,16 +171,10 @@ final class SkeletonSplitter {
         return p[1] < 0.5 * (lungs.get(Side.RIGHT)[1] + lungs.get(Side.LEFT)[1]);
     }
 
-    private void write(IntList voxels, int segment) {
-        for (int i = 0; i < voxels.size(); i++) {
-            s.voxels[voxels.get(i)] = (byte) segment;
-        }
-    }
-
-    private void name(List<Part> ribs, String side) {
+    private void name(List<Part> ribs, Side side) {
         for (int i = 0; i < ribs.size(); i++) {
-            String name = String.format(Locale.ROOT, "rib_%02d_%s", i + 1, side);
-            write(ribs.get(i).voxels(), s.segment(name));
+            String name = RibNumbering.name(i + 1, side);
+            s.write(ribs.get(i).voxels(), s.segment(name));
             s.inheritFrom(name, LabelTable.ALL_BONES);
         }
     }
@@ -193,18 +183,10 @@ final class SkeletonSplitter {
         byte[] group = new byte[LabelGrid.MAX_BYTE_LABEL + 1];
         group[all] = 1;
         VoxelRuns runs = new VoxelRuns(s, group, false);
-        TreeMap<Integer, IntList> voxels = new TreeMap<>();
         double least = LEAST_ML * 1000 / s.grid().voxelVolume();
-        for (int run = 0; run < runs.count(); run++) {
-            int component = runs.component(run);
-            if (runs.size(component) >= least) {
-                IntList list = voxels.computeIfAbsent(component, c -> new IntList());
-                for (int v = runs.from(run); v < runs.to(run); v++) {
-                    list.add(v);
-                }
-            }
-        }
-        return voxels.values().stream().map(this::part).toList();
+        return runs.voxels(run -> runs.size(runs.component(run)) >= least).values().stream()
+                .map(this::part)
+                .toList();
     }
 
     private Part part(IntList voxels) {
@@ -214,8 +196,7 @@ final class SkeletonSplitter {
         double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
         List<double[]> posterior = new ArrayList<>();
         for (int i = 0; i < n; i++) {
-            double[] p = {s.coordinate(voxels.get(i), 0), s.coordinate(voxels.get(i), 1), s.coordinate(voxels.get(i), 2)
-            };
+            double[] p = s.point(voxels.get(i));
             for (int axis = 0; axis < 3; axis++) {
                 centre[axis] += p[axis] / n;
                 low[axis] = Math.min(low[axis], p[axis]);
@@ -225,14 +206,8 @@ final class SkeletonSplitter {
                 posterior.add(new double[] {spine.beside(p), p[2]});
             }
         }
-        posterior.sort(Comparator.comparingDouble((double[] p) -> p[0]).thenComparingDouble(p -> p[1]));
-        double endZ = posterior.stream()
-                .limit(Math.max(1, (long) (END_SHARE * n)))
-                .mapToDouble(p -> p[1])
-                .average()
-                .orElse(Double.NaN);
-        double beside =
-                posterior.isEmpty() ? Double.POSITIVE_INFINITY : posterior.get(0)[0];
+        double endZ = RibNumbering.endHeight(posterior, n).orElse(Double.NaN);
+        double beside = posterior.stream().mapToDouble(p -> p[0]).min().orElse(Double.POSITIVE_INFINITY);
         double[] extent = {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
         return new Part(voxels, centre, extent, beside, endZ);
     }

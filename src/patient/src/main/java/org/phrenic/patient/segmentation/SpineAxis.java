@@ -136,7 +136,7 @@ final class SpineAxis {
 
     /** Whether a voxel belongs to the spine. */
     boolean contains(Segmentation s, int voxel) {
-        double[] p = {s.coordinate(voxel, 0), s.coordinate(voxel, 1), s.coordinate(voxel, 2)};
+        double[] p = s.point(voxel);
         return beside(p) <= HALF_WIDTH_MM && isBehindFront(p);
     }
 }

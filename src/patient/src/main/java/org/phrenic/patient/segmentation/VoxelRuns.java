@@ -1,7 +1,11 @@
 package org.phrenic.patient.segmentation;
 
 import java.util.Arrays;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.IntPredicate;
 import org.phrenic.engine.math.DisjointSets;
+import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
@@ -51,6 +55,20 @@ final class VoxelRuns {
         for (int run = 0; run < count; run++) {
             sizes[component(run)] += to[run] - from[run];
         }
+    }
+
+    /** Voxels of each component, by its number, in the order of the volume. */
+    Map<Integer, IntList> voxels(IntPredicate wantedRun) {
+        Map<Integer, IntList> voxels = new TreeMap<>();
+        for (int run = 0; run < count; run++) {
+            if (wantedRun.test(run)) {
+                IntList list = voxels.computeIfAbsent(component(run), component -> new IntList());
+                for (int v = from[run]; v < to[run]; v++) {
+                    list.add(v);
+                }
+            }
+        }
+        return voxels;
     }
 
     /** The components of each segment by itself. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.IntUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -132,6 +133,17 @@ class LabelGuessTest {
         return new LabelVolume(grid, names, List.of());
     }
 
+    /** A volume without names whose labels are other ones. */
+    private static LabelVolume relabelled(LabelVolume volume, IntUnaryOperator change) {
+        LabelGrid grid = volume.grid();
+        byte[] labels = new byte[grid.voxelCount()];
+        for (int v = 0; v < labels.length; v++) {
+            labels[v] = (byte) change.applyAsInt(grid.label(v));
+        }
+        LabelGrid other = LabelGrid.of(grid.columns(), grid.rows(), grid.slices(), labels, grid.toMm());
+        return new LabelVolume(other, Map.of(), List.of());
+    }
+
     @Test
     void numbersOfTotalSegmentatorAreTakenWhereTheirPlacesFit() {
         LabelGuess guess = LabelGuess.of(cage(CageVoxels.SPACING_MM, Map.of()));
@@ -182,18 +194,7 @@ class LabelGuessTest {
     @Test
     void numbersOfTheFirstVersionAreTakenWhereTheyFitBetter() {
         LabelVolume second = cage(CageVoxels.SPACING_MM, Map.of());
-        byte[] labels = new byte[second.grid().voxelCount()];
-        for (int v = 0; v < labels.length; v++) {
-            int label = second.grid().label(v);
-            labels[v] = (byte) (label == 0 ? 0 : label >= 92 ? label - 34 : label - 9);
-        }
-        LabelGrid grid = LabelGrid.of(
-                CageVoxels.COLUMNS,
-                CageVoxels.ROWS,
-                CageVoxels.SLICES,
-                labels,
-                second.grid().toMm());
-        LabelVolume first = new LabelVolume(grid, Map.of(), List.of());
+        LabelVolume first = relabelled(second, label -> label == 0 ? 0 : label >= 92 ? label - 34 : label - 9);
         assertThat(LabelGuess.of(first).require("scan").structures())
                 .containsEntry(58, "rib_01_L")
                 .containsEntry(81, "rib_12_R")
@@ -223,18 +224,8 @@ class LabelGuessTest {
     @Test
     void numbersThatFitSeveralToolsAreNotTaken() {
         LabelVolume trunk = TrunkVoxels.labelled(NumberTable.named("ct-org").get(0));
-        byte[] labels = new byte[trunk.grid().voxelCount()];
-        for (int v = 0; v < labels.length; v++) {
-            labels[v] = (byte) (trunk.grid().label(v) == 1 ? 1 : 0);
-        }
-        LabelGrid liver = LabelGrid.of(
-                trunk.grid().columns(),
-                trunk.grid().rows(),
-                trunk.grid().slices(),
-                labels,
-                trunk.grid().toMm());
-        assertThat(LabelGuess.of(new LabelVolume(liver, Map.of(), List.of())).source())
-                .isEqualTo(LabelGuess.Source.NONE);
+        LabelVolume liver = relabelled(trunk, label -> label == 1 ? 1 : 0);
+        assertThat(LabelGuess.of(liver).source()).isEqualTo(LabelGuess.Source.NONE);
     }
 
     /** A spleen as large as a liver, and the reverse, is a volume in another order of labels. */
@@ -242,20 +233,9 @@ class LabelGuessTest {
     void volumesTellWhatPlacesLeaveOpen() {
         NumberTable table = NumberTable.named("amos").get(0);
         LabelVolume trunk = TrunkVoxels.labelled(table);
-        byte[] labels = new byte[trunk.grid().voxelCount()];
         Map<Integer, Integer> exchanged = Map.of(6, 4, 4, 6, 7, 5, 5, 7);
-        for (int v = 0; v < labels.length; v++) {
-            int label = trunk.grid().label(v);
-            labels[v] = exchanged.getOrDefault(label, label).byteValue();
-        }
-        LabelVolumes volumes = LabelVolumes.of(
-                NumberMatch.positions(LabelGrid.of(
-                        trunk.grid().columns(),
-                        trunk.grid().rows(),
-                        trunk.grid().slices(),
-                        labels,
-                        trunk.grid().toMm())),
-                table.structures());
+        LabelVolume other = relabelled(trunk, label -> exchanged.getOrDefault(label, label));
+        LabelVolumes volumes = LabelVolumes.of(NumberMatch.positions(other.grid()), table.structures());
         LabelVolumes right = LabelVolumes.of(NumberMatch.positions(trunk.grid()), table.structures());
         assertThat(right.share()).isEqualTo(1);
         assertThat(volumes.compared()).isEqualTo(right.compared());
