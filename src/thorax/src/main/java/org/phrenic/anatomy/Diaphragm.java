@@ -1,6 +1,7 @@
 package org.phrenic.anatomy;
 
 import java.util.Arrays;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.phrenic.engine.math.DisjointSets;
 import org.phrenic.file.ComputedArrays;
@@ -28,6 +29,8 @@ public final class Diaphragm {
     private static final double MIN_GRADIENT_PER_MM = 1e-12;
 
     private final TriangleMesh sheet;
+    private final MedianFrame frame;
+    private final TriangleMesh upright;
     private final MeshTopology topology;
     private final DiaphragmFaces faces;
     private final boolean[] inserted;
@@ -38,46 +41,46 @@ public final class Diaphragm {
     private final double[] fibre;
 
     private Diaphragm(
-            TriangleMesh sheet,
-            MeshTopology topology,
-            DiaphragmFaces faces,
-            boolean[] inserted,
-            double[] distance,
-            double[] tendonField,
-            ComputedArrays computed) {
+            TriangleMesh sheet, MedianFrame frame, Function<TriangleMesh, double[]> tendon, ComputedArrays computed) {
         this.sheet = sheet;
-        this.topology = topology;
-        this.faces = faces;
-        this.inserted = inserted;
-        this.distance = distance;
-        this.tendonField = tendonField;
-        this.fibre = computed.get("fibres", sheet.triangles().length, this::computeFibreDirections);
+        this.frame = frame;
+        upright = frame.toFrame(sheet);
+        topology = new MeshTopology(sheet);
+        faces = new DiaphragmFaces(upright, topology);
+        inserted = outerBorder(topology, faces);
+        distance = distancesFromInsertion(sheet, topology, inserted);
+        tendonField = tendon.apply(upright);
+        fibre = computed.get("fibres", sheet.triangles().length, this::computeFibreDirections);
     }
 
     /** Creates a diaphragm with a tendon of three leaflets. */
     public static Diaphragm withTrefoilTendon(TriangleMesh sheet) {
-        return withTrefoilTendon(sheet, ComputedArrays.none());
+        return withTrefoilTendon(sheet, MedianFrame.straight(), ComputedArrays.none());
     }
 
-    /** Creates a diaphragm with a tendon of three leaflets, with fibres that may be known. */
-    public static Diaphragm withTrefoilTendon(TriangleMesh sheet, ComputedArrays computed) {
-        MeshTopology topology = new MeshTopology(sheet);
-        DiaphragmFaces faces = new DiaphragmFaces(sheet, topology);
-        boolean[] inserted = outerBorder(topology, faces);
-        double[] distance = distancesFromInsertion(sheet, topology, inserted);
-        double[] tendon = CentralTendon.field(sheet, TENDON_SHARE);
-        return new Diaphragm(sheet, topology, faces, inserted, distance, tendon, computed);
+    /**
+     * Creates a diaphragm with a tendon of three leaflets, with fibres that may be known.
+     *
+     * @param frame frame of the body, in which leaflets, right and left are told
+     */
+    public static Diaphragm withTrefoilTendon(TriangleMesh sheet, MedianFrame frame, ComputedArrays computed) {
+        return new Diaphragm(sheet, frame, upright -> CentralTendon.field(upright, TENDON_SHARE), computed);
     }
 
-    /** Creates a diaphragm whose tendon is everything above a horizontal plane, as in the paper. */
-    public static Diaphragm withTendonAbovePlane(TriangleMesh sheet, double height) {
-        MeshTopology topology = new MeshTopology(sheet);
-        DiaphragmFaces faces = new DiaphragmFaces(sheet, topology);
-        boolean[] inserted = outerBorder(topology, faces);
-        double[] tendon = new double[sheet.vertexCount()];
-        Arrays.setAll(tendon, i -> height - sheet.z(i));
-        double[] distance = distancesFromInsertion(sheet, topology, inserted);
-        return new Diaphragm(sheet, topology, faces, inserted, distance, tendon, ComputedArrays.none());
+    /**
+     * Creates a diaphragm whose tendon is everything above a horizontal plane, as in the paper.
+     *
+     * @param frame frame of the body, in which the plane is horizontal
+     * @param height height of the plane in that frame, mm
+     */
+    public static Diaphragm withTendonAbovePlane(TriangleMesh sheet, MedianFrame frame, double height) {
+        return new Diaphragm(sheet, frame, upright -> heightsBelow(upright, height), ComputedArrays.none());
+    }
+
+    private static double[] heightsBelow(TriangleMesh upright, double height) {
+        double[] below = new double[upright.vertexCount()];
+        Arrays.setAll(below, i -> height - upright.z(i));
+        return below;
     }
 
     /** Marks the largest connected component of border vertices; openings are separate components. */
@@ -145,6 +148,16 @@ public final class Diaphragm {
 
     public TriangleMesh sheet() {
         return sheet;
+    }
+
+    /** The sheet in the frame of the body, for what is told by directions: right, front, the roof. */
+    public TriangleMesh upright() {
+        return upright;
+    }
+
+    /** Frame of the body. */
+    public MedianFrame frame() {
+        return frame;
     }
 
     public MeshTopology topology() {

@@ -159,7 +159,7 @@ class DiaphragmTest {
 
     @Test
     void abovePlaneTakesWhatLiesAboveIt() {
-        Diaphragm plane = Diaphragm.withTendonAbovePlane(DomeSheet.adult(RINGS), 80);
+        Diaphragm plane = Diaphragm.withTendonAbovePlane(DomeSheet.adult(RINGS), MedianFrame.straight(), 80);
         for (int i = 0; i < plane.sheet().vertexCount(); i++) {
             assertThat(plane.isTendon(i)).isEqualTo(plane.sheet().z(i) > 80);
         }

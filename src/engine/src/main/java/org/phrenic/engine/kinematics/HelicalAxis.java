@@ -117,6 +117,17 @@ public record HelicalAxis(
         return new HelicalAxis(directionX, -directionY, -directionZ, -pointX, pointY, pointZ, angle, -slide);
     }
 
+    /** The same screw of a body that a rigid motion has moved: direction and point are moved, angle and slide stay. */
+    public HelicalAxis movedBy(RigidMotion motion) {
+        double[] turned = new double[3];
+        for (int row = 0; row < 3; row++) {
+            turned[row] = motion.rotation(row, 0) * directionX
+                    + motion.rotation(row, 1) * directionY
+                    + motion.rotation(row, 2) * directionZ;
+        }
+        return through(turned, motion.apply(pointX, pointY, pointZ), angle, slide);
+    }
+
     /** The unit quaternion w, x, y, z of the rotation, w >= 0, from its largest component (S. W. Shepperd 1978). */
     private static double[] quaternion(RigidMotion m) {
         double[] squares = {

@@ -3,12 +3,12 @@ package org.phrenic.patient.pipeline;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.diaphragm.BreathLevel;
 import org.phrenic.patient.diaphragm.EndExpiration;
-import org.phrenic.patient.diaphragm.MedianFrame;
 import org.phrenic.patient.registration.BodyCompletion;
 
 /**
@@ -21,7 +21,8 @@ public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean
     /** A completed body at the breath level of its scan, with a note if that is one at inspiration. */
     static RestingBody asScanned(PatientBody scanned, PatientBody completed) {
         MedianFrame frame = MedianFrame.of(completed.thorax());
-        return new RestingBody(completed, BreathLevel.of(frame.toFrame(scanned), frame.toFrame(completed)), false);
+        return new RestingBody(
+                completed, BreathLevel.of(scanned.withEach(frame::toFrame), completed.withEach(frame::toFrame)), false);
     }
 
     /** Whether the scan is clearly one at inspiration. */
@@ -35,12 +36,13 @@ public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean
      */
     RestingBody atEndExpiration(PatientBody scanned, Thorax template) {
         MedianFrame frame = MedianFrame.of(body.thorax());
-        PatientBody straight = frame.toFrame(body);
+        PatientBody straight = body.withEach(frame::toFrame);
         if (level.orElseThrow().mark() == BreathLevel.Mark.SHAPE) {
             return new RestingBody(
-                    frame.toScan(EndExpiration.of(straight, straight, level.orElseThrow())), level, true);
+                    EndExpiration.of(straight, straight, level.orElseThrow()).withEach(frame::toScan), level, true);
         }
-        PatientBody rest = frame.toScan(EndExpiration.of(frame.toFrame(scanned), straight, level.orElseThrow()));
+        PatientBody rest = EndExpiration.of(scanned.withEach(frame::toFrame), straight, level.orElseThrow())
+                .withEach(frame::toScan);
         return new RestingBody(BodyCompletion.complete(rest, template), level, true);
     }
 

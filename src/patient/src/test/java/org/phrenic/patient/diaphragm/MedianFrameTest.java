@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -58,21 +59,21 @@ class MedianFrameTest {
     @Test
     void aStraightBodyIsItsOwnFrame() {
         PatientBody straight = woman(turn(2, 1));
-        assertThat(MedianFrame.of(straight.thorax()).toFrame(straight)).isSameAs(straight);
+        assertThat(MedianFrame.of(straight.thorax()).isStraight()).isTrue();
     }
 
     @Test
     void theFrameTakesTheTurnBackAndReturnsToTheScan() {
         PatientBody turned = woman(turn(12, 8));
         MedianFrame frame = MedianFrame.of(turned.thorax());
-        PatientBody upright = frame.toFrame(turned);
+        PatientBody upright = turned.withEach(frame::toFrame);
         TriangleMesh right =
                 upright.structure("rib_07_R").orElseThrow().structure().mesh();
         TriangleMesh left =
                 upright.structure("rib_07_L").orElseThrow().structure().mesh();
         assertThat(left.centre()[1] - right.centre()[1]).isBetween(-0.5, 0.5);
         assertThat(left.centre()[2] - right.centre()[2]).isBetween(-0.5, 0.5);
-        TriangleMesh back = frame.toScan(upright)
+        TriangleMesh back = upright.withEach(frame::toScan)
                 .structure("rib_07_R")
                 .orElseThrow()
                 .structure()

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -34,10 +35,12 @@ public final class RibCage {
      */
     public record Body(String name, int level, Side side, Optional<HelicalAxis> axis, Optional<RibEnds> ends) {}
 
+    private final MedianFrame frame;
     private final List<Body> bodies;
     private final HelicalBody[] motions;
 
-    private RibCage(List<Body> bodies) {
+    private RibCage(MedianFrame frame, List<Body> bodies) {
+        this.frame = frame;
         this.bodies = List.copyOf(bodies);
         motions = new HelicalBody[bodies.size()];
         for (int i = 0; i < motions.length; i++) {
@@ -51,6 +54,7 @@ public final class RibCage {
      * @param movingSternum false to make the sternum part of the fixed trunk
      */
     public static RibCage of(Thorax thorax, RibAxisTable table, boolean movingSternum) {
+        MedianFrame frame = MedianFrame.of(thorax);
         List<Body> bodies = new ArrayList<>();
         bodies.add(new Body("trunk", 0, Side.MIDLINE, Optional.empty(), Optional.empty()));
         List<Structure> ribs = thorax.structuresOf(StructureKind.RIB);
@@ -60,7 +64,7 @@ public final class RibCage {
         for (int i = 0; i < ribs.size(); i++) {
             Structure rib = ribs.get(i);
             RibEnds ends = found.get(i);
-            HelicalAxis axis = table.axis(rib.level(), rib.side(), ends.head());
+            HelicalAxis axis = frame.toScan(table.axis(rib.level(), rib.side(), frame.toFrame(ends.head())));
             bodies.add(new Body(rib.name(), rib.level(), rib.side(), Optional.of(axis), Optional.of(ends)));
         }
         boolean led = bodies.stream().filter(RibCage::leadsSternum).count() >= 3;
@@ -68,7 +72,7 @@ public final class RibCage {
             HelicalAxis axis = sternumAxis(bodies, body -> body.axis().orElseThrow());
             bodies.add(new Body("sternum", 0, Side.MIDLINE, Optional.of(axis), Optional.empty()));
         }
-        return new RibCage(bodies);
+        return new RibCage(frame, bodies);
     }
 
     private static boolean leadsSternum(Body body) {
@@ -119,7 +123,7 @@ public final class RibCage {
         }
         HelicalBody[] other = new HelicalBody[motions.length];
         Function<Body, HelicalAxis> scaled =
-                body -> scaleBucketHandle(body.axis().orElseThrow(), bucket);
+                body -> frame.toScan(scaleBucketHandle(frame.toFrame(body.axis().orElseThrow()), bucket));
         for (int i = 0; i < other.length; i++) {
             other[i] = bodies.get(i).ends().isPresent() ? new HelicalBody(scaled.apply(bodies.get(i))) : null;
         }

@@ -8,6 +8,7 @@ import java.util.concurrent.CompletionException;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -202,14 +203,16 @@ public final class SceneAssembly {
         if (!Remeshing.isAdequate(sheet, wanted)) {
             sheet = Remesher.toVertexCount(sheet, wanted);
         }
+        MedianFrame frame = MedianFrame.of(thorax);
         if (settings.get(RigidTendon.TENDON) == TendonRule.PLANE) {
-            double[] heights = IntStream.range(0, sheet.vertexCount())
-                    .mapToDouble(sheet::z)
+            TriangleMesh upright = frame.toFrame(sheet);
+            double[] heights = IntStream.range(0, upright.vertexCount())
+                    .mapToDouble(upright::z)
                     .sorted()
                     .toArray();
             return Diaphragm.withTendonAbovePlane(
-                    sheet, heights[(int) (heights.length * (1 - Diaphragm.TENDON_SHARE))]);
+                    sheet, frame, heights[(int) (heights.length * (1 - Diaphragm.TENDON_SHARE))]);
         }
-        return Diaphragm.withTrefoilTendon(sheet, scene.computed());
+        return Diaphragm.withTrefoilTendon(sheet, frame, scene.computed());
     }
 }

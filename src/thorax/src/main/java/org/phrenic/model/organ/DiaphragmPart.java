@@ -146,7 +146,7 @@ public final class DiaphragmPart {
     private void addSprings(SpringList springs, Tissue from, List<OpposingVertices.Pair> across) {
         MeshTopology topology = diaphragm.topology();
         double[] p = diaphragm.sheet().positions();
-        double[] box = diaphragm.sheet().bounds();
+        double[] box = diaphragm.upright().bounds();
         int edges = topology.edgeCount();
         fibreShare = new double[edges + across.size()];
         leftShare = new double[edges + across.size()];
@@ -190,7 +190,7 @@ public final class DiaphragmPart {
 
     /** Sets the contractile share of a spring, less where it lies in the crura, and where it lies in the sheet. */
     private void placeSpring(int spring, double[] box, int a, int b, double share) {
-        TriangleMesh sheet = diaphragm.sheet();
+        TriangleMesh sheet = diaphragm.upright();
         double origin = 0.5 * (cruralShare[a] + cruralShare[b]);
         fibreShare[spring] = share * (1 - origin);
         double middle = 0.5 * (box[0] + box[3]);
@@ -215,7 +215,7 @@ public final class DiaphragmPart {
 
     /** Left share of each triangle under abdominal pressure, 0 to 1, smooth across the midline. */
     public double[] abdominalLeftShares() {
-        TriangleMesh sheet = diaphragm.sheet();
+        TriangleMesh sheet = diaphragm.upright();
         double[] box = sheet.bounds();
         double middle = 0.5 * (box[0] + box[3]);
         int[] t = sheet.triangles();
@@ -298,8 +298,11 @@ public final class DiaphragmPart {
 
     /** Position x, y of the action line of a side (-1 right, 1 left), mm. */
     public double[] actionLinePosition(int side) {
-        double[] box = diaphragm.sheet().bounds();
-        return new double[] {0.5 * (box[0] + box[3]) + side * 0.25 * (box[3] - box[0]), 0.5 * (box[1] + box[4])};
+        double[] box = diaphragm.upright().bounds();
+        double[] upright = {
+            0.5 * (box[0] + box[3]) + side * 0.25 * (box[3] - box[0]), 0.5 * (box[1] + box[4]), 0.5 * (box[2] + box[5])
+        };
+        return Arrays.copyOf(diaphragm.frame().toScan(upright), 2);
     }
 
     /** Triangles under abdominal pressure, as scene nodes. */

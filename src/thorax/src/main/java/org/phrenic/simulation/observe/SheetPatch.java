@@ -2,14 +2,15 @@ package org.phrenic.simulation.observe;
 
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.model.organ.DiaphragmPart;
 
 /**
  * A small patch on the thoracic face of the diaphragm, whose mean displacement represents a region: the posterior dome,
- * as in M-mode ultrasound, the front or the side. Positions are plan-view coordinates normalised by half the width and
- * half the depth of the sheet.
+ * as in M-mode ultrasound, the front or the side. Positions are plan-view coordinates in the body's frame, normalised
+ * by half the width and half the depth of the sheet.
  */
 public final class SheetPatch {
     /** Radius at which a vertex no longer counts, mm: as broad as a disc of 15 mm, by the root mean square distance. */
@@ -17,6 +18,7 @@ public final class SheetPatch {
 
     private static final double ROOF = 0.3;
 
+    private final MedianFrame frame;
     private final int[] nodes;
     /** Share of each node in the mean. */
     private final double[] weights;
@@ -28,7 +30,8 @@ public final class SheetPatch {
      */
     public SheetPatch(DiaphragmPart part, double u, double v) {
         Diaphragm d = part.diaphragm;
-        TriangleMesh sheet = d.sheet();
+        frame = d.frame();
+        TriangleMesh sheet = d.upright();
         double[] box = sheet.bounds();
         double[] normals = MeshMeasure.vertexNormals(sheet);
         double x = 0.5 * (box[0] + box[3]) + u * 0.5 * (box[3] - box[0]);
@@ -72,11 +75,14 @@ public final class SheetPatch {
         return weights;
     }
 
-    /** Mean displacement along an axis (0 left, 1 posterior, 2 superior), mm. */
+    /** Mean displacement along an axis of the body's frame (0 left, 1 posterior, 2 superior), mm. */
     public double displacement(double[] rest, double[] now, int axis) {
         double sum = 0;
         for (int i = 0; i < nodes.length; i++) {
-            sum += weights[i] * (now[3 * nodes[i] + axis] - rest[3 * nodes[i] + axis]);
+            int at = 3 * nodes[i];
+            double moved =
+                    frame.component(now[at] - rest[at], now[at + 1] - rest[at + 1], now[at + 2] - rest[at + 2], axis);
+            sum += weights[i] * moved;
         }
         return sum;
     }

@@ -1,19 +1,16 @@
-package org.phrenic.patient.diaphragm;
+package org.phrenic.anatomy;
 
 import java.util.Optional;
-import org.phrenic.anatomy.Side;
-import org.phrenic.anatomy.Structure;
-import org.phrenic.anatomy.StructureKind;
-import org.phrenic.anatomy.Thorax;
+import org.phrenic.engine.kinematics.HelicalAxis;
 import org.phrenic.engine.kinematics.RigidMotion;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
-import org.phrenic.patient.PatientBody;
 
 /**
  * The frame of a body whose median plane is the plane x = const. A patient lies turned on the table or bent to a side;
- * what is built along the axes of LPS is built in this frame and brought back. The plane is normal to the mean vector
- * from right ribs to left ones of the same level.
+ * what is defined along the axes of LPS (the axes of the ribs, the leaflets of the tendon, right and left of a sheet)
+ * is computed in this frame and brought back. The plane is normal to the mean vector from right ribs to left ones of
+ * the same level.
  */
 public final class MedianFrame {
     /**
@@ -22,11 +19,17 @@ public final class MedianFrame {
     private static final double STRAIGHT_DEG = 3;
 
     private static final int RIBS = 12;
+    private static final MedianFrame STRAIGHT = new MedianFrame(Optional.empty());
 
     private final Optional<RigidMotion> toFrame;
 
     private MedianFrame(Optional<RigidMotion> toFrame) {
         this.toFrame = toFrame;
+    }
+
+    /** The frame of a straight body, whose axes are those of LPS. */
+    public static MedianFrame straight() {
+        return STRAIGHT;
     }
 
     /** The frame of a body in LPS, mm; that of the body itself if it lies straight or has no pair of ribs. */
@@ -47,11 +50,11 @@ public final class MedianFrame {
         }
         double length = Vectors.length(left);
         if (pairs == 0 || !(left[0] > 0)) {
-            return new MedianFrame(Optional.empty());
+            return STRAIGHT;
         }
         double[] n = {left[0] / length, left[1] / length, left[2] / length};
         if (n[0] > Math.cos(Math.toRadians(STRAIGHT_DEG))) {
-            return new MedianFrame(Optional.empty());
+            return STRAIGHT;
         }
         // The least rotation that brings n to the x axis.
         double f = 1 / (1 + n[0]);
@@ -76,36 +79,69 @@ public final class MedianFrame {
         return centre;
     }
 
+    /** Whether the axes of this frame are those of LPS. */
+    public boolean isStraight() {
+        return toFrame.isEmpty();
+    }
+
     /** The body in this frame. */
-    Thorax toFrame(Thorax body) {
-        return toFrame.map(motion -> new Thorax(
+    public Thorax toFrame(Thorax body) {
+        return isStraight()
+                ? body
+                : new Thorax(
                         body.name(),
-                        body.structures().stream().map(s -> moved(s, motion)).toList(),
+                        body.structures().stream().map(this::toFrame).toList(),
                         body.notes(),
                         body.notInScan(),
-                        body.organs()))
-                .orElse(body);
+                        body.organs());
     }
 
-    /** The body in this frame. */
-    public PatientBody toFrame(PatientBody body) {
-        return toFrame.map(motion -> body.withEach(s -> moved(s, motion))).orElse(body);
+    /** The structure in this frame. */
+    public Structure toFrame(Structure structure) {
+        return isStraight() ? structure : structure.withMesh(toFrame(structure.mesh()));
     }
 
-    /** A body of this frame in the axes of the scan. */
-    public PatientBody toScan(PatientBody body) {
-        return toFrame.map(RigidMotion::inverse)
-                .map(motion -> body.withEach(s -> moved(s, motion)))
-                .orElse(body);
+    /** A structure of this frame in the axes of the scan. */
+    public Structure toScan(Structure structure) {
+        return isStraight() ? structure : structure.withMesh(toScan(structure.mesh()));
+    }
+
+    /** The surface in this frame. */
+    public TriangleMesh toFrame(TriangleMesh mesh) {
+        return toFrame.map(motion -> moved(mesh, motion)).orElse(mesh);
     }
 
     /** A surface of this frame in the axes of the scan. */
-    TriangleMesh toScan(TriangleMesh mesh) {
+    public TriangleMesh toScan(TriangleMesh mesh) {
         return toFrame.map(motion -> moved(mesh, motion.inverse())).orElse(mesh);
     }
 
-    private static Structure moved(Structure structure, RigidMotion motion) {
-        return structure.withMesh(moved(structure.mesh(), motion));
+    /** A helical axis in this frame. */
+    public HelicalAxis toFrame(HelicalAxis axis) {
+        return toFrame.map(axis::movedBy).orElse(axis);
+    }
+
+    /** A helical axis of this frame in the axes of the scan. */
+    public HelicalAxis toScan(HelicalAxis axis) {
+        return toFrame.map(motion -> axis.movedBy(motion.inverse())).orElse(axis);
+    }
+
+    /** The point in this frame, mm. */
+    public double[] toFrame(double[] point) {
+        return toFrame.map(motion -> motion.apply(point[0], point[1], point[2])).orElse(point);
+    }
+
+    /** A point of this frame in the axes of the scan, mm. */
+    public double[] toScan(double[] point) {
+        return toFrame.map(motion -> motion.inverse().apply(point[0], point[1], point[2]))
+                .orElse(point);
+    }
+
+    /** Component of a vector of the scan along an axis of this frame (0 left, 1 posterior, 2 superior). */
+    public double component(double x, double y, double z, int axis) {
+        return toFrame.map(motion ->
+                        motion.rotation(axis, 0) * x + motion.rotation(axis, 1) * y + motion.rotation(axis, 2) * z)
+                .orElse(axis == 0 ? x : axis == 1 ? y : z);
     }
 
     private static TriangleMesh moved(TriangleMesh mesh, RigidMotion motion) {
