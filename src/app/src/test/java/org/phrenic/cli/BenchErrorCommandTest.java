@@ -41,6 +41,14 @@ class BenchErrorCommandTest {
         assertThat(chart.getWidth()).isEqualTo(1200);
     }
 
+    /** Samples of a run with steps of 7 ms lie 2 ms from those of its reference, in which the domes move by 0.07 mm. */
+    @Test
+    void aStepThatDoesNotDivideTheSamplingIntervalIsRefused() {
+        CommandLineRun run = CommandLineRun.of("bench", "error", "--quick", "--time-step", "0.01,0.007");
+        assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(run.err()).contains("found 0.007 s, expected one that divides 0.1 s");
+    }
+
     @Test
     void theWholeErrorLeavesAPageAChartAndItsMeasurements() throws Exception {
         CommandLineRun run = CommandLineRun.of(

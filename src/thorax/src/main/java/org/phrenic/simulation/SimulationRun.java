@@ -32,6 +32,9 @@ public final class SimulationRun {
         default void measured(Map<String, Object> summary) {}
     }
 
+    /** Relative rounding error of a number of steps, which must not add a step. */
+    private static final double ROUNDING = 1e-12;
+
     private static final double PROGRESS_EVERY_S = 0.1;
 
     private SimulationRun() {}
@@ -85,6 +88,11 @@ public final class SimulationRun {
         }
     }
 
+    /** Steps that a time takes, the last of which may reach beyond it: a run ends no earlier than its last breath. */
+    private static long stepsFor(double seconds, double dt) {
+        return Math.max(0, (long) Math.ceil(seconds / dt * (1 - ROUNDING)));
+    }
+
     /** Steps to the end and observes the scene at a fixed interval of steps; returns the wall time of stepping, s. */
     private static double stepToEnd(
             Scenario scenario,
@@ -94,7 +102,7 @@ public final class SimulationRun {
             Progress progress) {
         double total = scenario.durationS(simulation.scene().drive().pattern());
         double dt = simulation.stepper().dt();
-        long end = scenario.steps() >= 0 ? scenario.steps() : Math.max(1, Math.round(total / dt));
+        long end = scenario.steps() >= 0 ? scenario.steps() : Math.max(1, stepsFor(total, dt));
         SceneObserver observer = new SceneObserver(simulation.scene());
         samples.add(observer.observe(0));
         recorder.recordMeshes(0);
@@ -117,9 +125,7 @@ public final class SimulationRun {
             if (simulation.stepper().dt() != dt) {
                 // The time step changed during the run; the remaining time takes another number of steps.
                 dt = simulation.stepper().dt();
-                end = scenario.steps() >= 0
-                        ? end
-                        : simulation.steps() + Math.max(0, Math.round((total - simulation.time()) / dt));
+                end = scenario.steps() >= 0 ? end : simulation.steps() + stepsFor(total - simulation.time(), dt);
             }
             samples.add(observer.observe(simulation.time()));
             recorder.recordMeshes(simulation.time());

@@ -56,6 +56,14 @@ class RunRecorderTest {
         assertThat(execute(again, null).get("state_sha256")).isEqualTo(summary.get("state_sha256"));
     }
 
+    /** At 17 breaths/min two breaths take 7.0588 s, 2823.5 steps of 2.5 ms; the 2824th ends the second breath. */
+    @Test
+    void aRunOfTwoBreathsHasTwoWholeBreathsAtAnyRate() {
+        Scenario twoBreaths = Runs.scenario(Runs.sheetAlone(
+                "material=paper", "pressure=false", "rate_per_min=17", "time_step_s=0.0025", "record_every_s=0.05"));
+        assertThat(execute(twoBreaths, null)).containsEntry("breaths", 2).containsEntry("steps", 2824L);
+    }
+
     private static void meshes(Path out) throws IOException {
         String index = Files.readString(out.resolve("scene.pvd"));
         try (Stream<Path> files = Files.list(out.resolve("meshes"))) {

@@ -128,7 +128,7 @@ public final class RobotOperator {
             double acts = timeS - hand.latencyS() - hand.reactionS();
             if (!held && needle.isMoving() && !isOpenAt(acts)) {
                 needle.advance(needle.shaft().depth(), SPEED_MM_PER_S);
-                while (!isOpenAt(timeS - hand.latencyS() - hand.reactionS())) {
+                while (!isOpenAt(timeS - hand.latencyS() - hand.reactionS()) && timeS < GIVE_UP_S) {
                     timeS += FRAME_S;
                 }
                 look(needle);

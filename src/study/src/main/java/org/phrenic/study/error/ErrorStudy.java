@@ -232,7 +232,7 @@ public record ErrorStudy(
         List<Scenario> all = Arrays.stream(Resolution.values())
                 .map(r -> scenario.with("resolution=" + r.name().toLowerCase(Locale.ROOT)))
                 .toList();
-        return MeshRefinementError.of(all, scenario.breathing().pattern().periodS(), progress);
+        return MeshRefinementError.of(all, breathS(scenario), progress);
     }
 
     /** A distance in per cent of the excursion. */

@@ -4,6 +4,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.file.BadInputException;
 import org.phrenic.model.assembly.TissueMaterial;
 import org.phrenic.model.material.Materials;
 import org.phrenic.scenario.Scenario;
@@ -33,6 +34,25 @@ public record SolverGrid(
 
     private static final double PHYSICAL_REFINEMENT = 8;
     private static final double SMOOTH_REFINEMENT = 10;
+
+    /** Relative difference from a whole number of steps that is rounding. */
+    private static final double ROUNDING = 1e-9;
+
+    /**
+     * A grid.
+     *
+     * @throws BadInputException if a time step does not divide the sampling interval: samples of two runs at different
+     *     times would differ by the motion between them
+     */
+    public SolverGrid {
+        for (double step : timeStepsS) {
+            double steps = BreathRunner.SAMPLE_S / step;
+            if (Math.abs(steps - Math.round(steps)) > ROUNDING * steps) {
+                throw new BadInputException("time step of an error study: found " + step
+                        + " s, expected one that divides " + BreathRunner.SAMPLE_S + " s, such as 0.00125");
+            }
+        }
+    }
 
     /** Settings of a convergence study: constraints swept to convergence and planes refreshed at a fixed interval. */
     static SolverSettings converged(IntegratorKind scheme, double stepS, double refreshS) {
