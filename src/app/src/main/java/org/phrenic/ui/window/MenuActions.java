@@ -55,6 +55,8 @@ final class MenuActions {
 
     private final PhrenicWindow window;
     /** The table of keys, of which there is one; null before it is first shown. */
+    private JDialog about;
+
     private JDialog keys;
 
     MenuActions(PhrenicWindow window) {
@@ -225,7 +227,11 @@ final class MenuActions {
     }
 
     private void showAbout() {
-        HelpDialogs.about(window.frame(), window.view().graphicsInfo()).setVisible(true);
+        if (about == null || !about.isVisible()) {
+            about = HelpDialogs.about(window.frame(), window.view().graphicsInfo());
+        }
+        about.setVisible(true);
+        about.toFront();
     }
 
     private void selectPreset(String preset) {
