@@ -7,6 +7,7 @@ import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.sli
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaAccess;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.domain.JavaMethodCall;
@@ -32,6 +33,10 @@ class ArchitectureTest {
             // The module of clusters stands above the program and is built by a profile alone.
             .withImportOption(location -> !location.contains("org/phrenic/cluster/"))
             .importPackages("org.phrenic");
+
+    /** Methods of {@link Math} whose last bit the Java machine and the processor decide. */
+    private static final Set<String> ROUNDED_BY_THE_MACHINE = Set.of(
+            "sin cos tan asin acos atan atan2 sinh cosh tanh exp expm1 log log10 log1p pow cbrt hypot".split(" "));
 
     private static final Set<String> WRITERS = Set.of("write", "writeString", "newOutputStream", "newBufferedWriter");
 
@@ -173,6 +178,20 @@ class ArchitectureTest {
                 .orShould()
                 .dependOnClassesThat()
                 .belongToAnyOf(FileOutputStream.class, FileWriter.class));
+    }
+
+    /** StrictMath gives the same bits on every Java machine; what is only drawn or shown may take Math. */
+    @Test
+    void resultsTakeStrictMath() {
+        DescribedPredicate<JavaAccess<?>> rounding = DescribedPredicate.describe(
+                "a method of Math with a last bit of the machine",
+                access -> access.getTargetOwner().isEquivalentTo(Math.class)
+                        && ROUNDED_BY_THE_MACHINE.contains(access.getName()));
+        check(noClasses()
+                .that()
+                .resideOutsideOfPackages(within("scene"), within("ui"), within("cli.chart"))
+                .should()
+                .accessTargetWhere(rounding));
     }
 
     @Test

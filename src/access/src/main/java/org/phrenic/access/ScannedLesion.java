@@ -51,7 +51,7 @@ public record ScannedLesion(String name, String label, TargetLesion target) {
 
     /** The sphere of a closed surface, of a size that a target may have. */
     private static TargetLesion sphere(TriangleMesh piece) {
-        double diameter = Math.cbrt(6 / Math.PI * MeshMeasure.signedVolume(piece));
+        double diameter = StrictMath.cbrt(6 / Math.PI * MeshMeasure.signedVolume(piece));
         return new TargetLesion(
                 MeshMeasure.centreOfMass(piece),
                 Math.max(TargetLesion.SMALLEST_MM, Math.min(TargetLesion.LARGEST_MM, diameter)));

@@ -31,7 +31,7 @@ public final class BodyPlausibility {
 
     /** @throws BadInputException without the file's name, if people are not of that size */
     public void require() {
-        double size = Math.cbrt(factors[0] * factors[1] * factors[2]);
+        double size = StrictMath.cbrt(factors[0] * factors[1] * factors[2]);
         if (!(size >= MIN_SIZE && size <= MAX_SIZE)) {
             throw new BadInputException(String.format(
                     Locale.ROOT,

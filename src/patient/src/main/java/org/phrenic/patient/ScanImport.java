@@ -214,7 +214,7 @@ public final class ScanImport {
 
     private double edge(String structure, double voxelMm3) {
         StructureKind kind = StructureName.parse(structure).orElseThrow().kind();
-        return edgeMm.orElse(Math.max(Math.cbrt(voxelMm3), EDGES_MM.getOrDefault(kind, BONE_EDGE_MM)));
+        return edgeMm.orElse(Math.max(StrictMath.cbrt(voxelMm3), EDGES_MM.getOrDefault(kind, BONE_EDGE_MM)));
     }
 
     /** Coarsening factor of the voxels along each grid axis for a target edge length. */

@@ -39,7 +39,7 @@ public final class SegmentMesher {
         voxels = SurfaceNet.of(grid, segments);
         smooth = voxels.smoothed(settings.firstIterations(), settings.passBand());
         this.settings = settings;
-        voxelMm = Math.cbrt(grid.voxelVolume());
+        voxelMm = StrictMath.cbrt(grid.voxelVolume());
     }
 
     /**

@@ -53,7 +53,7 @@ public final class MedianFrame {
             return STRAIGHT;
         }
         double[] n = {left[0] / length, left[1] / length, left[2] / length};
-        if (n[0] > Math.cos(Math.toRadians(STRAIGHT_DEG))) {
+        if (n[0] > StrictMath.cos(Math.toRadians(STRAIGHT_DEG))) {
             return STRAIGHT;
         }
         // The least rotation that brings n to the x axis.

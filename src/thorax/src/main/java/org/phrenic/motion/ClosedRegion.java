@@ -32,7 +32,7 @@ final class ClosedRegion {
         rest = surface.rest();
         this.elastic = elastic;
         double volume = Math.abs(MeshMeasure.signedVolume(rest));
-        double edge = Math.max(LEAST_EDGE_MM, Math.min(GREATEST_EDGE_MM, Math.cbrt(volume) / EDGES));
+        double edge = Math.max(LEAST_EDGE_MM, Math.min(GREATEST_EDGE_MM, StrictMath.cbrt(volume) / EDGES));
         lattice = VectorLattice.covering(rest.bounds(), MARGIN_EDGES * edge, edge);
         active = lattice.dilated(inside());
         extension = new HarmonicExtension(lattice, active, rest.positions(), MeshMeasure.vertexAreas(rest), 0, 0);

@@ -75,7 +75,7 @@ public final class SlidingElasticSolid {
         double[] box = rest.bounds();
         double middle = (box[1] + box[4]) / 2;
         double depth = box[4] - box[1];
-        double strain = Math.cbrt(MeshMeasure.signedVolume(now) / MeshMeasure.signedVolume(rest)) - 1;
+        double strain = StrictMath.cbrt(MeshMeasure.signedVolume(now) / MeshMeasure.signedVolume(rest)) - 1;
         return grid.expansion(place -> BACK_OVER_FRONT * strain * (place[1] - middle) / depth);
     }
 

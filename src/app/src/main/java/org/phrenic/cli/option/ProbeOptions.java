@@ -104,7 +104,7 @@ public final class ProbeOptions {
     public Optional<SonatedNeedle> needle() {
         return Optional.ofNullable(needle).map(text -> {
             double[] p = numbers("--needle", text, 6);
-            double lengthMm = Math.hypot(Math.hypot(p[3] - p[0], p[4] - p[1]), p[5] - p[2]);
+            double lengthMm = StrictMath.hypot(StrictMath.hypot(p[3] - p[0], p[4] - p[1]), p[5] - p[2]);
             if (lengthMm < LEAST_NEEDLE_MM || lengthMm > MOST_NEEDLE_MM) {
                 throw new BadInputException(String.format(
                         Locale.ROOT,

@@ -46,7 +46,7 @@ final class DomeSurface implements ImplicitSurface {
 
     private static final double ABOVE_INSERTION_MM = 5;
     /** Cosine of the polar angle of {@value #WIDEST_DEG} degrees less a cell; there is no roof beyond. */
-    private static final double DOWNWARD = Math.cos(Math.toRadians(WIDEST_DEG - 4));
+    private static final double DOWNWARD = StrictMath.cos(Math.toRadians(WIDEST_DEG - 4));
 
     private static final double FAR_MM = 400;
 

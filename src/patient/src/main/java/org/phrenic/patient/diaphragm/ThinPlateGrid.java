@@ -98,8 +98,8 @@ final class ThinPlateGrid {
         perXx = 1 / (grid.stepX() * grid.stepX());
         perXy = 1 / (grid.stepX() * grid.stepY());
         perYy = 1 / (grid.stepY() * grid.stepY());
-        plate = Math.pow(stiffness.bendingMm(), 4);
-        tension = Math.pow(stiffness.tensionMm(), 2) * perYy;
+        plate = StrictMath.pow(stiffness.bendingMm(), 4);
+        tension = stiffness.tensionMm() * stiffness.tensionMm() * perYy;
         bentX = new double[columns * rows];
         bentY = new double[columns * (rows + 2)];
         stretched = new double[columns * (rows + 2)];

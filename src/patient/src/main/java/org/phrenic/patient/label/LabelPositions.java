@@ -72,7 +72,7 @@ final class LabelPositions {
                         sectors[label] = new double[SECTORS][2];
                     }
                     grid.voxelToMm(i, j, k, p);
-                    double turn = Math.atan2(p[1] - middle[1], p[0] - middle[0]) / (2 * Math.PI) + 0.5;
+                    double turn = StrictMath.atan2(p[1] - middle[1], p[0] - middle[0]) / (2 * Math.PI) + 0.5;
                     double[] sector = sectors[label][Math.min(SECTORS - 1, (int) (SECTORS * turn))];
                     sector[0] += p[2];
                     sector[1]++;

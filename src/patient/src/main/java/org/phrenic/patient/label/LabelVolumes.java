@@ -40,11 +40,11 @@ record LabelVolumes(int compared, int holding) {
         });
         voxels.values().removeIf(count -> count.isNaN());
         List<Double> excess = new ArrayList<>();
-        voxels.forEach((structure, count) -> excess.add(Math.log(count / TYPICAL.get(structure))));
+        voxels.forEach((structure, count) -> excess.add(StrictMath.log(count / TYPICAL.get(structure))));
         int holding = 0;
         for (int a = 0; a < excess.size(); a++) {
             for (int b = 0; b < a; b++) {
-                holding += Math.abs(excess.get(a) - excess.get(b)) < Math.log(FACTOR) ? 1 : 0;
+                holding += Math.abs(excess.get(a) - excess.get(b)) < StrictMath.log(FACTOR) ? 1 : 0;
             }
         }
         return new LabelVolumes(excess.size() * (excess.size() - 1) / 2, holding);

@@ -139,7 +139,7 @@ public final class LungMoments {
     double distance(LungMoments other, BodyAxes axes) {
         double[] larger = new double[3];
         for (int i = 0; i < 3; i++) {
-            larger[i] = Math.log(other.spread[axes.from(i)] / spread[i]);
+            larger[i] = StrictMath.log(other.spread[axes.from(i)] / spread[i]);
         }
         double mean = (larger[0] + larger[1] + larger[2]) / 3;
         double sum = 0;

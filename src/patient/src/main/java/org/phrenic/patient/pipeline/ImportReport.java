@@ -20,7 +20,7 @@ final class ImportReport {
     static OrderedValues of(ImportResult result) {
         PatientBody body = result.body();
         double voxelMm =
-                result.grid().map(grid -> Math.cbrt(grid.voxelVolume())).orElse(Double.NaN);
+                result.grid().map(grid -> StrictMath.cbrt(grid.voxelVolume())).orElse(Double.NaN);
         OrderedValues report = new OrderedValues();
         if (result.grid().isEmpty()) {
             report.with("folder", result.file());

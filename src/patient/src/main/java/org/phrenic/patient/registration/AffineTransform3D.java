@@ -52,7 +52,7 @@ final class AffineTransform3D implements PointTransform {
 
     /** Scale of a similarity. */
     double scale() {
-        return Math.cbrt(m[0] * (m[5] * m[10] - m[6] * m[9])
+        return StrictMath.cbrt(m[0] * (m[5] * m[10] - m[6] * m[9])
                 - m[1] * (m[4] * m[10] - m[6] * m[8])
                 + m[2] * (m[4] * m[9] - m[5] * m[8]));
     }
@@ -60,7 +60,7 @@ final class AffineTransform3D implements PointTransform {
     /** Rotation angle of a similarity, degrees. */
     double turnDeg() {
         double cosine = ((m[0] + m[5] + m[10]) / scale() - 1) / 2;
-        return Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, cosine))));
+        return Math.toDegrees(StrictMath.acos(Math.max(-1, Math.min(1, cosine))));
     }
 
     @Override

@@ -60,7 +60,7 @@ record RibStump(double[] end, double[] direction) {
                 x += part * (curve[i] + curve[i + 2]) / 3;
                 y += part * (curve[i + 1] + curve[i + 3]) / 3;
             }
-            double distance = Math.hypot(x / area, y / area);
+            double distance = StrictMath.hypot(x / area, y / area);
             if (distance < nearest) {
                 nearest = distance;
                 best = Vectors.addScaled(Vectors.addScaled(at, across, x / area), upward, y / area);

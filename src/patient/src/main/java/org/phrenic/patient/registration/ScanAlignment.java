@@ -173,6 +173,6 @@ public record ScanAlignment(
     /** Rotation angle, degrees. */
     public double rotationDeg() {
         double trace = motion.rotation(0, 0) + motion.rotation(1, 1) + motion.rotation(2, 2);
-        return Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, (trace - 1) / 2))));
+        return Math.toDegrees(StrictMath.acos(Math.max(-1, Math.min(1, (trace - 1) / 2))));
     }
 }

@@ -75,7 +75,8 @@ final class SymmetricAffine implements PointTransform {
 
     /** Factors from side to side, from back to front and along the body. */
     double[] factors() {
-        return new double[] {across, Math.hypot(inPlane[0], inPlane[3]), Math.hypot(inPlane[1], inPlane[4])};
+        return new double[] {across, StrictMath.hypot(inPlane[0], inPlane[3]), StrictMath.hypot(inPlane[1], inPlane[4])
+        };
     }
 
     @Override

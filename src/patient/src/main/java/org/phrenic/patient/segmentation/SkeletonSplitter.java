@@ -55,7 +55,7 @@ final class SkeletonSplitter {
     /** A connected part of the bones beside the spine. */
     private record Part(IntList voxels, double[] centre, double[] extent, double besideMm, double endZ) {
         double length() {
-            return Math.hypot(Math.hypot(extent[0], extent[1]), extent[2]);
+            return StrictMath.hypot(StrictMath.hypot(extent[0], extent[1]), extent[2]);
         }
     }
 

@@ -245,7 +245,7 @@ public final class BudgetReport {
                 Double coarser = before.put(series, row.rmsMm());
                 // A step beyond the stability limit is split into those of the next row, so both agree.
                 boolean known = coarser != null && coarser > 0 && row.rmsMm() > 0;
-                String order = known ? format("%.2f", Math.log(coarser / row.rmsMm()) / Math.log(2)) : "";
+                String order = known ? format("%.2f", StrictMath.log(coarser / row.rmsMm()) / StrictMath.log(2)) : "";
                 rows.add(List.of(
                         row.body(), row.breath(), row.mesh(), row.setting(), format("%.2g", row.rmsMm()), order));
             }

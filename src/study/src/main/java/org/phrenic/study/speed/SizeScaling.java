@@ -56,7 +56,7 @@ public record SizeScaling(List<Row> rows) {
         SimpleRegression fit = new SimpleRegression();
         rows.stream()
                 .filter(row -> row.threads() == 1)
-                .forEach(row -> fit.addData(Math.log(row.nodes()), -Math.log(row.stepsPerS())));
+                .forEach(row -> fit.addData(StrictMath.log(row.nodes()), -StrictMath.log(row.stepsPerS())));
         return fit.getSlope();
     }
 }

@@ -98,7 +98,7 @@ public record SpeedTable(List<Row> rows) {
             return OptionalDouble.empty();
         }
         SimpleRegression fit = new SimpleRegression();
-        of.forEach(row -> fit.addData(Math.log(row.vertices()), -Math.log(row.stepsPerS())));
+        of.forEach(row -> fit.addData(StrictMath.log(row.vertices()), -StrictMath.log(row.stepsPerS())));
         return OptionalDouble.of(fit.getSlope());
     }
 }

@@ -152,7 +152,7 @@ record DomeMesh(double[] positions, int[] triangles, int[] below, int[] rim) {
     private static boolean crosses(double[] p, int[] triangles, int face, double radius) {
         int inside = 0;
         for (int c = 3 * face; c < 3 * face + 3; c++) {
-            inside += Math.hypot(p[3 * triangles[c]], p[3 * triangles[c] + 1]) < radius ? 1 : 0;
+            inside += StrictMath.hypot(p[3 * triangles[c]], p[3 * triangles[c] + 1]) < radius ? 1 : 0;
         }
         return inside == 1 || inside == 2;
     }

@@ -104,7 +104,7 @@ final class DomeScene implements StabilityScene {
     private RigidLinks links(DomeMesh mesh, NodeLayout layout, double[] rest) {
         int[] below = mesh.below();
         int[] linked = IntStream.range(0, below.length)
-                .filter(i -> below[i] != i && Math.hypot(rest[3 * i], rest[3 * i + 1]) < LINKED_RADIUS)
+                .filter(i -> below[i] != i && StrictMath.hypot(rest[3 * i], rest[3 * i + 1]) < LINKED_RADIUS)
                 .toArray();
         double[] shares = parameters.conflictingLinks ? CONFLICTING_LENGTHS : CONSISTENT_LENGTHS;
         int[] a = new int[shares.length * linked.length];

@@ -117,7 +117,7 @@ public final class TracePattern implements BreathingPattern {
     public String description() {
         double low = trace.percentile(BreathingTrace.BASELINE_PERCENT);
         double high = trace.percentile(BreathingTrace.PEAK_PERCENT);
-        int decimals = Math.max(0, SCALE_DIGITS - 1 - (int) Math.floor(Math.log10(high - low)));
+        int decimals = Math.max(0, SCALE_DIGITS - 1 - (int) Math.floor(StrictMath.log10(high - low)));
         String value = "%." + decimals + "f";
         String text = "%s: %s; depth 0 at " + value + ", 1 at " + value
                 + " (%.0fth and %.0fth percentile); %d %s in %.1f s, %.1f s each%s;"

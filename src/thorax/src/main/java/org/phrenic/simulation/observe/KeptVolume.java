@@ -77,7 +77,7 @@ final class KeptVolume {
         setCentre(p);
         double now = volume(p);
         if (now > restVolume) {
-            double scale = Math.cbrt(restVolume / now);
+            double scale = StrictMath.cbrt(restVolume / now);
             for (int i = 0; i < p.length; i++) {
                 p[i] = centre[i % 3] + scale * (p[i] - centre[i % 3]);
             }

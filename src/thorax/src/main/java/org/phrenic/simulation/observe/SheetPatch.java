@@ -40,13 +40,14 @@ public final class SheetPatch {
                 .filter(i -> d.isThoracic(i) && !d.isInserted(i) && normals[3 * i + 2] > ROOF)
                 .toArray();
         int[] near = IntStream.of(roof)
-                .filter(i -> Math.hypot(sheet.x(i) - x, sheet.y(i) - y) < RADIUS_MM)
+                .filter(i -> StrictMath.hypot(sheet.x(i) - x, sheet.y(i) - y) < RADIUS_MM)
                 .toArray();
         if (near.length == 0) {
             near = IntStream.of(roof)
                     .boxed()
                     .min((a, b) -> Double.compare(
-                            Math.hypot(sheet.x(a) - x, sheet.y(a) - y), Math.hypot(sheet.x(b) - x, sheet.y(b) - y)))
+                            StrictMath.hypot(sheet.x(a) - x, sheet.y(a) - y),
+                            StrictMath.hypot(sheet.x(b) - x, sheet.y(b) - y)))
                     .map(i -> new int[] {i})
                     .orElse(new int[0]);
         }
@@ -64,7 +65,7 @@ public final class SheetPatch {
         double sum = 0;
         for (int i = 0; i < weights.length; i++) {
             int v = vertices[i];
-            double distance = Math.hypot(sheet.x(v) - x, sheet.y(v) - y) / RADIUS_MM;
+            double distance = StrictMath.hypot(sheet.x(v) - x, sheet.y(v) - y) / RADIUS_MM;
             double inside = 1 - distance * distance;
             weights[i] = areas[v] * normals[3 * v + 2] * inside * inside;
             sum += weights[i];

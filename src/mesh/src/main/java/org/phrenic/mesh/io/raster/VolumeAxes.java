@@ -71,7 +71,7 @@ public record VolumeAxes(double[][] steps, double[] origin) {
                 cosine += steps[one][row] * steps[other][row] / (length[one] * length[other]);
             }
             if (Math.abs(cosine) > RIGHT_ANGLE) {
-                double angle = Math.toDegrees(Math.acos(Math.max(-1, Math.min(1, cosine))));
+                double angle = Math.toDegrees(StrictMath.acos(Math.max(-1, Math.min(1, cosine))));
                 String found = ": found " + DIRECTIONS[one] + " and " + DIRECTIONS[other];
                 throw new BadInputException(file + found + String.format(Locale.ROOT, " at an angle of %.1f deg", angle)
                         + ", expected right angles (resample the sheared volume first)");

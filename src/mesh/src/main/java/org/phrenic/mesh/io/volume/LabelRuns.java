@@ -124,7 +124,7 @@ record LabelRuns(Path file, int[] size, double[] toMm, List<Runs> structures, Li
             int times = m % 4 < 3 ? size[m % 4] : 1;
             largest = Math.max(largest, times * Math.abs(toMm[m] - other.toMm[m]));
         }
-        double voxel = Math.hypot(Math.hypot(toMm[0], toMm[4]), toMm[8]);
+        double voxel = StrictMath.hypot(StrictMath.hypot(toMm[0], toMm[4]), toMm[8]);
         if (!Arrays.equals(size, other.size) || largest > GRID_TOLERANCE * voxel) {
             throw new BadInputException(file + ": found other voxels than those of " + other.file.getFileName()
                     + ", expected masks on one grid");

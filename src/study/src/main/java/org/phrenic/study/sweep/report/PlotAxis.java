@@ -37,7 +37,7 @@ record PlotAxis(double low, double high, double from, double to) {
     /** Round values within the axis: multiples of 1, 2 or 5 times a power of ten. */
     List<Double> ticks() {
         double rough = (high - low) / TICKS;
-        double power = Math.pow(10, Math.floor(Math.log10(rough)));
+        double power = StrictMath.pow(10, Math.floor(StrictMath.log10(rough)));
         double step = rough / power <= 1
                 ? power
                 : rough / power <= 2 ? 2 * power : rough / power <= 5 ? 5 * power : 10 * power;
