@@ -1,5 +1,6 @@
 package org.phrenic.scene.gl;
 
+import com.jogamp.common.util.VersionNumber;
 import com.jogamp.nativewindow.NativeWindowFactory;
 import com.jogamp.opengl.DebugGL3;
 import com.jogamp.opengl.GL;
@@ -11,6 +12,7 @@ import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLOffscreenAutoDrawable;
 import com.jogamp.opengl.GLProfile;
 import java.awt.image.BufferedImage;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
@@ -40,6 +42,11 @@ public final class OffscreenContext implements AutoCloseable {
 
     /** Maximum side of a tile, pixels. Larger pictures are drawn in tiles to limit memory. */
     static final int MAX_TILE = 3072;
+
+    /** That of the shaders, {@code #version 330 core}. */
+    private static final VersionNumber NEEDED = new VersionNumber(3, 3, 0);
+
+    private static final String OLD_DRIVER = "No pictures can be made here: the graphics driver has no OpenGL 3.3";
 
     /** The context that {@link #prepare} has begun to open. */
     private static final AtomicReference<FutureTask<OffscreenContext>> PREPARED = new AtomicReference<>();
@@ -137,6 +144,9 @@ public final class OffscreenContext implements AutoCloseable {
         if (factory == null) {
             throw new NoGraphicsException("No pictures can be made here: the display offers no OpenGL");
         }
+        if (!GLProfile.isAvailable(factory.getDefaultDevice(), GLProfile.GL3)) {
+            throw new NoGraphicsException(OLD_DRIVER);
+        }
         GLCapabilities wanted = new GLCapabilities(GLProfile.get(factory.getDefaultDevice(), GLProfile.GL3));
         wanted.setOnscreen(false);
         wanted.setFBO(true);
@@ -145,9 +155,22 @@ public final class OffscreenContext implements AutoCloseable {
         drawable.display();
         if (drawable.getContext() == null || !drawable.getContext().isCreated()) {
             drawable.destroy();
-            throw new NoGraphicsException("No pictures can be made here: the driver has no OpenGL 3.3");
+            throw new NoGraphicsException(OLD_DRIVER);
+        }
+        // The profile GL3 begins with version 3.1.
+        Optional<String> obstacle = obstacle(drawable.getContext().getGLVersionNumber());
+        if (obstacle.isPresent()) {
+            drawable.destroy();
+            throw new NoGraphicsException(obstacle.get());
         }
         return new OffscreenContext(drawable);
+    }
+
+    /** Why nothing can be drawn by a driver of a version of OpenGL; empty if it can. */
+    static Optional<String> obstacle(VersionNumber version) {
+        return version.compareTo(NEEDED) >= 0
+                ? Optional.empty()
+                : Optional.of(OLD_DRIVER + ", it has " + version.getMajor() + "." + version.getMinor());
     }
 
     public BufferedImage render(

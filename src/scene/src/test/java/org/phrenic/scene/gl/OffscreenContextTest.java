@@ -2,6 +2,7 @@ package org.phrenic.scene.gl;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.jogamp.common.util.VersionNumber;
 import org.junit.jupiter.api.Test;
 import org.phrenic.scene.SceneFixture;
 
@@ -26,6 +27,15 @@ class OffscreenContextTest {
             assertThat(prepared).isNotSameAs(other);
             assertThat(prepared.info().version()).isEqualTo(other.info().version());
         }
+    }
+
+    /** JOGL gives contexts of OpenGL 3.1 and 3.2 as well; their drivers compile none of the shaders. */
+    @Test
+    void anOldDriverIsToldInOneSentence() {
+        assertThat(OffscreenContext.obstacle(new VersionNumber(3, 2, 0)))
+                .contains("No pictures can be made here: the graphics driver has no OpenGL 3.3, it has 3.2");
+        assertThat(OffscreenContext.obstacle(new VersionNumber(3, 3, 0))).isEmpty();
+        assertThat(OffscreenContext.obstacle(new VersionNumber(4, 1, 0))).isEmpty();
     }
 
     @Test
