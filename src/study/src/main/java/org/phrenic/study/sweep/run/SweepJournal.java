@@ -28,6 +28,9 @@ import org.phrenic.study.sweep.SweepStudy;
 final class SweepJournal implements AutoCloseable {
     private static final List<String> FIXED = SweepStudy.JOURNAL_COLUMNS;
 
+    /** Beyond all content: Windows lets nobody read bytes that are locked, and other shards read the journal. */
+    private static final long LOCKED_BYTE = Long.MAX_VALUE - 1;
+
     private final RandomAccessFile file;
     private final Path path;
 
@@ -54,7 +57,7 @@ final class SweepJournal implements AutoCloseable {
 
     private FileLock lock() throws IOException {
         try {
-            return file.getChannel().tryLock();
+            return file.getChannel().tryLock(LOCKED_BYTE, 1, false);
         } catch (OverlappingFileLockException mine) {
             return null;
         }

@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -51,6 +53,20 @@ class SweepRunnerTest {
             kept.add(String.join(",", cells));
         }
         return String.join("\n", kept);
+    }
+
+    /** Windows lets nobody read locked bytes, and shards that begin read the journals of those that run. */
+    @Test
+    void aJournalThatIsWrittenCanBeRead() throws IOException {
+        SweepFolder study = SweepFolder.of(folder, plan(4));
+        try (SweepJournal writing = study.journal(Shard.WHOLE);
+                FileChannel reading = FileChannel.open(folder.resolve("journal.csv"), StandardOpenOption.WRITE)) {
+            assertThat(study.results().done()).isZero();
+            assertThat(reading.tryLock(0, 1L << 40, false)).isNotNull();
+            assertThatThrownBy(() -> study.journal(Shard.WHOLE))
+                    .isInstanceOf(BadInputException.class)
+                    .hasMessageContaining("another process writes");
+        }
     }
 
     /** Stops as a killed process does: some runs are in the journal, in any order, and half of another's line. */
@@ -113,7 +129,7 @@ class SweepRunnerTest {
         Path killed = folder.resolve("killed");
         run(plan, whole, new ThreadExecutor(1));
         assertThatThrownBy(() -> run(plan, killed, new KilledExecutor(40))).hasMessage("killed");
-        Files.writeString(killed.resolve("journal.csv"), "77,,0.1,abc", java.nio.file.StandardOpenOption.APPEND);
+        Files.writeString(killed.resolve("journal.csv"), "77,,0.1,abc", StandardOpenOption.APPEND);
         CountingExecutor rest = new CountingExecutor();
         SweepResults results = run(plan, killed, rest);
         assertThat(results.isComplete()).isTrue();
