@@ -12,6 +12,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.util.concurrent.locks.LockSupport;
 
 /**
  * Atomic file writing: the content goes to a temporary file beside the target, which then replaces the target. A reader
@@ -20,6 +21,9 @@ import java.nio.file.StandardOpenOption;
  */
 public final class AtomicFile {
     private static final int ATTEMPTS = 1000;
+    private static final int REPLACEMENTS = 6;
+    /** Pause after the first refusal; those that follow are longer by as much each. */
+    private static final long PAUSE_NS = 20_000_000;
 
     /** Writes the content of a file. */
     @FunctionalInterface
@@ -80,15 +84,43 @@ public final class AtomicFile {
                     }
                 }
             }
-            try {
-                Files.move(beside, target, StandardCopyOption.ATOMIC_MOVE);
-            } catch (AtomicMoveNotSupportedException unsupported) {
-                Files.move(beside, target, StandardCopyOption.REPLACE_EXISTING);
-            }
+            Path whole = beside;
+            retrying(() -> replace(whole, target));
             beside = null;
         } finally {
             if (beside != null) {
                 Files.deleteIfExists(beside);
+            }
+        }
+    }
+
+    private static void replace(Path beside, Path target) throws IOException {
+        try {
+            Files.move(beside, target, StandardCopyOption.ATOMIC_MOVE);
+        } catch (AtomicMoveNotSupportedException unsupported) {
+            Files.move(beside, target, StandardCopyOption.REPLACE_EXISTING);
+        }
+    }
+
+    /** What changes a file. */
+    @FunctionalInterface
+    interface Change {
+        void make() throws IOException;
+    }
+
+    /**
+     * Makes a change again that is refused: Windows refuses while another program, such as a scanner, reads the file.
+     */
+    static void retrying(Change change) throws IOException {
+        for (int attempt = 1; ; attempt++) {
+            try {
+                change.make();
+                return;
+            } catch (AccessDeniedException refused) {
+                if (attempt == REPLACEMENTS) {
+                    throw refused;
+                }
+                LockSupport.parkNanos(attempt * PAUSE_NS);
             }
         }
     }
@@ -111,7 +143,7 @@ public final class AtomicFile {
 
     private static String reason(IOException failure) {
         if (failure instanceof AccessDeniedException) {
-            return "no permission to write there";
+            return "no permission to write there, or another program has the file open";
         }
         if (failure instanceof FileAlreadyExistsException) {
             return failure.getMessage() + " is a file, expected a folder";

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Assumptions;
@@ -41,6 +42,22 @@ class AtomicFileTest {
 
         assertThat(target).hasContent("old");
         assertThat(folder.toFile().list()).containsExactly("curves.csv");
+    }
+
+    /** As on Windows, while a scanner of viruses or another reader has the target open. */
+    @Test
+    void aTargetThatIsReadForAMomentIsReplacedAfterIt() throws IOException {
+        int[] refusals = {2};
+        AtomicFile.retrying(() -> {
+            if (refusals[0]-- > 0) {
+                throw new AccessDeniedException("curves.csv");
+            }
+        });
+        assertThat(refusals[0]).isEqualTo(-1);
+        assertThatExceptionOfType(AccessDeniedException.class)
+                .isThrownBy(() -> AtomicFile.retrying(() -> {
+                    throw new AccessDeniedException("curves.csv");
+                }));
     }
 
     @Test
