@@ -1,13 +1,38 @@
 package org.phrenic.file;
 
 import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /** Names of files. */
 public final class FileNames {
+    private static final String RESERVED_CHARACTERS = "/\\:*?\"<>|";
+
+    /** Names that Windows keeps for devices, whatever follows their first dot. */
+    private static final Pattern DEVICE =
+            Pattern.compile("(con|prn|aux|nul|com\\d|lpt\\d)(\\..*)?", Pattern.CASE_INSENSITIVE);
+
     private FileNames() {}
 
     /** Name of a file without its folder and without what follows the last dot. */
     public static String withoutExtension(Path file) {
         return String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "");
+    }
+
+    /** Whether a file can have a name, with or without an extension, on Linux, macOS and Windows. */
+    public static boolean isPortable(String name) {
+        return !name.isBlank()
+                && !name.endsWith(".")
+                && !name.endsWith(" ")
+                && !DEVICE.matcher(name).matches()
+                && name.chars().noneMatch(c -> c < ' ' || RESERVED_CHARACTERS.indexOf(c) >= 0);
+    }
+
+    /** Files of one folder in the order of their names; paths themselves are ordered by the rules of the system. */
+    public static List<Path> sorted(Stream<Path> files) {
+        return files.sorted(Comparator.comparing(file -> String.valueOf(file.getFileName())))
+                .toList();
     }
 }

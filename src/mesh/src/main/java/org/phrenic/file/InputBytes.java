@@ -60,7 +60,7 @@ public final class InputBytes {
      */
     public static List<Path> list(Path folder) {
         try (Stream<Path> entries = Files.list(folder)) {
-            return entries.sorted().toList();
+            return FileNames.sorted(entries);
         } catch (IOException failure) {
             throw readFailure(folder, failure);
         }

@@ -5,12 +5,14 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
@@ -183,6 +185,16 @@ class ScanImportTest {
         assertThatThrownBy(() -> LabelGuess.of(ScanSamples.volume()).require("scan"))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("--labels");
+    }
+
+    /** macOS and Windows take Liver.vtp and liver.vtp for one file. */
+    @Test
+    void structuresThatDifferByCaseAloneAreRefused(@TempDir Path folder) throws IOException {
+        Path table = Files.writeString(folder.resolve("labels.csv"), "label,structure\n1,liver\n2,lungs\n3,Liver\n");
+        assertThatThrownBy(() -> LabelTable.of(table.toString(), ScanSamples.volume()))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("labels.csv: line 4")
+                .hasMessageContaining("found 'Liver' besides 'liver', expected one spelling");
     }
 
     @Test

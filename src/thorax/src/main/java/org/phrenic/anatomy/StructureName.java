@@ -1,8 +1,10 @@
 package org.phrenic.anatomy;
 
+import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.phrenic.file.FileNames;
 
 /**
  * Kind, level and side of a structure, parsed from its name: {@code rib_05_R}, {@code costal_cartilage_02_L},
@@ -26,9 +28,12 @@ public record StructureName(StructureKind kind, int level, Side side) {
     private static final Pattern DISC = Pattern.compile("disc_([ctl])0*(\\d{1,2})_[tls]0*\\d{1,2}");
     private static final Pattern LUNG = Pattern.compile("(lung|pleura)_([rl])(_.*)?");
 
-    /** Parses a name; empty if the name is unknown. */
+    /** Parses a name; empty if the name is unknown, or none of a file. */
     public static Optional<StructureName> parse(String name) {
-        String n = name.toLowerCase(java.util.Locale.ROOT);
+        if (!FileNames.isPortable(name)) {
+            return Optional.empty();
+        }
+        String n = name.toLowerCase(Locale.ROOT);
         Matcher m = LEVELLED.matcher(n);
         if (m.matches()) {
             int level = Integer.parseInt(m.group(2));

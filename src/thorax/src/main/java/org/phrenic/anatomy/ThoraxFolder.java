@@ -252,7 +252,7 @@ public final class ThoraxFolder {
     private static Map<String, Path> filesByName(Path folder) {
         Map<String, Path> files = new TreeMap<>();
         try (Stream<Path> list = Files.list(folder)) {
-            for (Path file : list.filter(MeshFiles::isMesh).sorted().toList()) {
+            for (Path file : FileNames.sorted(list.filter(MeshFiles::isMesh))) {
                 String name = FileNames.withoutExtension(file);
                 Path twin = files.putIfAbsent(name, file);
                 if (twin != null) {

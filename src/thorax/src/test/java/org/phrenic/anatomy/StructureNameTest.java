@@ -57,6 +57,9 @@ class StructureNameTest {
                 "blob",
                 "diaphragm_old",
                 "other_",
+                "lung_R_a:b",
+                "skin/../../x",
+                "sternum?",
                 ""
             })
     void whatNoBodyHasIsNoName(String name) {

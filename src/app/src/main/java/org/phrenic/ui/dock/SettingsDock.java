@@ -120,7 +120,7 @@ public final class SettingsDock extends JPanel implements Session.Listener {
         askName.get()
                 .map(String::strip)
                 .ifPresent(name -> reportingErrors(() -> {
-                    if (!store.names().contains(name)
+                    if (!store.contains(name)
                             || confirms.test("Replace the settings '" + name + "', which are stored already?")) {
                         store.save(name, session.scenario());
                         refresh();

@@ -11,6 +11,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.phrenic.document.YamlWriter;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
 import org.phrenic.file.OutputException;
 import org.phrenic.scenario.Scenario;
 
@@ -65,6 +66,11 @@ public record ScenarioStore(Path folder) {
         }
     }
 
+    /** Whether a scenario of a name is stored; on systems that ignore case, whatever its case. */
+    public boolean contains(String name) {
+        return Files.exists(file(name));
+    }
+
     /**
      * Stores a scenario under a name, and replaces one of that name.
      *
@@ -100,13 +106,10 @@ public record ScenarioStore(Path folder) {
 
     private Path file(String name) {
         String plain = name.strip();
-        boolean usable = !plain.isEmpty()
-                && plain.length() <= MAX_NAME_LENGTH
-                && !plain.startsWith(".")
-                && plain.chars().noneMatch(c -> c < ' ' || "/\\:*?\"<>|".indexOf(c) >= 0);
+        boolean usable = plain.length() <= MAX_NAME_LENGTH && !plain.startsWith(".") && FileNames.isPortable(plain);
         if (!usable) {
             throw new BadInputException("name of settings: found '" + name + "', expected 1 to " + MAX_NAME_LENGTH
-                    + " letters, digits, spaces, and no / \\ : * ? \" < > |");
+                    + " letters, digits, spaces, and no / \\ : * ? \" < > |, and no name of a device such as con");
         }
         return folder.resolve(plain + SUFFIX);
     }

@@ -37,7 +37,7 @@ class ScenarioStoreTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "  ", "../escape", "a/b", ".hidden", "what?"})
+    @ValueSource(strings = {"", "  ", "../escape", "a/b", ".hidden", "what?", "Con", "aux.2", "a."})
     void aNameThatNoFileCanHaveIsRefused(String name) {
         ScenarioStore store = new ScenarioStore(folder);
         assertThatThrownBy(() -> store.save(name, Scenario.defaults()))

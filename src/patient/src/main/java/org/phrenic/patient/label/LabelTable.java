@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.StructureName;
@@ -148,6 +149,15 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
                         "structure",
                         "found '" + structure + "', expected a structure such as rib_05_R, lung_L, liver, kidney_R,"
                                 + " other_NAME, " + LUNGS + ", " + RIBS + ", " + COSTAL_CARTILAGES + " or " + IGNORE);
+            }
+            Optional<String> twin =
+                    structures.stream().filter(structure::equalsIgnoreCase).findFirst();
+            if (!structure.equals(twin.orElse(structure))) {
+                throw table.badCell(
+                        row,
+                        "structure",
+                        "found '" + structure + "' besides '" + twin.get() + "', expected one spelling,"
+                                + " because some systems take both for one file");
             }
             List<Integer> labels =
                     byName ? labelsNamed(volume, table.texts("name").get(row)) : List.of(label(table, row));

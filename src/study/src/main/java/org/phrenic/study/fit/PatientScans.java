@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 
 /**
@@ -33,7 +34,7 @@ public record PatientScans(String name, Path expiration, Path inspiration) {
         }
         List<PatientScans> pairs = new ArrayList<>();
         try (Stream<Path> files = Files.list(folder)) {
-            for (Path file : files.sorted().toList()) {
+            for (Path file : FileNames.sorted(files)) {
                 String name = file.getFileName().toString();
                 Path other = file.resolveSibling(name.replace(EXPIRATION, INSPIRATION));
                 if (name.contains(EXPIRATION) && LabelVolumeFiles.isVolume(file) && Files.isRegularFile(other)) {

@@ -1,0 +1,30 @@
+package org.phrenic.file;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class FileNamesTest {
+    @ParameterizedTest
+    @ValueSource(strings = {"lung_R", "Stiff, deep", "console", "auxiliary", "com", "com10", "M\u00fcller", "v1.2"})
+    void everySystemHasFilesOfTheseNames(String name) {
+        assertThat(FileNames.isPortable(name)).isTrue();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"", " ", "con", "AUX", "nul.old", "Com1", "lpt9.a.b", "a:b", "a/b", "a\\b", "a?", "a.", "a "})
+    void someSystemHasNoFilesOfThese(String name) {
+        assertThat(FileNames.isPortable(name)).isFalse();
+    }
+
+    @Test
+    void theOrderOfFilesIsThatOfTheirNamesOnEverySystem() {
+        assertThat(FileNames.sorted(Stream.of("b.ply", "a.ply", "C.ply").map(Path::of)))
+                .containsExactly(Path.of("C.ply"), Path.of("a.ply"), Path.of("b.ply"));
+    }
+}
