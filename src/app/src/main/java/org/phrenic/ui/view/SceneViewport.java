@@ -70,6 +70,8 @@ public final class SceneViewport extends JPanel implements Session.Listener {
                 requestFrame();
             }
         });
+        // A screen of another scale.
+        addPropertyChangeListener("graphicsConfiguration", e -> requestFrame());
         renderLoop.start();
     }
 
