@@ -1,11 +1,13 @@
 package org.phrenic.cli;
 
 import java.io.PrintWriter;
-import java.nio.charset.StandardCharsets;
+import java.nio.charset.Charset;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.phrenic.cli.option.VersionProvider;
+import org.phrenic.cli.report.ConsoleCharset;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.HeadlessRun;
 import org.phrenic.document.report.Disclaimer;
@@ -66,12 +68,16 @@ public final class Phrenic implements Callable<Integer> {
     /** Ends the process with the exit code of {@link #execute}. */
     public static void main(String[] args) {
         printLogWithoutClasses();
+        writeNumbersAsInFiles();
         StandardOutput results = new StandardOutput();
-        PrintWriter out = new PrintWriter(results, true, StandardCharsets.UTF_8);
-        PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
+        Charset charset = ConsoleCharset.ofProcess();
+        PrintWriter out = new PrintWriter(results, true, charset);
+        PrintWriter err = new PrintWriter(System.err, true, charset);
         int code = ExitCode.BAD_INPUT;
         if (SubCommands.needNoWindow(args)) {
             System.setProperty("java.awt.headless", "true");
+        } else {
+            WindowStart.nameApplication();
         }
         if (hasLibraries()) {
             code = execute(out, err, args);
@@ -94,6 +100,11 @@ public final class Phrenic implements Callable<Integer> {
         if (System.getProperty(LOG_FORMAT) == null) {
             System.setProperty(LOG_FORMAT, "%5$s%6$s%n");
         }
+    }
+
+    /** Lets window and charts show numbers as files and sentences do: decimal points and digits from 0 to 9. */
+    static void writeNumbersAsInFiles() {
+        Locale.setDefault(Locale.Category.FORMAT, Locale.ENGLISH);
     }
 
     /** Whether the jars of {@code lib} are there. This class loads without them. */

@@ -1,8 +1,10 @@
 package org.phrenic.ui.window;
 
 import java.awt.AWTError;
+import java.awt.Desktop;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
+import java.awt.desktop.QuitStrategy;
 import java.util.Optional;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.gl.OffscreenContext;
@@ -32,11 +34,25 @@ public final class WindowStart {
         }
     }
 
+    /** Gives the menu of macOS the name of the program, before the first use of AWT; other systems ignore it. */
+    public static void nameApplication() {
+        System.setProperty("apple.awt.application.name", "Phrenic");
+    }
+
+    /** Lets <i>Quit</i> of the menu of macOS close the window, which then stores its preferences. */
+    private static void quitByClosing() {
+        boolean mac = System.getProperty("os.name", "").startsWith("Mac");
+        if (mac && Desktop.getDesktop().isSupported(Desktop.Action.APP_QUIT_STRATEGY)) {
+            Desktop.getDesktop().setQuitStrategy(QuitStrategy.CLOSE_ALL_WINDOWS);
+        }
+    }
+
     /**
      * Prepares graphics and body for the window that is made next. On few processors the scene is assembled after the
      * first picture.
      */
     static Session session(Scenario first) {
+        quitByClosing();
         OffscreenContext.prepare();
         return new Session(first, Runtime.getRuntime().availableProcessors() < PROCESSORS_FOR_ALL);
     }
