@@ -69,6 +69,7 @@ public final class Phrenic implements Callable<Integer> {
     public static void main(String[] args) {
         printLogWithoutClasses();
         writeNumbersAsInFiles();
+        keepToSupportedMemory();
         StandardOutput results = new StandardOutput();
         Charset charset = ConsoleCharset.ofProcess();
         PrintWriter out = new PrintWriter(results, true, charset);
@@ -105,6 +106,11 @@ public final class Phrenic implements Callable<Integer> {
     /** Lets window and charts show numbers as files and sentences do: decimal points and digits from 0 to 9. */
     static void writeNumbersAsInFiles() {
         Locale.setDefault(Locale.Category.FORMAT, Locale.ENGLISH);
+    }
+
+    /** Lets JOML do without sun.misc.Unsafe, about which newer Java warns on stderr and which it takes away. */
+    static void keepToSupportedMemory() {
+        System.setProperty("joml.nounsafe", "true");
     }
 
     /** Whether the jars of {@code lib} are there. This class loads without them. */
