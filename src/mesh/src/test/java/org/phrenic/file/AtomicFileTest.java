@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Assumptions;
@@ -81,7 +82,12 @@ class AtomicFileTest {
     @Test
     void aLinkKeepsPointingWhereItDid() throws IOException {
         Path real = Files.writeString(folder.resolve("real.txt"), "old");
-        Path link = Files.createSymbolicLink(folder.resolve("link.txt"), real.getFileName());
+        Path link = folder.resolve("link.txt");
+        try {
+            Files.createSymbolicLink(link, real.getFileName());
+        } catch (FileSystemException notAllowed) {
+            Assumptions.abort("this system lets this user make no links: " + notAllowed.getMessage());
+        }
         AtomicFile.write(link, "new");
 
         assertThat(link).isSymbolicLink();

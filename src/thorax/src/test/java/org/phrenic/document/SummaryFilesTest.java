@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -36,6 +37,7 @@ class SummaryFilesTest {
         JsonWriter.write(file, values);
 
         assertThat(file)
+                .usingCharset(StandardCharsets.UTF_8)
                 .hasContent(
                         """
                         {
