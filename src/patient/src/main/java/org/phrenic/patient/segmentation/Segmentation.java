@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.io.volume.LabelVolume;
@@ -18,6 +19,12 @@ import org.phrenic.patient.label.LabelTable;
  */
 public final class Segmentation {
     private static final int MAX_SEGMENTS = LabelGrid.MAX_BYTE_LABEL;
+    /**
+     * Number of structures that reach the same outermost slice from which on the scan ends there. By themselves
+     * people's structures end at heights of their own.
+     */
+    private static final int CUT_STRUCTURES = 5;
+
     private static final int MAX_LISTED = 8;
 
     final int columns;
@@ -27,7 +34,10 @@ public final class Segmentation {
     byte[] voxels;
 
     private final double[] toMm;
-    /** Whether the box begins at the first voxel and ends at the last of the volume, for each direction. */
+    /**
+     * Whether the box begins at the first voxel and ends at the last of the volume, for each direction, or at empty
+     * slices with which a volume is filled up beyond the end of a scan.
+     */
     private final boolean[] atEnd = new boolean[6];
 
     private final List<String> names = new ArrayList<>();
@@ -77,6 +87,12 @@ public final class Segmentation {
         for (int direction = 0; direction < 3; direction++) {
             atEnd[direction] = box[direction] == 0;
             atEnd[3 + direction] = box[3 + direction] == last[direction];
+            if ("SI".contains(side(direction, true))) {
+                atEnd[direction] |= structuresAt(direction, 0).size() >= CUT_STRUCTURES;
+                atEnd[3 + direction] |= structuresAt(direction, box[3 + direction] - box[direction])
+                                .size()
+                        >= CUT_STRUCTURES;
+            }
         }
     }
 
@@ -126,6 +142,11 @@ public final class Segmentation {
     }
 
     private void addCut(int direction, int at, String side) {
+        structuresAt(direction, at).forEach(name -> cut.merge(name, side, String::concat));
+    }
+
+    /** Names of the structures in a layer of voxels across a direction of the grid. */
+    private List<String> structuresAt(int direction, int at) {
         int[] sizes = {columns, rows, slices};
         int[] strides = {1, columns, columns * rows};
         int one = (direction + 1) % 3;
@@ -136,11 +157,10 @@ public final class Segmentation {
                 met[segmentAt(at * strides[direction] + i * strides[one] + j * strides[two])] = true;
             }
         }
-        for (int segment = 1; segment <= names.size(); segment++) {
-            if (met[segment]) {
-                cut.merge(names.get(segment - 1), side, String::concat);
-            }
-        }
+        return IntStream.rangeClosed(1, names.size())
+                .filter(segment -> met[segment])
+                .mapToObj(segment -> names.get(segment - 1))
+                .toList();
     }
 
     /** Letter of the side of the body toward which a grid direction runs. */

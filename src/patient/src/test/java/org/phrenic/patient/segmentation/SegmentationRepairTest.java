@@ -42,6 +42,25 @@ class SegmentationRepairTest {
         return pieces;
     }
 
+    /** The lower slices of a cage are empty, as in a volume that was cropped and filled up to its former size. */
+    @Test
+    void aScanEndsWhereManyStructuresDoWhateverEmptySlicesFollow() {
+        CageVoxels cropped = new CageVoxels().withRibs(1).withVertebrae(1);
+        int slice = CageVoxels.COLUMNS * CageVoxels.ROWS;
+        Arrays.fill(cropped.labels, 0, 50 * slice, (byte) 0);
+        Segmentation s = cropped.segmentation(CageVoxels.table(false));
+        s.findCuts();
+        List<String> below =
+                s.names().stream().filter(name -> s.cutAt(name).equals("I")).toList();
+        assertThat(below).hasSizeGreaterThan(5).contains("rib_08_R", "rib_08_L").doesNotContain("rib_02_R");
+        assertThat(s.names()).as("the upper ends are their own").noneMatch(name -> s.cutAt(name)
+                .contains("S"));
+
+        Segmentation whole = new CageVoxels().withRibs(1).withVertebrae(1).segmentation(CageVoxels.table(false));
+        whole.findCuts();
+        assertThat(whole.names()).allMatch(name -> whole.cutAt(name).isEmpty());
+    }
+
     private static TreeMap<String, Integer> repaired(Segmentation s) {
         SegmentationRepair.numberRibs(s);
         SegmentationRepair.mend(s);
