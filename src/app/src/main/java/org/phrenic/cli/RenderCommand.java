@@ -127,8 +127,7 @@ final class RenderCommand extends ReportingCommand {
                 Optional<String> title = Optional.of(settings)
                         .filter(PictureSettings::annotated)
                         .map(s -> s.title() + ", " + view.label());
-                String file = String.format(
-                        Locale.ROOT, "xray_%d_%d", Math.round(view.leftObliqueDeg()), Math.round(view.cranialDeg()));
+                String file = RadiographOptions.fileName(view);
                 shots.add(new NamedShot(file, view.label(), settings, studio.shot(view, title)));
             }
             write(shots, studio.durationS(), progress);
@@ -139,6 +138,7 @@ final class RenderCommand extends ReportingCommand {
 
     private void check() {
         timeOptions.validate();
+        timeOptions.requireApart();
         styleOptions.validate();
         radiographOptions.validate();
         shotOptions.settings("");
@@ -188,7 +188,7 @@ final class RenderCommand extends ReportingCommand {
     private Path picture(NamedShot shot, int index, double[] times) {
         String suffix = timeOptions.isSequence()
                 ? String.format(Locale.ROOT, "_%04d", index + 1)
-                : times.length == 1 ? "" : String.format(Locale.ROOT, "_%.3fs", times[index]);
+                : times.length == 1 ? "" : "_" + TimeOptions.label(times[index]);
         return out.resolve(shot.file() + suffix + ".png");
     }
 

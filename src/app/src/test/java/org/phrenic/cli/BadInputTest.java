@@ -289,6 +289,7 @@ class BadInputTest {
                 bad("time NaN", "expected a number", render("--at", "0,NaN")),
                 bad("time and frames", "single times or a sequence", render("--at", "1", "--frames", "3")),
                 bad("time and movie", "single times or a sequence", render("--at", "1", "--movie", "m.gif")),
+                bad("times of one file", "which give one file 1.000s", render("--at", "1,1.0001")),
                 bad("no frames", "expected 1 to", render("--frames", "0")),
                 bad("half a frame", "whole number", render("--frames", "2.5")),
                 bad("rate without a sequence", "--frames", render("--fps", "25")),

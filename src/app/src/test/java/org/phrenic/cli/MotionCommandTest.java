@@ -48,6 +48,14 @@ class MotionCommandTest {
     }
 
     @Test
+    void refusesTimesThatGiveTheSameFiles() {
+        CommandLineRun run = motion("--grid", "20mm", "--at", "0.5,0.5004,1");
+        assertThat(run.exitCode()).isEqualTo(2);
+        assertThat(run.err()).contains("found the times 0.5 and 0.5004 s, which give the same files");
+        assertThat(folder.resolve("out")).doesNotExist();
+    }
+
+    @Test
     void refusesAnImageBesideTheBodyAndStructuresThatAreNotThere() throws IOException {
         Path image = folder.resolve("far.nii.gz");
         VoxelBox box = new VoxelBox(new int[] {2, 2, 2}, new double[] {1, 0, 0, 5000, 0, 1, 0, 0, 0, 0, 1, 0});

@@ -116,6 +116,27 @@ public final class MotionExport {
         }
     }
 
+    /** Refuses times that are reached at one step, or that round to one file name. */
+    private void requireApart(double[] times) {
+        double dt = simulation.stepper().dt();
+        for (int i = 1; i < times.length; i++) {
+            if (label(reached(times[i], dt)).equals(label(reached(times[i - 1], dt)))) {
+                throw new BadInputException("motion: found the times " + times[i - 1] + " and " + times[i]
+                        + " s, which give the same files, expected times that differ by 0.001 s and a step of " + dt
+                        + " s or more");
+            }
+        }
+    }
+
+    private static double reached(double time, double dt) {
+        return Math.max(0, Math.ceil(time / dt - 0.5)) * dt;
+    }
+
+    /** A time in file names. */
+    private static String label(double timeS) {
+        return String.format(Locale.ROOT, "%.3f", timeS);
+    }
+
     /**
      * Breathes and writes.
      *
@@ -123,6 +144,7 @@ public final class MotionExport {
      * @return what was written, as in {@code motion.json}
      */
     public OrderedValues write(double[] times) {
+        requireApart(times);
         checkSpace(times.length);
         boolean series = image.isPresent() && request.format().startsWith("nii");
         if (series) {
@@ -165,7 +187,7 @@ public final class MotionExport {
             }
         }
         motion.update();
-        String at = String.format(Locale.ROOT, "%.3f", simulation.time());
+        String at = label(simulation.time());
         double[] error = motion.latticeError();
         OrderedValues values = new OrderedValues()
                 .with("time_s", simulation.time())

@@ -155,6 +155,23 @@ public final class OptionValues {
         }
     }
 
+    /**
+     * Requires that no two outputs have one file name.
+     *
+     * @param names names of the files, in the order of {@code given}
+     * @param given what was asked for, as text
+     * @param expected what keeps the names apart, for the error message
+     */
+    static void requireApart(String option, List<String> names, List<String> given, String expected) {
+        for (int i = 0; i < names.size(); i++) {
+            int first = names.indexOf(names.get(i));
+            if (first < i) {
+                throw new BadInputException(option + ": found " + given.get(first) + " and " + given.get(i)
+                        + ", which give one file " + names.get(i) + ", expected " + expected);
+            }
+        }
+    }
+
     /** Splits a comma-separated list. Empty parts are kept and rejected later. */
     public static List<String> split(String list) {
         return Arrays.stream(list.split(",", -1)).map(String::strip).toList();

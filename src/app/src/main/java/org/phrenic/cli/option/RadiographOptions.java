@@ -1,5 +1,7 @@
 package org.phrenic.cli.option;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.access.imaging.Fluoroscope;
@@ -10,6 +12,7 @@ import picocli.CommandLine.Option;
 /** Options for radiographs. */
 public final class RadiographOptions {
     private static final double DEFAULT_FIELD_MM = 600;
+    private static final int DECIMALS = 3;
 
     @Option(
             names = "--xray",
@@ -44,11 +47,28 @@ public final class RadiographOptions {
             throw new BadInputException((energy != null ? "--photon-energy" : "--detector")
                     + ": found without --xray, expected it with the angles of a C-arm");
         }
-        views(1, 1);
+        List<View> views = views(1, 1);
+        OptionValues.requireApart(
+                "--xray",
+                views.stream().map(RadiographOptions::fileName).toList(),
+                views.stream()
+                        .map(v -> v.leftObliqueDeg() + "/" + v.cranialDeg())
+                        .toList(),
+                "angles that differ by 0.001 degrees or more");
         energyKev();
     }
 
-    /** The views that are asked for, each of a size in pixels. */
+    /** Beginning of the file name of a radiograph: its angles, to a thousandth of a degree. */
+    public static String fileName(View view) {
+        return "xray_" + angle(view.leftObliqueDeg()) + "_" + angle(view.cranialDeg());
+    }
+
+    private static String angle(double degrees) {
+        BigDecimal rounded = BigDecimal.valueOf(degrees).setScale(DECIMALS, RoundingMode.HALF_EVEN);
+        return rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();
+    }
+
+    /** The views that are asked for, each once, of a size in pixels. */
     public List<View> views(int width, int height) {
         double fieldMm = field == null ? DEFAULT_FIELD_MM : OptionValues.number("--detector", field, 50, 2000);
         List<View> views = new ArrayList<>();
@@ -61,6 +81,6 @@ public final class RadiographOptions {
             double cranial = OptionValues.number("--xray " + text, pair[1], -90, 90);
             views.add(new View(left, cranial, fieldMm, width, height));
         }
-        return views;
+        return views.stream().distinct().toList();
     }
 }

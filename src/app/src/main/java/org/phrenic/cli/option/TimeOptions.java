@@ -1,7 +1,9 @@
 package org.phrenic.cli.option;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scene.export.GifMovieWriter;
@@ -51,6 +53,21 @@ public final class TimeOptions {
             OptionValues.number("--fps", fps, 0.1, mostFramesPerS());
         }
         singleTimes();
+    }
+
+    /** Requires that pictures at single times have file names of their own. */
+    public void requireApart() {
+        List<Double> times = DoubleStream.of(singleTimes()).boxed().toList();
+        OptionValues.requireApart(
+                "--at",
+                times.stream().map(TimeOptions::label).toList(),
+                times.stream().map(time -> time + " s").toList(),
+                "times 0.001 s apart or more");
+    }
+
+    /** A time in a file name, such as {@code 1.500s}. */
+    public static String label(double timeS) {
+        return String.format(Locale.ROOT, "%.3fs", timeS);
     }
 
     private double[] singleTimes() {

@@ -28,6 +28,16 @@ class RadiographOptionsTest {
     }
 
     @Test
+    void eachViewHasAFileOfItsOwn() {
+        RadiographOptions options = of("--xray", "0/0,0.4/0,30/0,30/0,-0.25/12.5");
+        options.validate();
+        assertThat(options.views(1, 1).stream().map(RadiographOptions::fileName))
+                .containsExactly("xray_0_0", "xray_0.4_0", "xray_30_0", "xray_-0.25_12.5");
+        assertThatThrownBy(() -> of("--xray", "0/0,0.0001/0").validate())
+                .hasMessageContaining("--xray: found 0.0/0.0 and 1.0E-4/0.0, which give one file xray_0_0");
+    }
+
+    @Test
     void whatACArmCannotDoIsRefused() {
         assertThatThrownBy(() -> of("--xray", "30").validate())
                 .isInstanceOf(BadInputException.class)
