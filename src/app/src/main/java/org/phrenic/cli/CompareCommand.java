@@ -15,7 +15,6 @@ import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.document.report.Disclaimer;
-import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.mesh.io.PlyWriter;
@@ -75,8 +74,10 @@ final class CompareCommand extends ReportingCommand {
     public Integer call() throws NoGraphicsException {
         String title = name(a) + " from " + name(b);
         List<PictureSettings> shots = shotOptions.settings(title);
-        if (picture == null && range != null) {
-            throw new BadInputException("--range " + range + ": found no --picture, expected a picture to colour");
+        if (picture == null) {
+            requireRead(
+                    name -> !name.equals("--range") && !PictureOptions.NAMES.contains(name),
+                    "without --picture, expected both");
         }
         for (Path file : new Path[] {csv, ply, picture}) {
             if (file != null) {

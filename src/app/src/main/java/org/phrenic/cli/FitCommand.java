@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -62,6 +63,22 @@ import picocli.CommandLine.Parameters;
             Disclaimer.TEXT
         })
 final class FitCommand extends ReportingCommand {
+    /** Options that are read with --synthetic. */
+    private static final Set<String> OF_SYNTHETIC = Set.of(
+            "--synthetic",
+            "--resolution",
+            "--evaluations",
+            "--threads",
+            "--seed",
+            "--out",
+            "--made-by",
+            "--json",
+            "--debug");
+
+    /** Scenario keys that the command sets. */
+    private static final Set<String> RESERVED =
+            Set.of("anatomy", "duration_s", "steps", "changes", "hold", "rate_per_min", "inspiratory_fraction");
+
     private static final String HALF = "half";
     private static final String OTHER_HALF = "other-half";
     private static final double MINUTE_S = 60;
@@ -148,6 +165,7 @@ final class FitCommand extends ReportingCommand {
         if (synthetic != null) {
             return synthetic(printer);
         }
+        requireRead(name -> !name.equals("--made-by"), "without --synthetic, expected both");
         if (thorax == null || targets.isEmpty()) {
             throw new BadInputException("fit: found no " + (thorax == null ? "THORAX" : "--target")
                     + ", expected a body and a --target PART=FILE, or --synthetic N");
@@ -192,10 +210,11 @@ final class FitCommand extends ReportingCommand {
     }
 
     private int synthetic(ConsoleProgress printer) {
-        if (thorax != null || !targets.isEmpty() || !heldOut.isEmpty() || !tune.isEmpty() || !settings.isEmpty()) {
-            throw new BadInputException("--synthetic " + synthetic
-                    + ": found a body, a target, --hold-out, --tune or --set beside it, expected none of them");
+        if (thorax != null) {
+            throw new BadInputException("--synthetic " + synthetic + ": found the body " + thorax
+                    + " beside it, expected the virtual patients alone");
         }
+        requireRead(OF_SYNTHETIC::contains, "with --synthetic, which does not read it");
         int count = OptionValues.integer(
                 "--synthetic", synthetic, 1, SyntheticPatient.five().size());
         Resolution meshes = Scenario.defaults().with("resolution=" + resolution).resolution();
@@ -224,7 +243,7 @@ final class FitCommand extends ReportingCommand {
         OptionValues.assign(list, "--preset", "preset", preset);
         list.add(Assignment.read(thorax, "anatomy", thorax));
         OptionValues.assign(list, "--resolution", "resolution", resolution);
-        settings.forEach(text -> list.add(Assignment.parse(text)));
+        list.addAll(OptionValues.assignments(settings, RESERVED, "a fit"));
         return Scenario.defaults().with(list);
     }
 

@@ -133,6 +133,13 @@ final class ImportCommand extends ReportingCommand {
     @Override
     public Integer call() {
         ReportFolder.requireWritable(out);
+        if (alignTo != null) {
+            requireRead(
+                    name -> !name.equals("--complete") && !name.equals("--keep-level"),
+                    "with --align-to, with which nothing is completed");
+        } else if (complete.equals("none")) {
+            requireRead(name -> !name.equals("--keep-level"), "with --complete none, which keeps every level");
+        }
         requireOther(file);
         requireOther(alignTo);
         requireOther(Path.of(complete));

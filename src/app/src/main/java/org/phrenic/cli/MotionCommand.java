@@ -19,6 +19,7 @@ import org.phrenic.motion.BodyMotion;
 import org.phrenic.motion.MotionExport;
 import org.phrenic.motion.MotionRequest;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.ScheduleCheck;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
 import picocli.CommandLine.Command;
@@ -58,6 +59,7 @@ final class MotionCommand extends ReportingCommand {
         ReportFolder.requireWritable(out);
         Scenario scenario = scenarioOptions.resolved();
         ConsoleProgress progress = progress();
+        ScheduleCheck.requireWithinRun(scenario);
         OrderedValues report;
         Thorax thorax = SimulationRun.loadThorax(scenario);
         thorax.notes().forEach(progress::note);

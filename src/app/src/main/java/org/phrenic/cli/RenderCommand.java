@@ -141,6 +141,11 @@ final class RenderCommand extends ReportingCommand {
         timeOptions.requireApart();
         styleOptions.validate();
         radiographOptions.validate();
+        if (radiographOptions.given()) {
+            requireRead(
+                    name -> !StyleOptions.NAMES.contains(name) && !PictureOptions.OF_DRAWINGS.contains(name),
+                    "with --xray, whose pictures do not depend on it");
+        }
         shotOptions.settings("");
         if (out == null && timeOptions.movie() == null) {
             throw new BadInputException("--out: found none, expected a folder for the pictures");

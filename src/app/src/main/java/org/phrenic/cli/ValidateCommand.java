@@ -55,6 +55,8 @@ final class ValidateCommand extends ReportingCommand {
     private static final Set<String> RESERVED =
             Set.of("preset", "trace", "anatomy", "duration_s", "steps", "threads", "changes", "hold", "meshes_every_s");
 
+    private static final Set<String> UNREAD_WITH_LIVER = Set.of("--preset", "--sensitivity");
+
     @Option(
             names = "--anatomy",
             paramLabel = "BODY",
@@ -95,6 +97,9 @@ final class ValidateCommand extends ReportingCommand {
     @Override
     public Integer call() {
         out.check();
+        if (liver) {
+            requireRead(name -> !UNREAD_WITH_LIVER.contains(name), "with --liver, which does not read it");
+        }
         PhysiologyTable table = tableFile == null ? PhysiologyTable.shipped() : PhysiologyTable.read(tableFile);
         Scenario scenario = scenario();
         int atATime = OptionValues.threads(threads, scenario.threads());

@@ -185,6 +185,26 @@ class BadInputTest {
                 bad("--set NaN", "expected a number", options("--set", "depth=NaN")),
                 bad("--set with YAML in it", "expected a number", options("--set", "depth={a: 1}")),
                 bad("--duration negative", "--duration -1", options("--duration", "-1")),
+                bad(
+                        "change after the end",
+                        "found step 9 after the end of the run",
+                        options("--steps", "8", "--change", "9:depth=1")),
+                bad(
+                        "change after the duration",
+                        "at most step 800",
+                        options("--duration", "1", "--change", "801:depth=1")),
+                bad(
+                        "change after a longer step",
+                        "at most step 450",
+                        options("--duration", "1", "--change", "400:time_step_s=0.01", "--change", "451:depth=1")),
+                bad(
+                        "setting of the other material",
+                        "which does not use it",
+                        options("--material", "paper", "--set", "mass_scaling_s=0.001")),
+                bad(
+                        "material beside a setting of the other",
+                        "mass_scaling_s",
+                        f -> List.of("run", file(f, "s.yaml", "mass_scaling_s: 0.001\n"), "--material", "published")),
                 bad("--meshes without every", "every=S", options("--meshes", "0.1")),
                 bad("--meshes without --out", "--out", f -> List.of("run", "--meshes", "every=0.1")),
                 bad(
@@ -253,8 +273,8 @@ class BadInputTest {
                 bad("two indices where one is expected", "line 1", bench("0 1\n", "1\n", "")),
                 bad("one index where two are expected", "line 1", bench("0\n", "1\n", "2\n")),
                 bad("nothing loaded", "expected at least one", bench("0\n", "", "")),
-                bad("steps 0", "steps", bench("0\n", "1\n", "", "--steps", "0")),
-                bad("threads 0", "threads", bench("0\n", "1\n", "", "--threads", "0")),
+                bad("steps 0", "--steps: found 0", bench("0\n", "1\n", "", "--steps", "0")),
+                bad("threads 0", "--threads: found 0", bench("0\n", "1\n", "", "--threads", "0")),
                 bad("steps a word", "--steps", bench("0\n", "1\n", "", "--steps", "many")),
                 bad("unknown integrator", "symplectic-euler", bench("0\n", "1\n", "", "--integrator", "euler")));
     }
@@ -290,6 +310,12 @@ class BadInputTest {
                 bad("time and frames", "single times or a sequence", render("--at", "1", "--frames", "3")),
                 bad("time and movie", "single times or a sequence", render("--at", "1", "--movie", "m.gif")),
                 bad("times of one file", "which give one file 1.000s", render("--at", "1,1.0001")),
+                bad(
+                        "radiograph with a clip",
+                        "--clip: found it with --xray",
+                        render("--xray", "0/0", "--clip", "A:20")),
+                bad("radiograph with a zoom", "--zoom: found it with --xray", render("--xray", "0/0", "--zoom", "2")),
+                bad("radiograph with a view", "--view: found it", render("--xray", "0/0", "--view", "left")),
                 bad("no frames", "expected 1 to", render("--frames", "0")),
                 bad("half a frame", "whole number", render("--frames", "2.5")),
                 bad("rate without a sequence", "--frames", render("--fps", "25")),

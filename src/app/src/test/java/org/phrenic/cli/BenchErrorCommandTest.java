@@ -80,8 +80,17 @@ class BenchErrorCommandTest {
         assertRefused("--set: found it with --whole", "--whole", "--set", "damping_rate_per_s=1");
         assertRefused("--until: found it with --whole", "--whole", "--until", "1");
         assertRefused("--beside: found it without --whole", "--beside", "data/scenarios/heavy-tissue.yaml");
+        assertRefused("--quick: found it with --check", "--check", "data/error/settings.csv", "--quick");
         assertRefused("--part: found 'luck'", "--whole", "--part", "luck");
         assertRefused("--scan: found no folder", "--whole", "--scan", "nowhere");
+    }
+
+    @Test
+    void aTableWithoutRowsDoesNotPass() throws Exception {
+        Path table = folder.resolve("empty.csv");
+        String shipped = Files.readString(Path.of("data/error/settings.csv"));
+        Files.writeString(table, shipped.substring(0, shipped.indexOf('\n') + 1));
+        assertRefused("empty.csv: found no row", "--check", table.toString());
     }
 
     private static void assertRefused(String sentence, String... options) {

@@ -85,7 +85,8 @@ class CompareCommandTest {
     void whatCannotBeComparedIsToldInOneSentence() {
         assertBad("no such file", "compare", low, folder.resolve("none.ply").toString());
         assertBad("expected one of", "compare", low, folder.resolve("x.txt").toString());
-        assertBad("found no --picture", "compare", low, high, "--range", "0:5");
+        assertBad("--range: found it without --picture", "compare", low, high, "--range", "0:5");
+        assertBad("--zoom: found it without --picture", "compare", low, high, "--zoom", "2");
         assertBad(
                 "expected a folder",
                 "compare",

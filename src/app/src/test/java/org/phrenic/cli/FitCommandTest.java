@@ -66,7 +66,14 @@ class FitCommandTest {
         assertBad("found preset 'sniff', expected preset deep", body, "--target", mesh, "--preset", "sniff");
         assertBad("--evaluations: found 0", body, "--target", mesh, "--evaluations", "0");
         assertBad("--synthetic: found 6, expected 1 to 5", "--synthetic", "6");
-        assertBad("found a body, a target", body, "--synthetic", "1");
+        assertBad("found the body virtual/adult-male beside it", body, "--synthetic", "1");
+        assertBad("--target: found it with --synthetic", "--synthetic", "1", "--target", mesh);
+        assertBad("--minutes: found it with --synthetic", "--synthetic", "1", "--minutes", "5");
+        assertBad("--preset: found it with --synthetic", "--synthetic", "1", "--preset", "quiet");
+        assertBad("--made-by: found it without --synthetic", body, "--target", mesh, "--made-by", "me");
+        for (String key : new String[] {"anatomy=virtual/adult-female", "steps=3", "duration_s=1", "rate_per_min=9"}) {
+            assertBad("found a key that a fit sets itself", body, "--target", mesh, "--set", key);
+        }
         Path points = folder.resolve("lungs.csv");
         Files.writeString(points, "x_mm,y_mm,z_mm\n1,2,3\n");
         assertBad("expected a column 'to_x_mm'", body, "--target", points.toString());

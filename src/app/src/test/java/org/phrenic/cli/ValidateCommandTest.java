@@ -129,6 +129,15 @@ class ValidateCommandTest {
         }
     }
 
+    @Test
+    void theLiverAloneReadsNeitherPresetsNorSensitivity() {
+        assertThat(CommandLineRun.of("validate", "--liver", "--sensitivity").err())
+                .isEqualTo("phrenic: --sensitivity: found it with --liver, which does not read it"
+                        + System.lineSeparator());
+        assertThat(CommandLineRun.of("validate", "--liver", "--preset", "quiet").exitCode())
+                .isEqualTo(ExitCode.BAD_INPUT);
+    }
+
     /** A liver that moves by 5.1 to 17.3 mm in a quiet breath (PMC5978939) is in its range. */
     @Test
     void aLiverOutOfItsRangeGivesExitCode3() {

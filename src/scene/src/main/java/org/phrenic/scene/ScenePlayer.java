@@ -6,6 +6,7 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.file.UserCache;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
+import org.phrenic.simulation.ScheduleCheck;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.Frame;
@@ -30,6 +31,7 @@ public final class ScenePlayer implements AutoCloseable {
     public ScenePlayer(Scenario scenario, SimulationRun.Progress progress) {
         this.scenario = scenario;
         this.progress = progress;
+        ScheduleCheck.requireWithinRun(scenario);
         Thorax thorax = SimulationRun.loadThorax(scenario);
         notInScan = thorax.notInScanSummary();
         thorax.notes().forEach(progress::note);

@@ -115,12 +115,14 @@ public final class Scenario implements SettingValues {
     }
 
     /**
-     * Copy of this scenario with another material. Stated values are kept, except parameters that the material does not
-     * use.
+     * Copy of this scenario with another material. Stated values are kept, except those that the material does not use.
      */
     public Scenario withMaterial(TissueMaterial material) {
         Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
-        values.keySet().removeIf(setting -> setting instanceof Parameter p && !material.uses(p));
+        values.keySet()
+                .removeAll(Materials.ofSome().stream()
+                        .filter(setting -> !material.uses(setting))
+                        .toList());
         values.put(Materials.MATERIAL, material);
         return new Scenario(values);
     }

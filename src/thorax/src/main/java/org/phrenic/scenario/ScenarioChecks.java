@@ -14,7 +14,7 @@ final class ScenarioChecks {
     private ScenarioChecks() {}
 
     /**
-     * Refuses parameters that the material does not use, a duration shorter than a step, and invalid scheduled changes.
+     * Refuses settings that the material does not use, a duration shorter than a step, and invalid scheduled changes.
      *
      * @param given settings whose values are new
      * @param bad creates the exception for a setting and a message
@@ -23,21 +23,21 @@ final class ScenarioChecks {
     static Scenario require(
             Scenario scenario, Set<Setting<?>> given, BiFunction<Setting<?>, String, BadInputException> bad) {
         String material = scenario.material().label();
-        for (Parameter parameter : Materials.parameters()) {
-            if (scenario.states(parameter) && !scenario.material().uses(parameter)) {
+        for (Setting<?> setting : Materials.ofSome()) {
+            if (isStated(scenario, setting) && !scenario.material().uses(setting)) {
                 String other = Materials.ALL.stream()
-                        .filter(m -> m.uses(parameter))
+                        .filter(m -> m.uses(setting))
                         .findFirst()
                         .orElseThrow()
                         .label();
-                throw given.contains(parameter)
+                throw given.contains(setting)
                         ? bad.apply(
-                                parameter,
+                                setting,
                                 "found it with material " + material
                                         + ", which does not use it; expected it with material " + other + " alone")
                         : bad.apply(
                                 Materials.MATERIAL,
-                                "found " + material + ", expected " + other + " beside the key '" + parameter.key()
+                                "found " + material + ", expected " + other + " beside the key '" + setting.key()
                                         + "' of the scenario");
             }
         }
@@ -48,6 +48,15 @@ final class ScenarioChecks {
                             + " s, expected at least one step");
         }
         return requireValidChanges(scenario);
+    }
+
+    /**
+     * Whether a scenario states a setting. One that is no parameter and is stated at its default changes nothing; a
+     * scenario that a run writes states it with every material.
+     */
+    private static boolean isStated(Scenario scenario, Setting<?> setting) {
+        return scenario.states(setting)
+                && (setting instanceof Parameter || !scenario.get(setting).equals(scenario.defaultOf(setting)));
     }
 
     /** Checks that every scheduled change is valid after those before it. */

@@ -90,8 +90,11 @@ public final class BenchCommand extends ReportingCommand {
         if (files == null) {
             throw new ParameterException(commandLine(), "found neither --mesh nor a sub-command, expected one of them");
         }
-        if (threads > Numerics.MAX_THREADS) {
-            throw new BadInputException("threads: found " + threads + ", expected 1 to " + Numerics.MAX_THREADS);
+        if (threads < 1 || threads > Numerics.MAX_THREADS) {
+            throw new BadInputException("--threads: found " + threads + ", expected 1 to " + Numerics.MAX_THREADS);
+        }
+        if (steps < 1) {
+            throw new BadInputException("--steps: found " + steps + ", expected 1 or more");
         }
         BareSettings settings = BareSettings.DEFAULT
                 .withIntegrator(IntegratorKind.of(integrator))

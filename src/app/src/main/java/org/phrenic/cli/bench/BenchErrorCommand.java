@@ -38,7 +38,6 @@ import org.phrenic.study.error.SolverGrid;
 import org.phrenic.study.error.TableCheck;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 
 /** {@code phrenic bench error}: measures cost and error of solver settings against a reference. */
@@ -87,6 +86,9 @@ final class BenchErrorCommand extends ReportingCommand {
 
     /** Options that are read with --whole alone. */
     private static final Set<String> OF_WHOLE_ALONE = Set.of("--part", "--scan", "--beside");
+
+    /** Options that are read with --check. */
+    private static final Set<String> OF_CHECK = Set.of("--check", "--debug");
 
     private static final int CHECKED_ROWS = 6;
 
@@ -213,15 +215,15 @@ final class BenchErrorCommand extends ReportingCommand {
 
     /** Refuses an option that the kind of measurement does not read. */
     private void requireUsed() {
-        for (OptionSpec option : commandLine().getParseResult().matchedOptions()) {
-            String name = option.longestName();
-            if (budget.isGiven() && !OF_WHOLE.contains(name)) {
-                throw new BadInputException(name + ": found it with --whole, which measures the defaults; a scenario"
-                        + " given by --beside is measured beside them");
-            }
-            if (!budget.isGiven() && OF_WHOLE_ALONE.contains(name)) {
-                throw new BadInputException(name + ": found it without --whole, expected both");
-            }
+        if (budget.isGiven()) {
+            requireRead(
+                    OF_WHOLE::contains,
+                    "with --whole, which measures the defaults; a scenario given by --beside is measured beside them");
+            return;
+        }
+        requireRead(name -> !OF_WHOLE_ALONE.contains(name), "without --whole, expected both");
+        if (check != null) {
+            requireRead(OF_CHECK::contains, "with --check, which measures rows of the table alone");
         }
     }
 
@@ -230,9 +232,12 @@ final class BenchErrorCommand extends ReportingCommand {
     }
 
     private int checkTable() {
-        String hash = Hashes.sha256(check);
+        ErrorTable stated = ErrorTable.read(check);
+        if (stated.rows().isEmpty()) {
+            throw new BadInputException("--check " + check + ": found no row, expected rows to measure again");
+        }
         List<TableCheck> checks =
-                TableCheck.measure(TableCheck.draw(ErrorTable.read(check), hash, CHECKED_ROWS, row -> true), false);
+                TableCheck.measure(TableCheck.draw(stated, Hashes.sha256(check), CHECKED_ROWS, row -> true), false);
         checks.forEach(c -> out().println(c.sentence()));
         return checks.stream().allMatch(TableCheck::holds) ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }

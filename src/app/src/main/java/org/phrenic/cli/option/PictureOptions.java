@@ -2,6 +2,7 @@ package org.phrenic.cli.option;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scene.camera.AnatomicalView;
@@ -10,6 +11,12 @@ import picocli.CommandLine.Option;
 
 /** Options for view and size of pictures. */
 public final class PictureOptions {
+    /** Options that a radiograph does not read. */
+    public static final Set<String> OF_DRAWINGS = Set.of("--view", "--orthographic", "--zoom");
+
+    /** All options. */
+    public static final Set<String> NAMES = Set.of("--view", "--size", "--orthographic", "--zoom", "--no-annotations");
+
     private static final double LEAST_ZOOM = 0.1;
     private static final double MOST_ZOOM = 50;
 

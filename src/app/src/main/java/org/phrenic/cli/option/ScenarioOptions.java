@@ -33,7 +33,8 @@ public final class ScenarioOptions {
     @Option(
             names = "--preset",
             paramLabel = "NAME",
-            description = "Breathing: quiet, deep, sniff, ...; or paper: the published model (material published).")
+            description = "Breathing: quiet, deep, sniff, ...; or paper: the published model (material published), with the "
+                    + "breathing of SCENARIO, quiet without one.")
     private String preset;
 
     @Option(names = "--material", paramLabel = "NAME", description = "physical, paper or published.")

@@ -22,6 +22,19 @@ import picocli.CommandLine.Option;
 
 /** Options for the style of a scene. */
 public final class StyleOptions {
+    /** All options. */
+    public static final Set<String> NAMES = Set.of(
+            "--field",
+            "--reference",
+            "--range",
+            "--rest-wireframe",
+            "--hide",
+            "--show",
+            "--only",
+            "--background",
+            "--clip",
+            "--overlay");
+
     private static final double DISPLACEMENT_MM = 20;
     private static final double STRAIN_PERCENT = 20;
     private static final double FARTHEST_CLIP_MM = 1e5;

@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;
@@ -11,8 +12,10 @@ import org.phrenic.document.report.HtmlPage;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.file.AtomicFile;
+import org.phrenic.file.BadInputException;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
@@ -47,6 +50,20 @@ public abstract class ReportingCommand implements Callable<Integer> {
     /** @param counted label of the counter in progress lines, such as "cells done" */
     protected final ConsoleProgress progress(String counted) {
         return new ConsoleProgress(err(), counted);
+    }
+
+    /**
+     * Refuses a given option that the command does not read.
+     *
+     * @param read whether an option, given by its longest name, is read
+     * @param why what it was found with or without, for the message
+     */
+    protected final void requireRead(Predicate<String> read, String why) {
+        for (OptionSpec option : commandLine().getParseResult().matchedOptions()) {
+            if (!read.test(option.longestName())) {
+                throw new BadInputException(option.longestName() + ": found it " + why);
+            }
+        }
     }
 
     /** Prints the values as JSON with {@code --json}, and the text otherwise. */

@@ -12,6 +12,7 @@ import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.TendonRule;
 import org.phrenic.model.organ.TissueLaw;
 import org.phrenic.parameter.Parameter;
+import org.phrenic.parameter.Setting;
 import org.phrenic.parameter.SettingValues;
 
 /**
@@ -44,9 +45,16 @@ public abstract class TissueMaterial {
         return List.copyOf(parameters);
     }
 
-    /** Whether one of its parts uses a parameter. */
-    public final boolean uses(Parameter parameter) {
-        return parameters.contains(parameter);
+    /** Settings besides the parameters that this material reads and not every other does. */
+    public List<Setting<?>> settings() {
+        return List.of();
+    }
+
+    /** Whether it or one of its parts uses a setting of a material. */
+    public final boolean uses(Setting<?> setting) {
+        return setting instanceof Parameter parameter
+                ? parameters.contains(parameter)
+                : settings().contains(setting);
     }
 
     /** Default value of a parameter; NaN if no part uses it. */

@@ -1,6 +1,7 @@
 package org.phrenic.model.material;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.phrenic.model.assembly.TissueMaterial;
 import org.phrenic.parameter.ChoiceSetting;
 import org.phrenic.parameter.Effect;
@@ -26,6 +27,15 @@ public final class Materials {
             .choice(ALL, TissueMaterial::label, values -> PHYSICAL);
 
     private Materials() {}
+
+    /** The settings, parameters among them, that not every material uses. */
+    public static List<Setting<?>> ofSome() {
+        Stream<Setting<?>> all =
+                ALL.stream().flatMap(m -> Stream.concat(m.parameters().stream(), m.settings().stream()));
+        return all.distinct()
+                .filter(setting -> !ALL.stream().allMatch(m -> m.uses(setting)))
+                .toList();
+    }
 
     /** The parameters of all materials. */
     public static List<Parameter> parameters() {

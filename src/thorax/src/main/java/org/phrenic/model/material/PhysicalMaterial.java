@@ -15,6 +15,7 @@ import org.phrenic.model.assembly.TissueMaterial;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.MassSpringBuilder;
 import org.phrenic.model.organ.TissueLaw;
+import org.phrenic.parameter.Setting;
 import org.phrenic.parameter.SettingValues;
 
 /**
@@ -60,6 +61,15 @@ final class PhysicalMaterial extends TissueMaterial {
                         new PassiveSprings(SheetSprings.MUSCLE_STIFFNESS, Lungs.LUNG_STIFFNESS),
                         new RigidTendon(),
                         new WallContact()));
+    }
+
+    @Override
+    public List<Setting<?>> settings() {
+        return List.of(
+                Numerics.MASS_SCALING,
+                Numerics.TENDON_LIGHTNESS,
+                Numerics.DAMPING_TIME,
+                SheetBending.BENDING_STIFFNESS);
     }
 
     @Override
