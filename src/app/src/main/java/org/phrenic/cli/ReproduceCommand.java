@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
@@ -22,10 +23,12 @@ import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
+import org.phrenic.patient.label.GeometryOverride;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.PaperFigures;
 import org.phrenic.scene.export.FigureImage;
 import org.phrenic.scene.gl.NoGraphicsException;
+import org.phrenic.study.Attempts;
 import org.phrenic.study.PaperScenarios;
 import org.phrenic.study.fit.PatientScans;
 import org.phrenic.study.paper.PatientCase;
@@ -52,6 +55,7 @@ import picocli.CommandLine.Spec;
             "",
             "DIR gets report.html, report.md and pictures/. The report comes last: a folder that has one is complete.",
             "Where nothing draws, it has a sentence in place of each picture, and the exit code is 4.",
+            "Scans that cannot be used are named in it, and the exit code is 3.",
             "",
             Disclaimer.TEXT
         })
@@ -91,6 +95,9 @@ final class ReproduceCommand implements Callable<Integer> {
 
     private String noPictures = "";
 
+    /** Patients whose scans cannot be used, each with the reason; empty if there are none. */
+    private String unusable = "";
+
     @Override
     public Integer call() {
         ReportFolder.requireWritable(out);
@@ -113,10 +120,16 @@ final class ReproduceCommand implements Callable<Integer> {
         stdout.println(out.resolve("report.html"));
         stdout.println(Disclaimer.TEXT);
         stdout.flush();
+        if (!unusable.isEmpty()) {
+            return ExitCode.CHECK_FAILED;
+        }
         return noPictures.isEmpty() ? ExitCode.SUCCESS : ExitCode.NO_GRAPHICS;
     }
 
     private Optional<List<PatientScans>> scans() {
+        if (axes != null) {
+            GeometryOverride.requireAxes(axes);
+        }
         if (patients != null) {
             return Optional.of(PatientScans.findIn(patients));
         }
@@ -134,12 +147,19 @@ final class ReproduceCommand implements Callable<Integer> {
         if (scans.isPresent()) {
             int left = scans.get().size() - PatientStudy.MAX_PATIENTS;
             String rest = left > 0 && !quick ? left + " more of the scans were left out for want of time." : "";
-            return new PatientResults(study.of(scans.get(), Optional.ofNullable(axes)), rest, quick);
+            Attempts<PatientCase> cases = study.of(scans.get(), Optional.ofNullable(axes));
+            unusable = cases.failures().stream()
+                    .map(failure -> "Not used: " + failure + ". ")
+                    .collect(Collectors.joining());
+            if (!cases.results().isEmpty()) {
+                return new PatientResults(cases.results(), (unusable + rest).strip(), quick);
+            }
         }
-        String why = quick
+        String none = quick
                 ? "A quick reproduction looks at no scan, and tunes nothing."
                 : "No scans were found in " + PatientStudy.DEFAULT_FOLDER
                         + "; --patients FOLDER names a folder with NAME_expiration.* and NAME_inspiration.*.";
+        String why = unusable.isEmpty() ? none : unusable.strip();
         String note = why + " A synthetic patient stands in: figures show what they would, and say nothing of people.";
         return new PatientResults(List.of(study.synthetic()), note, quick);
     }

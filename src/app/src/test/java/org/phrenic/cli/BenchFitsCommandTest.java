@@ -2,6 +2,8 @@ package org.phrenic.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -20,5 +22,20 @@ class BenchFitsCommandTest {
         CommandLineRun empty = CommandLineRun.of("bench", "fits", "--patients", folder.toString(), "--out", out);
         assertThat(empty.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(empty.err()).contains("found no pair of volumes");
+    }
+
+    @Test
+    void namesPatientsWhoseScansCannotBeUsedAndGoesOn() throws IOException {
+        for (String name : new String[] {"anna", "berta"}) {
+            Files.writeString(folder.resolve(name + "_expiration.nii.gz"), "no scan");
+            Files.writeString(folder.resolve(name + "_inspiration.nii.gz"), "no scan");
+        }
+        Path out = folder.resolve("out");
+        CommandLineRun run =
+                CommandLineRun.of("bench", "fits", "--patients", folder.toString(), "--out", out.toString());
+        assertThat(run.exitCode()).isEqualTo(ExitCode.CHECK_FAILED);
+        assertThat(run.out()).contains("not fitted: anna: ", "not fitted: berta: ", "2 not fitted");
+        assertThat(out.resolve("fits.md")).content().contains("anna", "berta\\_expiration.nii.gz");
+        assertThat(out.resolve("fits.json")).content().contains("\"not_fitted\": [");
     }
 }

@@ -7,12 +7,17 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.study.Attempts;
+import org.phrenic.study.fit.PatientScans;
+import org.phrenic.study.paper.PatientCase;
+import org.phrenic.study.paper.PatientStudy;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
@@ -103,6 +108,22 @@ class ReproduceCommandTest {
         assertRefused("no pair of volumes", "--patients", empty.toString());
         assertRefused("no folder", "--patients", folder.resolve("none").toString());
         assertRefused("no --patients", "--axes", "LPS");
+        assertRefused("--axes: found 'LLS'", "--axes", "LLS", "--patients", empty.toString());
+    }
+
+    @Test
+    void aScanThatCannotBeUsedIsNamedAndTheStudyGoesOn() throws IOException {
+        Path scans = Files.createDirectory(folder.resolve("scans"));
+        Files.writeString(scans.resolve("anna_expiration.nii.gz"), "no scan");
+        Files.writeString(scans.resolve("anna_inspiration.nii.gz"), "no scan");
+        Attempts<PatientCase> cases =
+                new PatientStudy(true, (done, of, what) -> {}).of(PatientScans.findIn(scans), Optional.empty());
+        assertThat(cases.results()).isEmpty();
+        assertThat(cases.failures())
+                .singleElement()
+                .asString()
+                .startsWith("anna: ")
+                .contains("_expiration.nii.gz");
     }
 
     private static void assertRefused(String part, String... options) {

@@ -13,6 +13,7 @@ import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.file.BadInputException;
+import org.phrenic.study.Attempts;
 import org.phrenic.study.access.AccessReport;
 import org.phrenic.study.access.AccessStudy;
 import picocli.CommandLine.Command;
@@ -31,7 +32,8 @@ import picocli.CommandLine.Parameters;
             "  phrenic bench access --set resolution=low --out result        about three minutes",
             "  phrenic bench access data/exercises/2-dome-target.yaml --set resolution=low",
             "",
-            "DIR gets access.md and access.json. Exit code 3 if a free way crosses anything or begins on a cut end.",
+            "DIR gets access.md and access.json. Exit code 3 if a free way crosses anything or begins on a cut end,",
+            "or if an exercise cannot be played, which is named; the others are.",
             Disclaimer.TEXT
         })
 final class BenchAccessCommand extends ReportingCommand {
@@ -65,14 +67,17 @@ final class BenchAccessCommand extends ReportingCommand {
         List<RehearsalPlan> exercises = plans.isEmpty()
                 ? RehearsalPlan.exercises()
                 : plans.stream().map(RehearsalPlan::read).toList();
-        List<AccessStudy.Result> results = new ArrayList<>();
+        List<RehearsalPlan> asked =
+                exercises.stream().map(plan -> plan.with(set)).toList();
+        Attempts<AccessStudy.Result> results = new Attempts<>();
         ConsoleProgress progress = progress();
         try {
-            exercises.forEach(plan -> results.add(AccessStudy.of(plan.with(set), maps, progress)));
+            asked.forEach(plan -> results.add(plan.title(), () -> AccessStudy.of(plan, maps, progress)));
+            results.failures().forEach(progress::note);
         } finally {
             progress.end();
         }
-        AccessReport report = new AccessReport(results);
+        AccessReport report = new AccessReport(results.results(), results.failures());
         out.write("access.md", MarkdownPage.format(report.document(provenance.lines())));
         out.write("access.json", report.values());
         print(report.values(), () -> table(report));
@@ -94,6 +99,9 @@ final class BenchAccessCommand extends ReportingCommand {
                         "on_cut_end",
                         "map_s");
         report.table().forEach(row -> table.row(row.toArray(String[]::new)));
-        return table.text() + "\n" + withDisclaimer(report.summary() + ".\n");
+        StringBuilder text = new StringBuilder(table.text());
+        report.failures()
+                .forEach(failure -> text.append("not played: ").append(failure).append(".\n"));
+        return text + "\n" + withDisclaimer(report.summary() + ".\n");
     }
 }

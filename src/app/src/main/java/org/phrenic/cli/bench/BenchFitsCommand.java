@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.phrenic.cli.option.CoarseResolutionOption;
 import org.phrenic.cli.option.FitSearchOptions;
 import org.phrenic.cli.option.OptionValues;
@@ -17,6 +18,7 @@ import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.fit.search.FitSearch;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.study.Attempts;
 import org.phrenic.study.body.BodyCase;
 import org.phrenic.study.body.RandomBodies;
 import org.phrenic.study.fit.FitStudyReport;
@@ -40,6 +42,7 @@ import picocli.CommandLine.ParameterException;
             "  phrenic bench fits --random 60 --evaluations 20 --out result",
             "",
             "DIR gets fits.md, .html, .json and the journals: the same command in the same folder goes on.",
+            "A patient whose scans cannot be used is named, and the others are fitted.",
             "Exit code 3 if a fit ends without a result.",
             Disclaimer.TEXT
         })
@@ -83,28 +86,36 @@ final class BenchFitsCommand extends ReportingCommand {
         int atATime = length.threads();
         Path journals = out.resolve("journals");
         ConsoleProgress progress = progress();
-        List<PatientFit> fitted = new ArrayList<>();
+        Attempts<PatientFit> fitted = new Attempts<>();
         for (PatientScans scans : patients == null ? List.<PatientScans>of() : PatientScans.findIn(patients)) {
             Path landmarks = patients.resolve(scans.name() + "_landmarks.csv");
-            fitted.add(PatientFit.of(
-                    PatientImport.of(scans, Optional.empty()),
-                    base,
-                    Optional.of(landmarks).filter(Files::isRegularFile),
-                    search,
-                    atATime,
-                    journals,
-                    progress));
+            fitted.add(
+                    scans.name(),
+                    () -> PatientFit.of(
+                            PatientImport.of(scans, Optional.empty()),
+                            base,
+                            Optional.of(landmarks).filter(Files::isRegularFile),
+                            search,
+                            atATime,
+                            journals,
+                            progress));
         }
+        fitted.failures().forEach(progress::note);
         List<KnownBreath> known = new ArrayList<>();
         for (BodyCase body : RandomBodies.series(base, count, start)) {
             progress.note(body.name());
             known.add(KnownBreath.of(body, base, start + known.size(), search, atATime, journals, progress));
         }
         progress.end();
-        FitStudyReport report = new FitStudyReport(fitted, known);
+        FitStudyReport report = new FitStudyReport(fitted.results(), known, fitted.failures());
         writePages(out, "fits", report.document(provenance.lines()));
         JsonWriter.write(out.resolve("fits.json"), report.values());
-        print(report.values(), () -> withDisclaimer(report.summary() + ".\n"));
+        print(report.values(), () -> {
+            String failures = report.failures().stream()
+                    .map(failure -> "not fitted: " + failure + ".\n")
+                    .collect(Collectors.joining());
+            return withDisclaimer(failures + report.summary() + ".\n");
+        });
         return report.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 }

@@ -33,8 +33,9 @@ public final class ScenarioOptions {
     @Option(
             names = "--preset",
             paramLabel = "NAME",
-            description = "Breathing: quiet, deep, sniff, ...; or paper: the published model (material published), with the "
-                    + "breathing of SCENARIO, quiet without one.")
+            description =
+                    "Breathing: quiet, deep, sniff, ...; or paper: the published model (material published), with the "
+                            + "breathing of SCENARIO, quiet without one.")
     private String preset;
 
     @Option(names = "--material", paramLabel = "NAME", description = "physical, paper or published.")

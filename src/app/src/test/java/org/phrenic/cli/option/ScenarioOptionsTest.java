@@ -23,7 +23,8 @@ class ScenarioOptionsTest {
 
     @Test
     void thePublishedModelLeavesTheBreathingOfTheScenario() throws IOException {
-        String file = Files.writeString(folder.resolve("s.yaml"), "preset: deep\n").toString();
+        String file =
+                Files.writeString(folder.resolve("s.yaml"), "preset: deep\n").toString();
         assertThat(of(file, "--preset", "paper").preset()).isEqualTo("deep");
         assertThat(of(file, "--preset", "paper").material()).isEqualTo(Materials.PUBLISHED);
         assertThat(of("--preset", "paper").preset()).isEqualTo("quiet");

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 
@@ -55,9 +56,8 @@ public record GeometryOverride(Optional<String> axes, Optional<String> spacing) 
      * @throws BadInputException if the letters are invalid
      */
     public static LabelVolume axes(LabelVolume volume, String letters) {
-        BodyAxes turned = BodyAxes.of(volume.grid(), letters.toUpperCase(Locale.ROOT))
-                .orElseThrow(() -> new BadInputException("--axes: found '" + letters
-                        + "', expected three letters, one each of L or R, P or A, S or I, such as LPS or RAS"));
+        BodyAxes turned =
+                BodyAxes.of(volume.grid(), letters.toUpperCase(Locale.ROOT)).orElseThrow(() -> badAxes(letters));
         double[] stated = volume.grid().toMm();
         double[] toMm = new double[12];
         for (int row = 0; row < 3; row++) {
@@ -66,6 +66,22 @@ public record GeometryOverride(Optional<String> axes, Optional<String> spacing) 
             }
         }
         return centred(volume, toMm);
+    }
+
+    /**
+     * Requires a text that states axes.
+     *
+     * @throws BadInputException with one sentence, if it does not
+     */
+    public static void requireAxes(String letters) {
+        if (!areAxes(letters)) {
+            throw badAxes(letters);
+        }
+    }
+
+    private static BadInputException badAxes(String letters) {
+        return new BadInputException("--axes: found '" + letters
+                + "', expected three letters, one each of L or R, P or A, S or I, such as LPS or RAS");
     }
 
     /** Whether a text states axes: one letter each of L or R, P or A, S or I, in any order and case. */
@@ -110,11 +126,7 @@ public record GeometryOverride(Optional<String> axes, Optional<String> spacing) 
     }
 
     private static double number(String text) {
-        try {
-            return Double.parseDouble(text.trim());
-        } catch (NumberFormatException e) {
-            return Double.NaN;
-        }
+        return Numbers.parse(text.strip()).orElse(Double.NaN);
     }
 
     private static double[] half(LabelGrid grid) {

@@ -25,20 +25,25 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 
-/** Access maps of exercises, their free ways, and what came of the plans, as values for JSON and as a page. */
-public record AccessReport(List<AccessStudy.Result> results) {
+/**
+ * Access maps of exercises, their free ways, and what came of the plans, as values for JSON and as a page.
+ *
+ * @param failures exercises that were not played, each with the reason
+ */
+public record AccessReport(List<AccessStudy.Result> results, List<String> failures) {
     public AccessReport {
         results = List.copyOf(results);
+        failures = List.copyOf(failures);
     }
 
-    /** Whether no free way crosses what it should avoid and none begins on a cut end. */
+    /** Whether all were played, no free way crosses what it should avoid and none begins on a cut end. */
     public boolean passes() {
-        return results.stream().allMatch(r -> r.check().passes());
+        return failures.isEmpty() && results.stream().allMatch(r -> r.check().passes());
     }
 
     /** What was found, in one sentence without a full stop. */
     public String summary() {
-        return format(
+        String found = format(
                 "Of %,d free ways (an entry at a moment), %d cross a lung, bone, organ or vessel; of %,d entries, %d"
                         + " lie on a cut end of the body; %d of %d plans reach their goals",
                 results.stream().mapToInt(r -> r.check().ways()).sum(),
@@ -47,6 +52,7 @@ public record AccessReport(List<AccessStudy.Result> results) {
                 results.stream().mapToInt(r -> r.check().atCutEnd()).sum(),
                 results.stream().filter(r -> r.rehearsal().goalsReached()).count(),
                 results.size());
+        return failures.isEmpty() ? found : failures.size() + " exercises could not be played. " + found;
     }
 
     /** Points that are free at all moments if organs and vessels are no obstacles. */
@@ -165,6 +171,10 @@ public record AccessReport(List<AccessStudy.Result> results) {
     public ReportDocument document(List<String> provenance) {
         ReportDocument report = new ReportDocument("Ways in of the exercises", summary() + ".");
         report.points(provenance.toArray(String[]::new));
+        if (!failures.isEmpty()) {
+            report.section("Not played");
+            report.points(failures.stream().map(failure -> failure + ".").toArray(String[]::new));
+        }
         List<Rehearsal> all =
                 results.stream().map(AccessStudy.Result::rehearsal).toList();
         report.table(
@@ -270,6 +280,7 @@ public record AccessReport(List<AccessStudy.Result> results) {
         return new OrderedValues()
                 .with("passes", passes())
                 .with("exercises", results.stream().map(AccessReport::values).toList())
+                .with("not_played", failures)
                 .with("notice", Disclaimer.TEXT);
     }
 

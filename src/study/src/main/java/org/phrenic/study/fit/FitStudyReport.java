@@ -13,8 +13,12 @@ import org.phrenic.fit.FitResult;
 import org.phrenic.fit.LandmarkTable;
 import org.phrenic.study.ReportNumbers;
 
-/** Fits of patients and of known breaths as a report and as values for JSON. */
-public record FitStudyReport(List<PatientFit> patients, List<KnownBreath> known) {
+/**
+ * Fits of patients and of known breaths as a report and as values for JSON.
+ *
+ * @param failures patients that were not fitted, each with the reason
+ */
+public record FitStudyReport(List<PatientFit> patients, List<KnownBreath> known, List<String> failures) {
     private static final List<Column> SURFACES = List.of(
             Column.text("patient"),
             Column.text("fitted to"),
@@ -36,17 +40,19 @@ public record FitStudyReport(List<PatientFit> patients, List<KnownBreath> known)
     public FitStudyReport {
         patients = List.copyOf(patients);
         known = List.copyOf(known);
+        failures = List.copyOf(failures);
     }
 
     /** Whether every fit has a result. */
     public boolean passes() {
-        return known.stream().allMatch(k -> k.result().isPresent());
+        return failures.isEmpty() && known.stream().allMatch(k -> k.result().isPresent());
     }
 
     /** One-line summary. */
     public String summary() {
         long without = known.stream().filter(k -> k.result().isEmpty()).count();
-        return patients.size() + " patients fitted, " + known.size() + " known breaths, " + without
+        return patients.size() + " patients fitted, " + (failures.isEmpty() ? "" : failures.size() + " not fitted, ")
+                + known.size() + " known breaths, " + without
                 + " of them without a result";
     }
 
@@ -54,6 +60,10 @@ public record FitStudyReport(List<PatientFit> patients, List<KnownBreath> known)
     public ReportDocument document(List<String> provenance) {
         ReportDocument page = new ReportDocument("Fits to a second breath level", summary() + ".");
         page.points(provenance.toArray(String[]::new));
+        if (!failures.isEmpty()) {
+            page.section("Not fitted");
+            page.points(failures.stream().map(failure -> failure + ".").toArray(String[]::new));
+        }
         if (!patients.isEmpty()) {
             page.section("Surfaces");
             page.paragraph("Mean distance on all targets (whole lungs and bases, both sides, equal weights). Half:"
@@ -141,6 +151,7 @@ public record FitStudyReport(List<PatientFit> patients, List<KnownBreath> known)
                                                 "held_out_ratio_of_the_other_half",
                                                 FitReport.finite(PatientFit.heldOutRatio(p.odd()))))
                                 .toList())
+                .with("not_fitted", failures)
                 .with(
                         "known_breaths",
                         known.stream()

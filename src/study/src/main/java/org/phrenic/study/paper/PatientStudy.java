@@ -8,12 +8,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
-import org.phrenic.file.BadInputException;
 import org.phrenic.fit.Fit;
 import org.phrenic.fit.FitHalf;
 import org.phrenic.fit.FitProgress;
@@ -27,6 +27,7 @@ import org.phrenic.fit.search.FitSearch;
 import org.phrenic.model.material.ActionLines;
 import org.phrenic.patient.label.GeometryOverride;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.study.Attempts;
 import org.phrenic.study.PaperScenarios;
 import org.phrenic.study.fit.PatientImport;
 import org.phrenic.study.fit.PatientScans;
@@ -69,42 +70,57 @@ public final class PatientStudy {
     }
 
     /**
-     * Studies real patients, at most {@link #MAX_PATIENTS}.
+     * Studies real patients, at most {@link #MAX_PATIENTS}. A patient whose scans cannot be used is left out with the
+     * reason.
      *
      * @param axes see {@link GeometryOverride#axes}; empty for the axes of the files
-     * @throws BadInputException if a scan cannot be used or contains no lungs
      */
-    public List<PatientCase> of(List<PatientScans> scans, Optional<String> axes) {
+    public Attempts<PatientCase> of(List<PatientScans> scans, Optional<String> axes) {
         int count = Math.min(quick ? 1 : MAX_PATIENTS, scans.size());
-        List<BatchRunner.Job<PatientImport>> imports = new ArrayList<>();
+        List<BatchRunner.Job<Supplier<PatientImport>>> imports = new ArrayList<>();
         for (PatientScans pair : scans.subList(0, count)) {
             imports.add(new BatchRunner.Job<>(pair.name(), () -> imported(pair, axes)));
         }
-        List<PatientCase> cases = new ArrayList<>();
-        for (PatientImport patient : BatchRunner.run(imports, THREADS, (done, of, what) -> {})) {
-            Scenario deep = Scenario.defaults().with("preset=deep", "resolution=low");
-            List<FitTarget> targets = FitTarget.withBases(patient.targets());
-            String alignment = patient.alignment().sentence();
-            progress.note(patient.name() + ": a fit of " + evaluations() + " breaths");
-            FitResult fit = fit(deep, FitParameter.defaults(deep), patient.body(), targets, alignment);
-            progress.note(patient.name() + ": the paper's method, a fit of " + evaluations() + " breaths");
-            FitResult paperFit = fit(PAPER_METHOD, paperParameters(), patient.body(), targets, alignment);
-            cases.add(new PatientCase(
-                    patient.name(),
-                    "CT, two breath holds",
-                    false,
-                    patient.body(),
-                    patient.notes(),
-                    fit,
-                    Optional.of(paperFit)));
-            progress.done(cases.size(), count, patient.name());
+        List<Supplier<PatientImport>> imported = BatchRunner.run(imports, THREADS, (done, of, what) -> {});
+        Attempts<PatientCase> cases = new Attempts<>();
+        for (int i = 0; i < count; i++) {
+            Supplier<PatientImport> patient = imported.get(i);
+            cases.add(scans.get(i).name(), () -> fitted(patient.get()));
+            progress.done(i + 1, count, scans.get(i).name());
         }
+        cases.failures().forEach(progress::note);
         return cases;
     }
 
-    private PatientImport imported(PatientScans pair, Optional<String> axes) {
+    private PatientCase fitted(PatientImport patient) {
+        Scenario deep = Scenario.defaults().with("preset=deep", "resolution=low");
+        List<FitTarget> targets = FitTarget.withBases(patient.targets());
+        String alignment = patient.alignment().sentence();
+        progress.note(patient.name() + ": a fit of " + evaluations() + " breaths");
+        FitResult fit = fit(deep, FitParameter.defaults(deep), patient.body(), targets, alignment);
+        progress.note(patient.name() + ": the paper's method, a fit of " + evaluations() + " breaths");
+        FitResult paperFit = fit(PAPER_METHOD, paperParameters(), patient.body(), targets, alignment);
+        return new PatientCase(
+                patient.name(),
+                "CT, two breath holds",
+                false,
+                patient.body(),
+                patient.notes(),
+                fit,
+                Optional.of(paperFit));
+    }
+
+    /** The import of a patient; what failed in it is thrown where it is taken, so that the others go on. */
+    private Supplier<PatientImport> imported(PatientScans pair, Optional<String> axes) {
         progress.note(pair.name() + ": import of both breath levels");
-        return PatientImport.of(pair, axes);
+        try {
+            PatientImport patient = PatientImport.of(pair, axes);
+            return () -> patient;
+        } catch (RuntimeException failure) {
+            return () -> {
+                throw failure;
+            };
+        }
     }
 
     /** Integrator and time step of the paper's method. */
