@@ -21,6 +21,7 @@ import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.FolderLock;
 import org.phrenic.fit.Fit;
 import org.phrenic.fit.FitHalf;
 import org.phrenic.fit.FitReport;
@@ -187,12 +188,23 @@ final class FitCommand extends ReportingCommand {
                 new FitSetup.Options(half(), alignment.sentence(), search, length.threads(), !noSensitivity, inside);
         FitSetup setup = new FitSetup(base, body, read, parameters, options);
         body.notes().forEach(printer::note);
-        FitResult result = Fit.run(setup, out.resolve("journal.csv"), printer);
-        printer.end();
+        try (FolderLock mine = FolderLock.of(out)) {
+            FitResult result = Fit.run(setup, mine.folder().resolve("journal.csv"), printer);
+            printer.end();
+            report(result);
+        }
+        return ExitCode.SUCCESS;
+    }
+
+    private void report(FitResult result) {
         FitReport report = new FitReport(result);
         List<ReportDocument.Picture> pictures = noPictures ? List.of() : FitPictures.draw(result, out, err());
         report.write(out);
-        inside.ifPresent(points -> points.write(out.resolve("landmarks.csv"), body.structuresOf(StructureKind.LUNG)));
+        FitSetup setup = result.setup();
+        setup.options()
+                .landmarks()
+                .ifPresent(points -> points.write(
+                        out.resolve("landmarks.csv"), setup.thorax().structuresOf(StructureKind.LUNG)));
         writePages(out, "report", report.document(pictures));
         print(report.values(), () -> {
             String distances = TextTable.of(FitReport.DISTANCES, report.distances());
@@ -201,7 +213,6 @@ final class FitCommand extends ReportingCommand {
             String limits = String.join("\n", report.limits());
             return withDisclaimer(String.join("\n", distances, carried + tuned, report.summary(), limits));
         });
-        return ExitCode.SUCCESS;
     }
 
     private static String inside(Landmarks.Errors errors) {
@@ -219,11 +230,13 @@ final class FitCommand extends ReportingCommand {
                 "--synthetic", synthetic, 1, SyntheticPatient.five().size());
         Resolution meshes = Scenario.defaults().with("resolution=" + resolution).resolution();
         FitSearch.Settings search = new FitSearch.Settings(seed(), length.evaluations());
-        SyntheticStudy study = SyntheticStudy.run(count, meshes, length.threads(), search, out, printer);
-        printer.end();
-        JsonWriter.write(out.resolve("synthetic.json"), study.values());
-        writePages(out, "synthetic", study.document(made.lines()));
-        print(study.values(), () -> withDisclaimer(TextTable.of(SyntheticStudy.COLUMNS, study.cells())));
+        try (FolderLock mine = FolderLock.of(out)) {
+            SyntheticStudy study = SyntheticStudy.run(count, meshes, length.threads(), search, mine.folder(), printer);
+            printer.end();
+            JsonWriter.write(out.resolve("synthetic.json"), study.values());
+            writePages(out, "synthetic", study.document(made.lines()));
+            print(study.values(), () -> withDisclaimer(TextTable.of(SyntheticStudy.COLUMNS, study.cells())));
+        }
         return ExitCode.SUCCESS;
     }
 

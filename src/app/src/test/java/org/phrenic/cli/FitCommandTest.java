@@ -9,6 +9,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.cli.report.ExitCode;
+import org.phrenic.file.FolderLock;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
 
@@ -39,6 +40,26 @@ class FitCommandTest {
         assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(run.err()).contains(sentence).hasLineCount(1);
         assertThat(out).doesNotExist();
+    }
+
+    @Test
+    void refusesAFolderThatAnotherFitWritesInto() {
+        Path busy = folder.resolve("busy");
+        try (FolderLock other = FolderLock.of(busy)) {
+            String out = other.folder().toString();
+            for (String[] args : new String[][] {
+                {"fit", "virtual/adult-male", "--resolution", "low", "--target", mesh, "--out", out},
+                {"fit", "--synthetic", "1", "--resolution", "low", "--out", out},
+                {"bench", "fits", "--random", "1", "--out", out}
+            }) {
+                CommandLineRun run = CommandLineRun.of(args);
+                assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+                assertThat(run.err())
+                        .contains("found another run that writes into this folder")
+                        .hasLineCount(1);
+            }
+        }
+        assertThat(busy).doesNotExist();
     }
 
     @Test

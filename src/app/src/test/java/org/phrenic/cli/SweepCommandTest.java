@@ -3,8 +3,11 @@ package org.phrenic.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -38,6 +41,20 @@ class SweepCommandTest {
         CommandLineRun again = CommandLineRun.of("sweep", study().toString(), "--out", out.toString(), "--json");
         assertThat(again.err()).contains("40 of 40 runs are in the journal");
         assertThat(again.out()).contains("\"complete\": true", "\"first_order\"");
+    }
+
+    @Test
+    void aStudyThatRunsAlreadyIsRefused() throws IOException {
+        Path out = folder.resolve("out");
+        String[] args = {"sweep", study().toString(), "--out", out.toString()};
+        assertThat(CommandLineRun.of(args).exitCode()).isZero();
+        try (FileChannel journal = FileChannel.open(out.resolve("journal.csv"), StandardOpenOption.WRITE);
+                FileLock other = journal.lock()) {
+            assertThat(other.isValid()).isTrue();
+            CommandLineRun second = CommandLineRun.of(args);
+            assertThat(second.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+            assertThat(second.err()).contains("the study runs already").hasLineCount(1);
+        }
     }
 
     @Test

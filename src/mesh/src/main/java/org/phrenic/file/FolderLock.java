@@ -6,6 +6,7 @@ import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.stream.Stream;
 
 /**
  * Exclusive use of an output folder by one process, by an operating-system lock on the file {@value #NAME} in it. The
@@ -17,10 +18,12 @@ public final class FolderLock implements AutoCloseable {
 
     private final Path folder;
     private final FileChannel channel;
+    private final boolean made;
 
-    private FolderLock(Path folder, FileChannel channel) {
+    private FolderLock(Path folder, FileChannel channel, boolean made) {
         this.folder = folder;
         this.channel = channel;
+        this.made = made;
     }
 
     /**
@@ -30,6 +33,7 @@ public final class FolderLock implements AutoCloseable {
      * @throws OutputException if the folder cannot be created
      */
     public static FolderLock of(Path folder) {
+        boolean absent = !Files.exists(folder);
         try {
             Files.createDirectories(folder);
         } catch (IOException e) {
@@ -44,9 +48,9 @@ public final class FolderLock implements AutoCloseable {
                         folder + ": found another run that writes into this folder, expected a folder"
                                 + " of its own for each run");
             }
-            return new FolderLock(folder, channel);
+            return new FolderLock(folder, channel, absent);
         } catch (IOException e) {
-            return new FolderLock(folder, null);
+            return new FolderLock(folder, null, absent);
         }
     }
 
@@ -62,7 +66,7 @@ public final class FolderLock implements AutoCloseable {
         }
     }
 
-    /** Releases the folder and deletes the lock's file. */
+    /** Releases the folder and deletes the lock's file, and the folder if the lock made it and it is empty. */
     @Override
     public void close() {
         try {
@@ -70,9 +74,18 @@ public final class FolderLock implements AutoCloseable {
                 Files.deleteIfExists(folder.resolve(NAME));
                 channel.close();
             }
+            if (made && isEmpty()) {
+                Files.deleteIfExists(folder);
+            }
         } catch (IOException e) {
             // The system releases the lock at the end of the process; a file left behind locks nothing.
             return;
+        }
+    }
+
+    private boolean isEmpty() throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.findAny().isEmpty();
         }
     }
 }

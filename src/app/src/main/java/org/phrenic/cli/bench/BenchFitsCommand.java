@@ -16,6 +16,7 @@ import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.FolderLock;
 import org.phrenic.fit.search.FitSearch;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.Attempts;
@@ -83,11 +84,29 @@ final class BenchFitsCommand extends ReportingCommand {
         int start = OptionValues.integer("--seed", seed, 0, Integer.MAX_VALUE);
         FitSearch.Settings search = new FitSearch.Settings(start, length.evaluations());
         Scenario base = Scenario.defaults().with("preset=deep").with(List.of(resolution.assignment()));
+        List<PatientScans> pairs = patients == null ? List.of() : PatientScans.findIn(patients);
+        FitStudyReport report;
+        try (FolderLock mine = FolderLock.of(out)) {
+            report = fit(pairs, RandomBodies.series(base, count, start), base, search);
+            writePages(mine.folder(), "fits", report.document(provenance.lines()));
+            JsonWriter.write(out.resolve("fits.json"), report.values());
+        }
+        print(report.values(), () -> {
+            String failures = report.failures().stream()
+                    .map(failure -> "not fitted: " + failure + ".\n")
+                    .collect(Collectors.joining());
+            return withDisclaimer(failures + report.summary() + ".\n");
+        });
+        return report.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
+    }
+
+    private FitStudyReport fit(
+            List<PatientScans> pairs, List<BodyCase> bodies, Scenario base, FitSearch.Settings search) {
         int atATime = length.threads();
         Path journals = out.resolve("journals");
         ConsoleProgress progress = progress();
         Attempts<PatientFit> fitted = new Attempts<>();
-        for (PatientScans scans : patients == null ? List.<PatientScans>of() : PatientScans.findIn(patients)) {
+        for (PatientScans scans : pairs) {
             Path landmarks = patients.resolve(scans.name() + "_landmarks.csv");
             fitted.add(
                     scans.name(),
@@ -102,20 +121,11 @@ final class BenchFitsCommand extends ReportingCommand {
         }
         fitted.failures().forEach(progress::note);
         List<KnownBreath> known = new ArrayList<>();
-        for (BodyCase body : RandomBodies.series(base, count, start)) {
+        for (BodyCase body : bodies) {
             progress.note(body.name());
-            known.add(KnownBreath.of(body, base, start + known.size(), search, atATime, journals, progress));
+            known.add(KnownBreath.of(body, base, search.seed() + known.size(), search, atATime, journals, progress));
         }
         progress.end();
-        FitStudyReport report = new FitStudyReport(fitted.results(), known, fitted.failures());
-        writePages(out, "fits", report.document(provenance.lines()));
-        JsonWriter.write(out.resolve("fits.json"), report.values());
-        print(report.values(), () -> {
-            String failures = report.failures().stream()
-                    .map(failure -> "not fitted: " + failure + ".\n")
-                    .collect(Collectors.joining());
-            return withDisclaimer(failures + report.summary() + ".\n");
-        });
-        return report.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
+        return new FitStudyReport(fitted.results(), known, fitted.failures());
     }
 }
