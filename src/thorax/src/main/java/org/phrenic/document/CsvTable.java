@@ -189,6 +189,11 @@ public final class CsvTable {
         return rows.stream().map(row -> row[at].strip()).toList();
     }
 
+    /** The text of a cell, without spaces around it. */
+    public String text(int row, String column) {
+        return rows.get(row)[index(column)].strip();
+    }
+
     /** An exception about one cell, naming file, line and column. */
     public BadInputException badCell(int row, String column, String problem) {
         return BadInputException.at(file, "line " + lines.get(row) + ", column '" + column + "'", problem);

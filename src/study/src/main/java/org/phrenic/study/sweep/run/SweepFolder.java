@@ -1,18 +1,16 @@
 package org.phrenic.study.sweep.run;
 
-import java.io.IOException;
-import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.TreeSet;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.TextFile;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.InputBytes;
 import org.phrenic.study.sweep.RunRow;
 import org.phrenic.study.sweep.SweepModel;
 import org.phrenic.study.sweep.SweepOutcome;
@@ -41,12 +39,17 @@ public final class SweepFolder {
     /**
      * The folder of a study, which is made if it is absent.
      *
-     * @throws BadInputException with one sentence, if another study is in it
+     * @throws BadInputException with one sentence, if another study is in it, or journals of which no study is known
      */
     public static SweepFolder of(Path folder, SweepPlan plan) {
         Path study = folder.resolve(STUDY);
         String text = plan.study().resolved();
         if (!Files.exists(study)) {
+            if (Files.isDirectory(folder) && !journals(folder).isEmpty()) {
+                throw new BadInputException(
+                        folder + ": found " + journals(folder).get(0).getFileName() + " without " + STUDY
+                                + ", expected both or an empty folder");
+            }
             AtomicFile.write(study, text);
         } else if (!read(study).equals(text)) {
             throw new BadInputException(
@@ -80,16 +83,16 @@ public final class SweepFolder {
         return new SweepJournal(folder.resolve(shard.journalName()), plan.model());
     }
 
+    private static List<Path> journals(Path folder) {
+        return InputBytes.list(folder).stream()
+                .filter(file -> file.getFileName().toString().matches("journal.*\\.csv"))
+                .toList();
+    }
+
     /** The runs in all journals of the folder. */
     public SweepResults results() {
         List<RunRow> rows = new ArrayList<>();
-        TreeSet<Path> journals = new TreeSet<>();
-        try (DirectoryStream<Path> found = Files.newDirectoryStream(folder, "journal*.csv")) {
-            found.forEach(journals::add);
-        } catch (IOException failure) {
-            throw new BadInputException(folder + ": found a folder that cannot be read, expected one", failure);
-        }
-        journals.forEach(journal -> rows.addAll(SweepJournal.read(journal, plan.model())));
+        journals(folder).forEach(journal -> rows.addAll(SweepJournal.read(journal, plan.model())));
         try {
             return new SweepResults(plan, rows);
         } catch (IllegalArgumentException other) {

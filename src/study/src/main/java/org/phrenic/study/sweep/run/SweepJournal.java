@@ -5,15 +5,19 @@ import java.io.RandomAccessFile;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.phrenic.document.CsvTable;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.document.TextFile;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.InputBytes;
 import org.phrenic.file.Numbers;
 import org.phrenic.file.OutputException;
 import org.phrenic.study.sweep.RunRow;
@@ -121,49 +125,77 @@ final class SweepJournal implements AutoCloseable {
     /**
      * Reads the complete lines of a journal.
      *
-     * @throws BadInputException with one sentence, if it is none of this model
+     * @throws BadInputException with one sentence, if it is none of this model, or a line is damaged
      */
     static List<RunRow> read(Path path, SweepModel model) {
+        try {
+            if (Files.size(path) == 0) {
+                return List.of();
+            }
+        } catch (IOException failure) {
+            throw InputBytes.readFailure(path, failure);
+        }
         String text = TextFile.read(path, "a journal");
         String complete = text.substring(0, text.lastIndexOf('\n') + 1);
         if (complete.isEmpty()) {
             return List.of();
         }
         CsvTable table = CsvTable.parse(path.toString(), complete);
-        List<String> header = header(model);
-        if (!List.copyOf(table.columnNames()).equals(header)) {
+        if (!table.columnNames().equals(header(model))) {
             throw new BadInputException(path + ": found other columns, expected the journal of this study");
         }
-        List<List<String>> columns = header.stream().map(table::texts).toList();
-        List<RunRow> rows = new ArrayList<>();
-        for (int r = 0; r < table.rowCount(); r++) {
-            int at = r;
-            rows.add(row(columns.stream().map(column -> column.get(at)).toList(), model, path));
-        }
-        return rows;
+        return IntStream.range(0, table.rowCount())
+                .mapToObj(r -> new Line(table, r).row(model))
+                .toList();
     }
 
-    private static RunRow row(List<String> cells, SweepModel model, Path path) {
-        int count = model.responses().size();
-        double[] responses = new double[count];
-        for (int i = 0; i < count; i++) {
-            responses[i] = number(cells.get(FIXED.size() + i));
+    /** A line of a journal. */
+    private record Line(CsvTable table, int number) {
+        RunRow row(SweepModel model) {
+            double[] responses =
+                    model.responses().stream().mapToDouble(this::number).toArray();
+            double[][] series = seriesColumns(model).stream().map(this::series).toArray(double[][]::new);
+            int index = (int) Numbers.parseWhole(text("index"), 0, Integer.MAX_VALUE)
+                    .orElseThrow(() -> bad("index", text("index"), "a whole number"));
+            SweepOutcome outcome = new SweepOutcome(responses, text("state_sha256"), series);
+            return new RunRow(index, outcome, text("failure"), number("wall_s"), text("machine"));
         }
-        double[][] series = new double[model.series().size()][];
-        for (int i = 0; i < series.length; i++) {
-            String[] values = cells.get(FIXED.size() + count + i).split(";", -1);
-            series[i] =
-                    List.of(values).stream().mapToDouble(SweepJournal::number).toArray();
-        }
-        long index = Numbers.parseWhole(cells.get(0), 0, Integer.MAX_VALUE)
-                .orElseThrow(() -> new BadInputException(
-                        path + ": found the index '" + cells.get(0) + "', expected a whole number"));
-        SweepOutcome outcome = new SweepOutcome(responses, cells.get(3), series);
-        return new RunRow((int) index, outcome, cells.get(1), number(cells.get(2)), cells.get(4));
-    }
 
-    private static double number(String text) {
-        return Numbers.parse(text).orElse(Double.NaN);
+        private String text(String column) {
+            return table.text(number, column);
+        }
+
+        private double number(String column) {
+            return number(column, text(column));
+        }
+
+        private double[] series(String column) {
+            double[] values = Stream.of(text(column).split(";", -1))
+                    .mapToDouble(text -> number(column, text))
+                    .toArray();
+            if (values.length != SweepOutcome.SERIES_POINTS) {
+                throw bad(column, values.length + " numbers", SweepOutcome.SERIES_POINTS + " numbers");
+            }
+            return values;
+        }
+
+        /** A number as {@link SweepJournal#text} writes it. */
+        private double number(String column, String text) {
+            if (text.isEmpty()) {
+                return Double.NaN;
+            }
+            if (text.endsWith("Infinity")) {
+                return text.startsWith("-") ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
+            }
+            return Numbers.parse(text).orElseThrow(() -> bad(column, Numbers.quote(text), "a number"));
+        }
+
+        private BadInputException bad(String column, String found, String expected) {
+            return table.badCell(
+                    number,
+                    column,
+                    "found " + found + ", expected " + expected + " (a run whose line is deleted is computed again)");
+        }
     }
 
     @Override

@@ -141,6 +141,32 @@ class SweepRunnerTest {
     }
 
     @Test
+    void anEmptyJournalIsBegunAndADamagedOneIsRefused() throws IOException {
+        SweepPlan plan = plan(4);
+        run(plan, folder, new ThreadExecutor(1));
+        Path journal = folder.resolve("journal.csv");
+        String whole = Files.readString(journal);
+        Files.writeString(journal, "");
+        assertThat(run(plan, folder, new ThreadExecutor(1)).isComplete()).isTrue();
+        int lastDigit = whole.lastIndexOf('\n');
+        Files.writeString(journal, whole.substring(0, lastDigit) + "x" + whole.substring(lastDigit));
+        assertThatThrownBy(() -> run(plan, folder, new ThreadExecutor(1)))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("line 21, column 'y': found '")
+                .hasMessageContaining("expected a number");
+    }
+
+    @Test
+    void journalsOfAnUnknownStudyAreNotTaken() throws IOException {
+        run(plan(4), folder, new ThreadExecutor(1));
+        Files.delete(folder.resolve("study.yaml"));
+        assertThatThrownBy(() -> SweepFolder.of(folder, plan(4)))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found journal.csv without study.yaml");
+        assertThat(folder.resolve("study.yaml")).doesNotExist();
+    }
+
+    @Test
     void shardsInAnyOrderMergeToTheTableOfTheWholeStudy() throws IOException {
         SweepPlan plan = plan(16);
         Path whole = folder.resolve("whole");
