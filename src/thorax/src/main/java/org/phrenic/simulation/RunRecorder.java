@@ -28,7 +28,8 @@ import org.phrenic.simulation.observe.Surface;
 /**
  * Writes the output of a run: {@code summary.json}, {@code observables.csv}, {@code scenario.yaml} and, on request, a
  * mesh series {@code scene.pvd} with one {@code .vtp} per structure and time. Each file is written beside its target
- * and then moved over it. The summary is written last, so a folder with a summary is complete.
+ * and then moved over it. An earlier result in the folder stays as it is until this one is computed. The summary is
+ * written last, so a folder with a summary is complete.
  */
 final class RunRecorder {
     private static final String SUMMARY = "summary.json";
@@ -50,26 +51,58 @@ final class RunRecorder {
         this.out = out;
         boolean meshes = out != null && scenario.get(RunSettings.MESHES_EVERY) > 0;
         series = meshes ? new PvdSeries(out.resolve(SERIES)) : null;
-        if (out != null) {
-            deleteEarlierResults();
+        if (meshes) {
+            replacing(() -> delete(unfinished()));
         }
     }
 
-    /** Deletes the summary and the mesh series of an earlier run, which would not match the new files. */
-    private void deleteEarlierResults() {
+    /** An action on files. */
+    private interface FileAction {
+        void run() throws IOException;
+    }
+
+    private void replacing(FileAction action) {
         try {
-            Files.deleteIfExists(out.resolve(SUMMARY));
-            Files.deleteIfExists(out.resolve(SERIES));
-            if (Files.isDirectory(out.resolve(MESHES))) {
-                try (DirectoryStream<Path> frames = Files.newDirectoryStream(out.resolve(MESHES), "*_[0-9]*.vtp")) {
-                    for (Path frame : frames) {
-                        Files.delete(frame);
-                    }
-                }
-            }
+            action.run();
         } catch (IOException e) {
             throw new OutputException(out + ": an earlier result cannot be replaced: " + e.getMessage(), e);
         }
+    }
+
+    /** Folder of the meshes of a run that has not ended. */
+    private Path unfinished() {
+        return out.resolve(MESHES + ".part");
+    }
+
+    /** Puts the meshes of this run in place of the results of an earlier one, which would not match the new files. */
+    private void replaceEarlierResults() throws IOException {
+        Files.deleteIfExists(out.resolve(SUMMARY));
+        Files.deleteIfExists(out.resolve(SERIES));
+        delete(out.resolve(MESHES));
+        if (series == null) {
+            return;
+        }
+        Files.createDirectories(out.resolve(MESHES));
+        for (Path mesh : frames(unfinished())) {
+            Files.move(mesh, out.resolve(MESHES).resolve(mesh.getFileName()));
+        }
+        Files.delete(unfinished());
+    }
+
+    private static void delete(Path folder) throws IOException {
+        for (Path mesh : frames(folder)) {
+            Files.delete(mesh);
+        }
+    }
+
+    private static List<Path> frames(Path folder) throws IOException {
+        List<Path> frames = new ArrayList<>();
+        if (Files.isDirectory(folder)) {
+            try (DirectoryStream<Path> found = Files.newDirectoryStream(folder, "*_[0-9]*.vtp")) {
+                found.forEach(frames::add);
+            }
+        }
+        return frames;
     }
 
     /** Called after a step; writes meshes if due. */
@@ -83,9 +116,9 @@ final class RunRecorder {
         List<TriangleMesh> meshes = surfaces.meshes();
         for (int i = 0; i < meshes.size(); i++) {
             Surface surface = surfaces.surfaces().get(i);
-            Path file = out.resolve(MESHES).resolve(String.format(Locale.ROOT, "%s_%05d.vtp", surface.name(), frame));
-            VtpWriter.write(file, meshes.get(i), pointData(surface, meshes.get(i)));
-            series.add(time, i, file);
+            String file = String.format(Locale.ROOT, "%s_%05d.vtp", surface.name(), frame);
+            VtpWriter.write(unfinished().resolve(file), meshes.get(i), pointData(surface, meshes.get(i)));
+            series.add(time, i, out.resolve(MESHES).resolve(file));
         }
         frame++;
     }
@@ -111,6 +144,7 @@ final class RunRecorder {
         if (out == null) {
             return;
         }
+        replacing(this::replaceEarlierResults);
         Map<String, double[]> columns = new LinkedHashMap<>();
         for (int c = 0; c < Observation.COLUMNS.size(); c++) {
             int column = c;

@@ -8,11 +8,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FolderLock;
+import org.phrenic.file.Hashes;
 import org.phrenic.file.OutputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
@@ -93,6 +95,34 @@ class RunRecorderTest {
                 .isThrownBy(() -> execute(scenario("meshes_every_s=0.05"), out))
                 .withMessageContaining("meshes");
         assertThat(out.resolve("summary.json")).doesNotExist();
+    }
+
+    @Test
+    void aRunThatDoesNotEndLeavesAnEarlierResultAsItIs() throws IOException {
+        Path out = folder.resolve("kept");
+        execute(scenario("meshes_every_s=0.05"), out);
+        Map<Path, String> before = contents(out);
+        SimulationRun.Progress stopping = (at, of, perS) -> {
+            throw new IllegalStateException("stopped");
+        };
+        assertThatExceptionOfType(IllegalStateException.class)
+                .isThrownBy(() -> SimulationRun.run(scenario("meshes_every_s=0.02", "depth=0.5"), out, stopping));
+        Map<Path, String> after = contents(out);
+        after.keySet().removeIf(file -> file.startsWith(out.resolve("meshes.part")));
+        assertThat(after).isEqualTo(before);
+        execute(scenario("meshes_every_s=0.1"), out);
+        assertThat(out.resolve("meshes.part")).doesNotExist();
+        assertThat(out.resolve("meshes/diaphragm_00002.vtp")).doesNotExist();
+    }
+
+    private static Map<Path, String> contents(Path folder) throws IOException {
+        Map<Path, String> contents = new TreeMap<>();
+        try (Stream<Path> files = Files.walk(folder).filter(Files::isRegularFile)) {
+            for (Path file : files.toList()) {
+                contents.put(file, Hashes.sha256(file));
+            }
+        }
+        return contents;
     }
 
     @Test
