@@ -13,6 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.validation.LiverMotion;
 import org.phrenic.study.validation.PhysiologyTable;
@@ -127,6 +129,31 @@ class ValidateCommandTest {
             assertThat(run.err().lines()).as(run.err()).hasSize(1);
             assertThat(run.out()).isEmpty();
         }
+    }
+
+    @Test
+    void aDiaphragmWithoutDomesIsNotMeasurable() throws IOException {
+        Path file = folder.resolve("domes.yaml");
+        Files.writeString(
+                file,
+                """
+                rows:
+                  - key: dome_level
+                    preset: quiet
+                    observable: dome_right_vertebra
+                    reduction: start
+                    low: 1
+                    unit: 1
+                    confidence: S
+                    source: someone
+                """);
+        Path body = BoxThorax.write(Files.createDirectory(folder.resolve("box")), 140, 1);
+        double[] corners = {-40, -60, 60, 40, -60, 60, 0, 80, 60, 0, 0, 120};
+        int[] faces = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+        MeshFiles.write(body.resolve("diaphragm.ply"), new TriangleMesh(corners, faces));
+        CommandLineRun run = run("--table", file.toString(), "--anatomy", body.toString());
+        assertThat(run.err()).contains("2 of 2 runs done").doesNotContain("failure");
+        assertThat(run.out()).contains("not measurable here: the body or the breath lacks what it is measured on");
     }
 
     @Test

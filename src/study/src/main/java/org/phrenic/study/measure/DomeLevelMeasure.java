@@ -79,7 +79,7 @@ final class DomeLevelMeasure implements SceneMeasure {
         values.put("dome_right_above_left_mm", right[2] - left[2]);
     }
 
-    /** Highest point of the dome on one side. */
+    /** Highest point of the dome on one side; NaN for a sheet that does not reach beyond the heart. */
     private double[] domeTop(double[] p, int sign) {
         int best = -1;
         for (int k = 0; k < p.length; k += 3) {
@@ -87,7 +87,9 @@ final class DomeLevelMeasure implements SceneMeasure {
                 best = k;
             }
         }
-        return new double[] {p[best], p[best + 1], p[best + 2]};
+        return best < 0
+                ? new double[] {Double.NaN, Double.NaN, Double.NaN}
+                : new double[] {p[best], p[best + 1], p[best + 2]};
     }
 
     private double centralTendonHeight(double[] p, boolean[] tendon) {
