@@ -63,7 +63,7 @@ final class MotionCommand extends ReportingCommand {
         OrderedValues report;
         Thorax thorax = SimulationRun.loadThorax(scenario);
         thorax.notes().forEach(progress::note);
-        try (Simulation simulation = Simulation.of(scenario, thorax, UserCache.ofUser());
+        try (Simulation simulation = Simulation.of(scenario, thorax, UserCache.ofUser(), progress);
                 BodyMotion motion = new BodyMotion(simulation, options.organs(), options.lungs(), scenario.threads())) {
             double[] times = options.times(simulation.breathDurationS(), simulation.durationS());
             report = new MotionExport(simulation, motion, request, out, progress).write(times);

@@ -35,7 +35,7 @@ public final class ScenePlayer implements AutoCloseable {
         Thorax thorax = SimulationRun.loadThorax(scenario);
         notInScan = thorax.notInScanSummary();
         thorax.notes().forEach(progress::note);
-        simulation = Simulation.of(scenario, thorax, UserCache.ofUser());
+        simulation = Simulation.of(scenario, thorax, UserCache.ofUser(), progress);
         if (!simulation.stabilityMessage().isEmpty()) {
             progress.note(simulation.stabilityMessage());
         }

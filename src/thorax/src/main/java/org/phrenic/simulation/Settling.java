@@ -30,16 +30,20 @@ final class Settling {
      */
     private static final double DAMPING = 6;
 
+    private static final int STEPS_BETWEEN_TELLINGS = 100;
+
     private static final String SHAPE = "settled shape";
 
     private final Scenario scenario;
     private final Scene scene;
     private final StabilityLimit limit;
+    private final SimulationRun.Progress progress;
 
-    Settling(Scenario scenario, Scene scene, StabilityLimit limit) {
+    Settling(Scenario scenario, Scene scene, StabilityLimit limit, SimulationRun.Progress progress) {
         this.scenario = scenario;
         this.scene = scene;
         this.limit = limit;
+        this.progress = progress;
     }
 
     /**
@@ -76,6 +80,9 @@ final class Settling {
         long steps = Math.max(MIN_STEPS, Math.round(settleS / scenario.timeStepS()));
         for (long i = 0; i < steps; i++) {
             stepper.step();
+            if (i % STEPS_BETWEEN_TELLINGS == 0) {
+                progress.settling(stepper.time(), steps * scenario.timeStepS());
+            }
         }
         scene.drive().holdAtExpiration(false);
         SlowMotionRelease.setActive(system, true);

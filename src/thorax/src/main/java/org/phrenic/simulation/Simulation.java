@@ -78,6 +78,15 @@ public final class Simulation implements AutoCloseable {
      * read from a cache or kept there; the results are the same bit for bit.
      */
     public static Simulation of(Scenario scenario, Thorax thorax, UserCache cache) {
+        return of(scenario, thorax, cache, (at, total, perS) -> {});
+    }
+
+    /**
+     * Assembles a simulation as {@link #of(Scenario, Thorax, UserCache)} does.
+     *
+     * @param progress told how far the scene has settled
+     */
+    public static Simulation of(Scenario scenario, Thorax thorax, UserCache cache, SimulationRun.Progress progress) {
         SceneAssembly.requireBreathing(thorax);
         BreathDrive drive = new BreathDrive(new LiveBreathing(scenario));
         RibCage cage = RibCage.of(
@@ -93,7 +102,7 @@ public final class Simulation implements AutoCloseable {
                     scenario, thorax, new RampedValues(scenario), drive, cage, workers, computed);
             workers.useCallerOnly(false);
             StabilityLimit limit = StoredLimit.of(scene.system(), computed);
-            double moved = new Settling(scenario, scene, limit).settled();
+            double moved = new Settling(scenario, scene, limit, progress).settled();
             computed.keep();
             Stepper stepper = new Stepper(
                     scenario.integrator().create(scene.system()),

@@ -28,6 +28,9 @@ public final class SimulationRun {
         /** A remark to show once, such as a mesh repair or the use of substeps. */
         default void note(String sentence) {}
 
+        /** How far the scene has settled before the first step; called again and again if it takes long. */
+        default void settling(double doneS, double totalS) {}
+
         /** The summary, before any file of it is written. */
         default void measured(Map<String, Object> summary) {}
     }
@@ -69,7 +72,7 @@ public final class SimulationRun {
         ScheduleCheck.requireWithinRun(scenario);
         Thorax thorax = loadThorax(scenario);
         thorax.notes().forEach(progress::note);
-        try (Simulation simulation = Simulation.of(scenario, thorax, UserCache.ofUser())) {
+        try (Simulation simulation = Simulation.of(scenario, thorax, UserCache.ofUser(), progress)) {
             UserCache.ofUser().takeNotes().forEach(progress::note);
             Stepper stepper = simulation.stepper();
             if (stepper.substeps() > 1) {

@@ -63,7 +63,7 @@ public record Rehearsal(
 
     /** Like {@link #play(RehearsalPlan, SimulationRun.Progress)}, with the body of the plan already loaded. */
     public static Rehearsal play(RehearsalPlan plan, Thorax thorax, SimulationRun.Progress progress) {
-        try (Simulation simulation = Simulation.of(plan.scenario(), thorax, UserCache.ofUser());
+        try (Simulation simulation = Simulation.of(plan.scenario(), thorax, UserCache.ofUser(), progress);
                 Workers workers = Workers.of(plan.scenario().threads())) {
             SceneSurfaces surfaces = SceneSurfaces.withOrgans(simulation);
             MovingAnatomy anatomy = new MovingAnatomy(surfaces.surfaces());

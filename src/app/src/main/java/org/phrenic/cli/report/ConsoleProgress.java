@@ -61,6 +61,11 @@ public class ConsoleProgress implements SimulationRun.Progress, ProgressListener
     }
 
     @Override
+    public void settling(double doneS, double totalS) {
+        draw(false, "settling, %.1f %% done", 100 * doneS / totalS);
+    }
+
+    @Override
     public void evaluated(int count, int most, double bestMm, double initialMm) {
         String format = "%d of at most %d breaths, mean distance %.3f mm, %.3f of the initial";
         draw(false, format, count, most, bestMm, bestMm / initialMm);
