@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.phrenic.document.CsvTable;
 import org.phrenic.document.Key;
+import org.phrenic.file.BadInputException;
 import org.phrenic.study.sweep.design.FullGrid;
 import org.phrenic.study.sweep.design.LatinHypercube;
 import org.phrenic.study.sweep.design.MorrisDesign;
@@ -79,6 +80,9 @@ public record DesignSpec(
             return this;
         }
         CsvTable table = CsvTable.read(folder.resolve(file.get()));
+        if (table.rowCount() == 0) {
+            throw new BadInputException(folder.resolve(file.get()) + ": found no row, expected a point a line");
+        }
         List<String> names = List.copyOf(table.columnNames());
         List<List<String>> cells = names.stream().map(table::texts).toList();
         List<List<String>> rows = new ArrayList<>();

@@ -3,8 +3,12 @@ package org.phrenic.study.sweep;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Simulation;
@@ -17,6 +21,9 @@ class BreathStudyTest {
     private static final String SETTINGS = "settings: {resolution: low, duration_s: 0.06}\n";
     private static final String RESPONSE =
             "responses:\n  - {name: descent, observable: liver_si_mm, reduction: size}\n";
+
+    @TempDir
+    private Path folder;
 
     private static SweepStudy study(String factors, String design, String responses) {
         return SweepStudy.parse("study.yaml", SETTINGS + factors + "design: " + design + "\n" + responses);
@@ -109,6 +116,15 @@ class BreathStudyTest {
         refused(good, grid, RESPONSE.replaceFirst("name: \\w+", "name: failure"), "columns of the journal");
         refused(good, grid, RESPONSE.replace("liver_si_mm", "liver_sl_mm"), "did you mean 'liver_si_mm'?");
         refused(good, grid, RESPONSE.replace("size", "ratio"), "line 6", "expected against");
+    }
+
+    @Test
+    void aTableOfPointsWithoutARowIsNamed() throws IOException {
+        Path study = Files.writeString(folder.resolve("s.yaml"), "design: {kind: list, file: p.csv}\n" + RESPONSE);
+        Files.writeString(folder.resolve("p.csv"), "depth\n");
+        assertThatThrownBy(() -> SweepStudy.read(study))
+                .isInstanceOf(BadInputException.class)
+                .hasMessage(folder.resolve("p.csv") + ": found no row, expected a point a line");
     }
 
     private static void refused(String factors, String design, String responses, String... parts) {

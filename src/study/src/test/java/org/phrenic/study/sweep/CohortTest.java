@@ -77,6 +77,9 @@ class CohortTest {
                                 + "design: {kind: grid}\n" + RESPONSE))
                 .isInstanceOf(BadInputException.class)
                 .hasMessage("study.yaml: found persons and another factor of the body, expected one of them");
+        for (String absurd : new String[] {"9.99 m 75 kg", "0.5 m 75 kg", "1.75 m 5 kg", "1.75 m 999 kg"}) {
+            assertThatThrownBy(() -> Person.parse("male 35 y " + absurd)).hasMessageContaining("1.2 to 2.3 m");
+        }
         assertThatThrownBy(() -> Person.parse("man 35")).hasMessageContaining("expected sex, age, height and weight");
     }
 }
