@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.IntFunction;
+import org.phrenic.cli.option.MovieOptions;
 import org.phrenic.cli.option.PictureOptions;
 import org.phrenic.cli.option.RadiographOptions;
 import org.phrenic.cli.option.ReportFolder;
@@ -72,7 +73,7 @@ final class RenderCommand extends ReportingCommand {
     private RadiographOptions radiographOptions;
 
     @Mixin
-    private TimeOptions timeOptions;
+    private MovieOptions timeOptions;
 
     @Mixin
     private StyleOptions styleOptions;

@@ -22,7 +22,6 @@ import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
-import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.ScenePlayer;
 import org.phrenic.scene.UltrasoundPicture;
@@ -65,9 +64,6 @@ final class UltrasoundCommand extends ReportingCommand {
     public Integer call() {
         timeOptions.validate();
         probeOptions.validate();
-        if (timeOptions.movie() != null) {
-            throw new BadInputException("--movie: found " + timeOptions.movie() + ", expected images only");
-        }
         ReportFolder.requireWritable(out);
         Scenario scenario = scenarioOptions.resolved();
         ConsoleProgress progress = progress();

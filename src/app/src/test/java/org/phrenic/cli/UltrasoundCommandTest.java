@@ -62,7 +62,7 @@ class UltrasoundCommandTest {
                 "--depth | 10 | expected 40 to 300",
                 "--frequency | 9 | expected 2 to 5",
                 "--tilt | steep | expected a number",
-                "--movie | a.gif | expected images only",
+                "--movie | a.gif | found an unknown option '--movie'",
                 "--at | 7 | expected 0 to 0.9 s"
             })
     void whatCannotBeSonatedIsRefusedInOneSentence(String option, String value, String sentence) {
