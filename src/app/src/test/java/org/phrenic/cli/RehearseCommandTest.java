@@ -77,6 +77,16 @@ class RehearseCommandTest {
         assertThat(folder.resolve("cut")).doesNotExist();
     }
 
+    @Test
+    void changesOfTheScenarioAreRefusedBeforeAnythingIsPlayed() throws IOException {
+        Files.writeString(folder.resolve("own.yaml"), "changes: ['5:depth=1.2']\n");
+        for (String scenario : new String[] {"set: {changes: ['5:depth=1']}\n", "scenario: own.yaml\n"}) {
+            CommandLineRun run = rehearse("changes", TARGET + scenario);
+            assertThat(run.exitCode()).isEqualTo(2);
+            assertThat(run.err()).hasLineCount(1).contains("line 2", "a plan holds the breath by its steps");
+        }
+    }
+
     private static String onThreads(int count) {
         return BODY.replace("resolution: low", "resolution: low, threads: " + count);
     }

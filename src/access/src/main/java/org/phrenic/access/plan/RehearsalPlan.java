@@ -64,6 +64,9 @@ public record RehearsalPlan(
             "done_when",
             "aids",
             "steps");
+    /** Key of a scenario that a plan does not have. */
+    private static final String CHANGES = "changes";
+
     private static final List<String> DIFFICULTIES = List.of("easy", "medium", "hard");
     private static final List<String> EXERCISES = List.of(
             "1-large-target.yaml",
@@ -216,6 +219,11 @@ public record RehearsalPlan(
                 ? Scenario.read(file.toAbsolutePath().resolveSibling(yaml.text("scenario")))
                 : Scenario.defaults();
         YamlMap set = yaml.mapOrEmpty("set");
+        if (set.has(CHANGES) || !base.changes().isEmpty()) {
+            throw yaml.bad(
+                    set.has(CHANGES) ? "set" : "scenario",
+                    "found changes of the scenario, expected none: a plan holds the breath by its steps");
+        }
         Scenario repeating = base.states(Breathing.REPEAT)
                 ? base
                 : base.with(List.of(Assignment.of(file.toString(), Breathing.REPEAT, true)));
