@@ -27,8 +27,15 @@ import org.phrenic.simulation.SimulationRun;
  */
 public final class MotionExport {
     private static final double SHARE_OF_MEMORY = 0.7;
-    /** Bytes a voxel: image, warped image, field, labels at rest and now, and their copies. */
-    private static final long BYTES_A_VOXEL = 30;
+    /**
+     * Bytes a voxel of the grid: two fields, of which one is written while the other is made, labels at rest and now,
+     * and what Java leaves unused between large arrays.
+     */
+    private static final long BYTES_A_VOXEL = 40;
+    /** Bytes a voxel of the image: image, warped image, labels at rest and now. */
+    private static final long BYTES_AN_IMAGE_VOXEL = 16;
+    /** A field has three numbers a voxel in one array. */
+    private static final long MOST_VOXELS = Integer.MAX_VALUE / 3 - 1;
 
     private static final double PACKED = 0.5;
 
@@ -70,7 +77,7 @@ public final class MotionExport {
             for (int axis = 0; axis < 3; axis++) {
                 voxels *= (long) ((b[3 + axis] - b[axis]) / edge) + 2;
             }
-            checkMemory(voxels);
+            checkMemory(voxels, image.map(i -> i.sampler().box().voxels()).orElse(0));
             double[] low = {b[0], b[1], b[2]};
             double[] high = {b[3], b[4], b[5]};
             grid = Optional.of(new MotionSampler(motion, VoxelBox.covering(low, high, edge)));
@@ -80,11 +87,14 @@ public final class MotionExport {
         points = Optional.ofNullable(request.points()).map(file -> new MotionPoints(file, motion));
     }
 
-    private static void checkMemory(long voxels) {
+    private static void checkMemory(long voxels, int ofImage) {
         long memory = Runtime.getRuntime().maxMemory();
-        if (voxels * BYTES_A_VOXEL > SHARE_OF_MEMORY * memory) {
+        if (voxels > MOST_VOXELS) {
+            throw new BadInputException("--grid: found " + voxels + " voxels, expected at most " + MOST_VOXELS);
+        }
+        if (voxels * BYTES_A_VOXEL + ofImage * BYTES_AN_IMAGE_VOXEL > SHARE_OF_MEMORY * memory) {
             throw new BadInputException(
-                    "--grid: found " + voxels + " voxels, expected no more than fit into Java's memory" + " of "
+                    "--grid: found " + voxels + " voxels, expected no more than fit into Java's memory of "
                             + (memory >> 20) + " MB (java -Xmx8g gives it 8 GB)");
         }
     }
