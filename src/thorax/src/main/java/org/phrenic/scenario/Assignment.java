@@ -56,6 +56,10 @@ public record Assignment(String origin, Setting<?> setting, Object value) {
         if (equals < 1) {
             throw new BadInputException("--set: found '" + text + "', expected key=value such as depth=1.2");
         }
+        if (text.substring(0, equals).strip().equals(RunSettings.CHANGES.key())) {
+            throw new BadInputException(
+                    "--set " + text + ": found changes, expected them in a scenario file, or as --change of a run");
+        }
         return read(
                 "--set " + text,
                 text.substring(0, equals).strip(),

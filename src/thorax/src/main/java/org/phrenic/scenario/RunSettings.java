@@ -30,10 +30,7 @@ public final class RunSettings {
     /** Name of the scenario; the preset's name by default. */
     public static final Setting<String> NAME = Setting.named("name", "Name", Effect.ASSEMBLY)
             .describedAs("What to call it.")
-            .parsed(
-                    values -> values.get(Breathing.PRESET).name(),
-                    (yaml, key, folder) -> yaml.text(key),
-                    value -> value);
+            .parsed(values -> values.get(Breathing.PRESET).name(), RunSettings::name, value -> value);
     /** A virtual body, or the path of a thorax folder. */
     public static final Setting<String> ANATOMY = Setting.named("anatomy", "Body", Effect.ASSEMBLY)
             .describedAs("A virtual body, or a folder of meshes.")
@@ -69,6 +66,17 @@ public final class RunSettings {
                             : value.stream().map(ScheduledChange::text).toList());
 
     private RunSettings() {}
+
+    private static String name(YamlMap yaml, String key, Path folder) {
+        String found = yaml.text(key);
+        if (found.isBlank() || found.chars().anyMatch(Character::isISOControl)) {
+            throw yaml.bad(
+                    key,
+                    "found " + (found.isBlank() ? "an empty name" : "a name with a control character")
+                            + ", expected one line of text");
+        }
+        return found;
+    }
 
     private static String anatomy(YamlMap yaml, String key, Path folder) {
         String found = yaml.text(key);

@@ -59,7 +59,7 @@ public final class Scenario implements SettingValues {
         yaml.requireOnly(Settings.keys());
         Path folder = file.toAbsolutePath().getParent();
         Map<Setting<?>, Object> values = new LinkedHashMap<>();
-        values.put(RunSettings.NAME, FileNames.withoutExtension(file));
+        values.put(RunSettings.NAME, FileNames.withoutExtension(file).replaceAll("\\p{Cntrl}", "_"));
         for (Setting<?> setting : Settings.all()) {
             if (yaml.has(setting.key())) {
                 values.put(setting, setting.read(yaml, folder));

@@ -107,7 +107,8 @@ public record FailureHandler(BooleanSupplier debug) implements IParameterExcepti
     }
 
     private void print(PrintWriter err, String sentence, Exception failure) {
-        err.println("phrenic: " + sentence.strip().replaceAll("\\s*\\R\\s*", " "));
+        err.println(
+                "phrenic: " + sentence.strip().replaceAll("\\s*\\R\\s*", " ").replaceAll("\\p{Cntrl}", "?"));
         if (debug.getAsBoolean()) {
             failure.printStackTrace(err);
         }
