@@ -2,6 +2,7 @@ package org.phrenic.cli;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -15,6 +16,7 @@ import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.mesh.io.PlyWriter;
@@ -79,9 +81,13 @@ final class CompareCommand extends ReportingCommand {
                     name -> !name.equals("--range") && !PictureOptions.NAMES.contains(name),
                     "without --picture, expected both");
         }
-        for (Path file : new Path[] {csv, ply, picture}) {
-            if (file != null) {
-                ReportFolder.requireWritable(file.toAbsolutePath().getParent());
+        Path[] written = {csv, ply, picture};
+        String[] options = {"--csv", "--ply", "--picture"};
+        for (int i = 0; i < written.length; i++) {
+            if (written[i] != null) {
+                ReportFolder.requireWritable(written[i].toAbsolutePath().getParent());
+                ReportFolder.requireNotRead(options[i], written[i], a, b);
+                requireOwn(options[i], written[i], Arrays.copyOf(written, i));
             }
         }
         TriangleMesh from = MeshFiles.read(a);
@@ -98,6 +104,16 @@ final class CompareCommand extends ReportingCommand {
         CompareReport report = new CompareReport(a, b, comparison);
         print(report.values(pictures), () -> withDisclaimer(report.table()));
         return ExitCode.SUCCESS;
+    }
+
+    private static void requireOwn(String option, Path file, Path... others) {
+        Path place = file.toAbsolutePath().normalize();
+        for (Path other : others) {
+            if (other != null && other.toAbsolutePath().normalize().equals(place)) {
+                throw new BadInputException(option + " " + file + ": found it for another output too, expected a file"
+                        + " of its own for each");
+            }
+        }
     }
 
     private static String name(Path file) {

@@ -261,8 +261,15 @@ final class FitCommand extends ReportingCommand {
     }
 
     private List<FitTarget> targets() {
-        List<FitTarget> list =
-                FitTarget.withBases(targets.stream().map(FitTarget::read).toList());
+        List<FitTarget> read = targets.stream().map(FitTarget::read).toList();
+        for (int i = 0; i < read.size(); i++) {
+            String name = read.get(i).name();
+            if (read.subList(0, i).stream().anyMatch(t -> t.name().equals(name))) {
+                throw new BadInputException(
+                        "--target " + targets.get(i) + ": found its part a second time, expected it once");
+            }
+        }
+        List<FitTarget> list = FitTarget.withBases(read);
         // The base of a held-out lung is also held out.
         list.replaceAll(t -> isHeldOut(t.part().label()) ? t.withWeight(0) : t);
         List<String> parts = list.stream().map(t -> t.part().label()).toList();

@@ -1,7 +1,5 @@
 package org.phrenic.cli;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -18,7 +16,6 @@ import org.phrenic.cli.report.NameRanges;
 import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
-import org.phrenic.file.BadInputException;
 import org.phrenic.patient.ImportProgress;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.diaphragm.SheetQuality;
@@ -140,9 +137,7 @@ final class ImportCommand extends ReportingCommand {
         } else if (complete.equals("none")) {
             requireRead(name -> !name.equals("--keep-level"), "with --complete none, which keeps every level");
         }
-        requireOther(file);
-        requireOther(alignTo);
-        requireOther(Path.of(complete));
+        ReportFolder.requireNotRead("--out", out, file, alignTo, Path.of(complete));
         Optional<Double> edgeMm =
                 Optional.ofNullable(edge).map(text -> OptionValues.number("--edge", text, 0, MAX_EDGE_MM));
         ConsoleProgress progress = progress();
@@ -159,18 +154,6 @@ final class ImportCommand extends ReportingCommand {
         result.write(out);
         print(result.report(), () -> text(result));
         return ExitCode.SUCCESS;
-    }
-
-    /** Refuses to write into a folder that the import reads. */
-    private void requireOther(Path read) {
-        try {
-            if (read != null && Files.exists(read) && Files.exists(out) && Files.isSameFile(read, out)) {
-                throw new BadInputException(
-                        "--out " + out + ": found a folder that the import reads, expected another");
-            }
-        } catch (IOException e) {
-            throw new BadInputException("--out " + out + ": " + e.getMessage(), e);
-        }
     }
 
     private Optional<Thorax> template(ImportProgress progress) {

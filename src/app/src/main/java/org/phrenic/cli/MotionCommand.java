@@ -57,6 +57,8 @@ final class MotionCommand extends ReportingCommand {
     public Integer call() {
         MotionRequest request = options.request();
         ReportFolder.requireWritable(out);
+        ReportFolder.requireNotRead("--out", out.resolve("trajectories.csv"), request.points());
+        ReportFolder.requireNotRead("--out", out.resolve("warped." + request.format()), request.image());
         Scenario scenario = scenarioOptions.resolved();
         ConsoleProgress progress = progress();
         ScheduleCheck.requireWithinRun(scenario);

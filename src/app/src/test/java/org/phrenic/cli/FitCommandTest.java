@@ -77,6 +77,13 @@ class FitCommandTest {
                 mesh,
                 "--tune",
                 "muscle_activatoin");
+        assertBad(
+                "--target lung_R=" + mesh + ": found its part a second time",
+                body,
+                "--target",
+                mesh,
+                "--target",
+                "lung_R=" + mesh);
         assertBad("found bounds 1.0 to 0.5", body, "--target", mesh, "--tune", "rib_rotation=1:0.5");
         assertBad("expected 0 to 1.5", body, "--target", mesh, "--tune", "rib_rotation=0:5");
         assertBad("found no number", body, "--target", mesh, "--tune", "rib_rotation=0:x");

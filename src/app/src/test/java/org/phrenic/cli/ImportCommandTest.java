@@ -95,7 +95,7 @@ class ImportCommandTest {
         assertBad("a folder of meshes and --labels", meshes, "--labels", map.toString());
         CommandLineRun onto = CommandLineRun.of("import", meshes.toString(), "--out", meshes.toString());
         assertThat(onto.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
-        assertThat(onto.err()).contains("found a folder that the import reads, expected another");
+        assertThat(onto.err()).contains("found a folder that the command reads, expected another");
         CommandLineRun nowhere = CommandLineRun.of("import", volume.toString(), "--out", "");
         assertThat(nowhere.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(nowhere.err()).contains("found an empty name");

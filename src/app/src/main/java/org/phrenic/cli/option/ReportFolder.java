@@ -1,11 +1,13 @@
 package org.phrenic.cli.option;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.InputBytes;
 import picocli.CommandLine.Option;
 
 /** The option for the folder of the reports, and the check of folders that commands write into. */
@@ -44,6 +46,32 @@ public final class ReportFolder {
                     + ", expected a folder of yours");
         }
         return folder;
+    }
+
+    /**
+     * Refuses to write over something that the command reads.
+     *
+     * @param option what names the place to write to, for the error message
+     * @param written file or folder to write; null for none
+     * @param read files or folders that are read; null for none
+     * @throws BadInputException with one sentence, if both are the same
+     */
+    public static void requireNotRead(String option, Path written, Path... read) {
+        for (Path input : read) {
+            try {
+                if (written != null
+                        && input != null
+                        && Files.exists(written)
+                        && Files.exists(input)
+                        && Files.isSameFile(input, written)) {
+                    throw new BadInputException(option + " " + written + ": found "
+                            + (Files.isDirectory(input) ? "a folder" : "a file")
+                            + " that the command reads, expected another");
+                }
+            } catch (IOException e) {
+                throw InputBytes.readFailure(input, e);
+            }
+        }
     }
 
     public void write(String file, String text) {
