@@ -84,8 +84,8 @@ final class CompareCommand extends ReportingCommand {
         Path[] written = {csv, ply, picture};
         String[] options = {"--csv", "--ply", "--picture"};
         for (int i = 0; i < written.length; i++) {
+            ReportFolder.requireWritableFile(options[i], written[i]);
             if (written[i] != null) {
-                ReportFolder.requireWritable(written[i].toAbsolutePath().getParent());
                 ReportFolder.requireNotRead(options[i], written[i], a, b);
                 requireOwn(options[i], written[i], Arrays.copyOf(written, i));
             }

@@ -228,7 +228,7 @@ final class FitCommand extends ReportingCommand {
         requireRead(OF_SYNTHETIC::contains, "with --synthetic, which does not read it");
         int count = OptionValues.integer(
                 "--synthetic", synthetic, 1, SyntheticPatient.five().size());
-        Resolution meshes = Scenario.defaults().with("resolution=" + resolution).resolution();
+        Resolution meshes = OptionValues.resolution(resolution);
         FitSearch.Settings search = new FitSearch.Settings(seed(), length.evaluations());
         try (FolderLock mine = FolderLock.of(out)) {
             SyntheticStudy study = SyntheticStudy.run(count, meshes, length.threads(), search, mine.folder(), printer);

@@ -55,7 +55,7 @@ final class RegressCommand extends ReportingCommand {
                 throw new BadInputException(
                         "--write-references: found --references too, expected one of them: nothing is compared");
             }
-            new Regression(ReportFolder.requireWritable(write)).write(scenes, progress);
+            new Regression(ReportFolder.requireWritable("--write-references", write)).write(scenes, progress);
             return ExitCode.SUCCESS;
         }
         List<RegressionComparison> comparisons = new Regression(references).check(scenes, progress);

@@ -154,9 +154,7 @@ final class RenderCommand extends ReportingCommand {
         if (out != null) {
             ReportFolder.requireWritable(out);
         }
-        if (timeOptions.movie() != null) {
-            ReportFolder.requireWritable(timeOptions.movie().toAbsolutePath().getParent());
-        }
+        ReportFolder.requireWritableFile("--movie", timeOptions.movie());
     }
 
     private static String title(Scenario scenario) {

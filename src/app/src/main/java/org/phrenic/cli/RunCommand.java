@@ -3,6 +3,7 @@ package org.phrenic.cli;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ScenarioOptions;
 import org.phrenic.cli.report.ExitCode;
@@ -36,6 +37,9 @@ import picocli.CommandLine.Option;
             Disclaimer.TEXT
         })
 final class RunCommand extends ReportingCommand {
+    /** Scenario keys that --max-error chooses. */
+    private static final Set<String> CHOSEN = Set.of("integrator", "time_step_s", "projection_sweeps", "refresh_s");
+
     private static final double MIN_ERROR_MM = 1e-9;
     private static final double MAX_ERROR_MM = 1000;
 
@@ -60,6 +64,10 @@ final class RunCommand extends ReportingCommand {
         Scenario scenario = options.resolved(meshes());
         Map<String, String> remarks = new LinkedHashMap<>();
         if (maxError != null) {
+            requireRead(
+                    name -> !name.equals("--integrator") && !name.equals("--time-step"),
+                    "with --max-error, which chooses it");
+            options.requireSet(CHOSEN, "--max-error");
             double most = OptionValues.number("--max-error", maxError, MIN_ERROR_MM, MAX_ERROR_MM);
             ErrorTable.Chosen chosen = ErrorTable.shipped().cheapest(scenario, most);
             scenario = scenario.with(chosen.settings().assignments("--max-error " + maxError));

@@ -82,6 +82,10 @@ final class SweepCommand extends ReportingCommand {
         if (page != null && shard != null) {
             throw new ParameterException(commandLine(), "found --page with --shard, expected --page with --merge");
         }
+        if (page == null) {
+            requireRead(name -> !name.equals("--made-by"), "without --page, expected both");
+        }
+        ReportFolder.requireWritableFile("--page", page);
         if (merge != null) {
             if (file != null || out != null || shard != null || master != null || threads != null) {
                 throw new ParameterException(commandLine(), "found --merge with other options, expected it alone");

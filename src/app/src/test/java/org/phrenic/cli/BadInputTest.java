@@ -210,6 +210,18 @@ class BadInputTest {
                         "material beside a setting of the other",
                         "mass_scaling_s",
                         f -> List.of("run", file(f, "s.yaml", "mass_scaling_s: 0.001\n"), "--material", "published")),
+                bad(
+                        "error and step",
+                        "--time-step: found it with --max-error",
+                        options("--max-error", "1", "--time-step", "0.001")),
+                bad(
+                        "error and sweeps",
+                        "a key that --max-error sets",
+                        options("--max-error", "1", "--set", "projection_sweeps=2")),
+                bad(
+                        "published model of another material",
+                        "--material physical: found it with --preset paper",
+                        options("--preset", "paper", "--material", "physical")),
                 bad("changes as --set", "--change of a run", options("--set", "changes=5:depth=1")),
                 bad("--meshes without every", "every=S", options("--meshes", "0.1")),
                 bad("--meshes without --out", "--out", f -> List.of("run", "--meshes", "every=0.1")),
@@ -282,7 +294,10 @@ class BadInputTest {
                 bad("steps 0", "--steps: found 0", bench("0\n", "1\n", "", "--steps", "0")),
                 bad("threads 0", "--threads: found 0", bench("0\n", "1\n", "", "--threads", "0")),
                 bad("steps a word", "--steps", bench("0\n", "1\n", "", "--steps", "many")),
-                bad("unknown integrator", "symplectic-euler", bench("0\n", "1\n", "", "--integrator", "euler")));
+                bad(
+                        "unknown integrator",
+                        "--integrator: found 'euler'",
+                        bench("0\n", "1\n", "", "--integrator", "euler")));
     }
 
     private static Case render(String... options) {
@@ -299,7 +314,7 @@ class BadInputTest {
                         f -> List.of("render", "--out", file(f, "t", "x") + "/d")),
                 bad(
                         "movie below a file",
-                        "expected a folder",
+                        "phrenic: --movie ",
                         f -> List.of("render", "--movie", file(f, "t", "x") + "/m.gif")),
                 bad("unknown view", "did you mean 'anterior'?", render("--view", "anteriour")),
                 bad("view that is none of six", "expected one of anterior", render("--view", "oblique-ish")),

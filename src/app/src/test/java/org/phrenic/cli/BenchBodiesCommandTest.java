@@ -29,7 +29,12 @@ class BenchBodiesCommandTest {
 
     @Test
     void badInputGivesExitCode2() {
-        for (String[] bad : new String[][] {{}, {"--random", "-1"}, {"--random", "1", "--pictures"}}) {
+        for (String[] bad : new String[][] {
+            {},
+            {"--random", "-1"},
+            {"--random", "1", "--pictures"},
+            {"--random", "1", "--complete", "virtual/adult-female"}
+        }) {
             String[] args = new String[bad.length + 2];
             args[0] = "bench";
             args[1] = "bodies";

@@ -74,7 +74,8 @@ class BenchErrorCommandTest {
     @Test
     void whatCannotBeMeasuredIsRefusedInASentenceBeforeAnythingRuns() {
         assertRefused("expected any other key", "--set", "time_step_s=0.01");
-        assertRefused("expected one of", "--integrator", "leapfrog");
+        assertRefused("--integrator: found 'leapfrog', expected one of", "--integrator", "leapfrog");
+        assertRefused("--resolution lwo: key", "--whole", "--resolution", "lwo");
         assertRefused("--sweeps", "--sweeps", "0");
         assertRefused("--max-error", "--max-error", "none");
         assertRefused("--set: found it with --whole", "--whole", "--set", "damping_rate_per_s=1");

@@ -36,8 +36,11 @@ class BenchStabilityCommandTest {
 
     @Test
     void badInputGivesExitCode2InOneLine() {
-        for (String[] bad : new String[][] {{"--only", "no-such"}, {"--integrator", "euler"}, {"--spend", "much"}}) {
+        for (String[] bad : new String[][] {
+            {"--only", "no-such"}, {"--integrator", "euler"}, {"--scan", "nowhere"}, {"--spend", "much"}
+        }) {
             CommandLineRun run = CommandLineRun.of("bench", "stability", bad[0], bad[1]);
+            assertThat(run.err()).contains("phrenic: " + bad[0]);
             assertThat(run.exitCode()).as(String.join(" ", bad)).isEqualTo(ExitCode.BAD_INPUT);
             assertThat(run.err().lines()).as(run.err()).hasSize(1);
             assertThat(run.out()).isEmpty();

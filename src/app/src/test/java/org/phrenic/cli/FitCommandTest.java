@@ -93,6 +93,7 @@ class FitCommandTest {
         assertBad("found every target held out", body, "--target", mesh, "--hold-out", "lung_R");
         assertBad("found preset 'sniff', expected preset deep", body, "--target", mesh, "--preset", "sniff");
         assertBad("--evaluations: found 0", body, "--target", mesh, "--evaluations", "0");
+        assertBad("phrenic: --resolution lwo: key 'resolution'", "--synthetic", "1", "--resolution", "lwo");
         assertBad("--synthetic: found 6, expected 1 to 5", "--synthetic", "6");
         assertBad("found the body virtual/adult-male beside it", body, "--synthetic", "1");
         assertBad("--target: found it with --synthetic", "--synthetic", "1", "--target", mesh);

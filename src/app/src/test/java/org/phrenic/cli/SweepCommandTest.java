@@ -102,6 +102,8 @@ class SweepCommandTest {
                 List.of("sweep", file, "--out", out, "--shard", "4/4"),
                 List.of("sweep", file, "--out", out, "--shard", "0/4", "--page", out + ".md"),
                 List.of("sweep", file, "--out", out, "--shard", "1/2", "--master", "local[1]"),
+                List.of("sweep", file, "--out", out, "--made-by", "me"),
+                List.of("sweep", file, "--out", out, "--page", file + "/found.md"),
                 List.of("sweep", folder.resolve("none.yaml").toString(), "--out", out))) {
             CommandLineRun run = CommandLineRun.of(args.toArray(String[]::new));
             assertThat(run.exitCode()).as(args.toString()).isEqualTo(ExitCode.BAD_INPUT);

@@ -132,6 +132,10 @@ final class BenchBodiesCommand extends ReportingCommand {
             throw new ParameterException(
                     commandLine(), "found " + (pictures ? "--pictures" : "--cuts") + " without --out, expected both");
         }
+        if (complete != null && cuts == null && bodies.stream().noneMatch(BenchBodiesCommand::isScan)) {
+            throw new BadInputException("--complete " + complete + ": found neither a scan nor --cuts, expected a body"
+                    + " that is imported");
+        }
         Scenario scenario = scenario();
         BodyStudy study = pictures ? pictured(scenario) : run(scenario, BodyStudy.Witness.NONE);
         BodyReport report = new BodyReport(study);

@@ -1,11 +1,11 @@
 package org.phrenic.cli.bench;
 
 import java.nio.file.Path;
+import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.OrderedValues;
-import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.file.BadInputException;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.study.bare.BareResult;
@@ -97,7 +97,7 @@ public final class BenchCommand extends ReportingCommand {
             throw new BadInputException("--steps: found " + steps + ", expected 1 or more");
         }
         BareSettings settings = BareSettings.DEFAULT
-                .withIntegrator(IntegratorKind.of(integrator))
+                .withIntegrator(OptionValues.integrator(integrator))
                 .withThreads(threads)
                 .withSteps(steps);
         if (!kernel.equals(BareWorkload.KERNEL)) {

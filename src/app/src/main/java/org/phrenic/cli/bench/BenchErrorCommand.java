@@ -171,6 +171,7 @@ final class BenchErrorCommand extends ReportingCommand {
         if (out != null) {
             ReportFolder.requireWritable(out);
         }
+        ReportFolder.requireWritableFile("--write", table);
         if (budget.isGiven()) {
             return measureBudget();
         }

@@ -10,6 +10,7 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.stability.StabilityReport;
 import org.phrenic.study.stability.StabilityStudy;
@@ -89,6 +90,7 @@ final class BenchStabilityCommand extends ReportingCommand {
     private StabilityStudy.Settings settings() {
         StabilityStudy.Settings usual = quick ? StabilityStudy.Settings.QUICK : StabilityStudy.Settings.LONG;
         Optional<String> scanned = Optional.ofNullable(scan);
+        scanned.ifPresent(folder -> Assignment.read("--scan " + folder, "anatomy", folder));
         List<String> cases = OptionValues.names("--only", only, StabilityStudy.caseKeys(scanned));
         List<IntegratorKind> kinds = OptionValues.integrators(integrators, usual.integrators());
         int atATime = OptionValues.threads(threads, Scenario.defaults().threads());

@@ -69,7 +69,7 @@ public final class ErrorBudgetOptions {
             bodies.add(new BudgetPlan.Body("scanned man", scan.toString()));
         }
         List<Resolution> meshes = OptionValues.split(resolutions).stream()
-                .map(name -> Scenario.defaults().with("resolution=" + name).resolution())
+                .map(OptionValues::resolution)
                 .toList();
         BudgetPlan plan = quick ? BudgetPlan.quick(bodies) : BudgetPlan.full(bodies, meshes, variants());
         Set<BudgetPart> wanted = parts();

@@ -4,12 +4,14 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import org.phrenic.anatomy.Resolution;
 import org.phrenic.document.KeySuggestion;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.style.ColourScale;
 
 /** Converts option text to values. Invalid text causes a {@code BadInputException} with a one-sentence message. */
@@ -87,16 +89,27 @@ public final class OptionValues {
         }
     }
 
+    /** The resolution that {@code --resolution} names. */
+    public static Resolution resolution(String text) {
+        Assignment named = Assignment.read("--resolution " + text, "resolution", text);
+        return Scenario.defaults().with(List.of(named)).resolution();
+    }
+
     /** Parses a number of threads; {@code usual} if the option is not given. */
     public static int threads(String text, int usual) {
         return text == null ? usual : integer("--threads", text, 1, Numerics.MAX_THREADS);
+    }
+
+    /** The integrator that {@code --integrator} names. */
+    public static IntegratorKind integrator(String text) {
+        return choice("--integrator", text, List.of(IntegratorKind.values()));
     }
 
     /** Parses a list of integrators; {@code usual} if the option is not given. */
     public static List<IntegratorKind> integrators(String text, List<IntegratorKind> usual) {
         return text == null
                 ? usual
-                : split(text).stream().map(IntegratorKind::of).toList();
+                : split(text).stream().map(OptionValues::integrator).toList();
     }
 
     /**

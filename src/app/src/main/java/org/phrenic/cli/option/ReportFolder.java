@@ -31,18 +31,41 @@ public final class ReportFolder {
      * @throws BadInputException if the folder is not writable; the message is one sentence
      */
     public static Path requireWritable(Path folder) {
+        return requireWritable("--out", folder);
+    }
+
+    /**
+     * Checks the folder of a file as {@link #requireWritable(Path)} does.
+     *
+     * @param option that names the file; null for a file that is not asked for
+     */
+    public static void requireWritableFile(String option, Path file) {
+        if (file != null) {
+            requireWritable(option, file.toAbsolutePath().getParent());
+            if (Files.isDirectory(file)) {
+                throw new BadInputException(option + " " + file + ": found a folder, expected a file");
+            }
+        }
+    }
+
+    /**
+     * Checks a folder as {@link #requireWritable(Path)} does.
+     *
+     * @param option that names the folder, or a file in it
+     */
+    public static Path requireWritable(String option, Path folder) {
         if (folder.toString().isEmpty()) {
-            throw new BadInputException("--out: found an empty name, expected a folder");
+            throw new BadInputException(option + ": found an empty name, expected a folder");
         }
         Path nearest = folder.toAbsolutePath();
         while (nearest != null && !Files.exists(nearest)) {
             nearest = nearest.getParent();
         }
         if (nearest == null || !Files.isDirectory(nearest)) {
-            throw new BadInputException("--out " + folder + ": found the file " + nearest + ", expected a folder");
+            throw new BadInputException(option + " " + folder + ": found the file " + nearest + ", expected a folder");
         }
         if (!Files.isWritable(nearest)) {
-            throw new BadInputException("--out " + folder + ": found no permission to write into " + nearest
+            throw new BadInputException(option + " " + folder + ": found no permission to write into " + nearest
                     + ", expected a folder of yours");
         }
         return folder;

@@ -5,6 +5,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
+import org.phrenic.file.BadInputException;
 import org.phrenic.model.material.Materials;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
@@ -68,6 +70,11 @@ public final class ScenarioOptions {
     @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Any key of the scenario; may be repeated.")
     private List<String> settings = new ArrayList<>();
 
+    /** Refuses keys in {@code --set} that something else sets; see {@link OptionValues#assignments}. */
+    public void requireSet(Set<String> reserved, String setter) {
+        OptionValues.assignments(settings, reserved, setter);
+    }
+
     /**
      * The scenario with all options applied; {@code --set} is applied last.
      *
@@ -80,6 +87,10 @@ public final class ScenarioOptions {
         OptionValues.assign(list, "SCENARIO", "anatomy", body ? scenario.toString() : null);
         OptionValues.assign(list, "--anatomy", "anatomy", anatomy);
         if (PAPER.equals(preset)) {
+            if (material != null) {
+                throw new BadInputException("--material " + material
+                        + ": found it with --preset paper, which sets the material, expected one of them");
+            }
             OptionValues.assign(list, "--preset", "material", Materials.PUBLISHED.label());
         } else {
             OptionValues.assign(list, "--preset", "preset", preset);

@@ -47,7 +47,7 @@ public final class FileInfo {
     public static Map<String, Object> of(Path file) {
         if (!Files.exists(file) && !LabelVolumeFiles.isVolume(file)) {
             throw new BadInputException(
-                    file + ": no such file, expected a mesh, a volume, a scenario or a folder of meshes");
+                    file + ": found no such file, expected a mesh, a volume, a scenario or a folder of meshes");
         }
         Map<String, Object> info = new LinkedHashMap<>();
         info.put("file", file.toString());
