@@ -62,6 +62,7 @@ final class RunCommand extends ReportingCommand {
     @Override
     public Integer call() {
         Scenario scenario = options.resolved(meshes());
+        options.requireNotIn(out, scenario);
         Map<String, String> remarks = new LinkedHashMap<>();
         if (maxError != null) {
             requireRead(

@@ -156,6 +156,10 @@ class BadInputTest {
                         "found a name with a control character",
                         run("name: \"a\\u0007b\"\n")),
                 bad("empty name", "found an empty name", run("name: ''\n")),
+                bad(
+                        "scenario in the folder of the result",
+                        "a file that the command reads",
+                        f -> List.of("run", file(f, "scenario.yaml", "preset: deep\n"), "--out", f.toString())),
                 bad("negative mass", "found -1", run("material: paper\nnode_mass_kg: -1\n")),
                 bad("parameter of the other material", "paper", run("node_mass_kg: 0.1\n")),
                 bad("unknown preset", "expected one of quiet", run("preset: dep\n")),

@@ -16,6 +16,7 @@ import org.phrenic.document.CsvWriter;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.YamlWriter;
 import org.phrenic.file.Hashes;
+import org.phrenic.file.InputBytes;
 import org.phrenic.file.OutputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.PvdSeries;
@@ -51,8 +52,8 @@ final class RunRecorder {
         this.out = out;
         boolean meshes = out != null && scenario.get(RunSettings.MESHES_EVERY) > 0;
         series = meshes ? new PvdSeries(out.resolve(SERIES)) : null;
-        if (meshes) {
-            replacing(() -> delete(unfinished()));
+        if (out != null) {
+            replacing(this::deleteUnfinished);
         }
     }
 
@@ -86,7 +87,15 @@ final class RunRecorder {
         for (Path mesh : frames(unfinished())) {
             Files.move(mesh, out.resolve(MESHES).resolve(mesh.getFileName()));
         }
-        Files.delete(unfinished());
+        deleteUnfinished();
+    }
+
+    /** Deletes the meshes of a run that did not end, and their folder if nothing else is in it. */
+    private void deleteUnfinished() throws IOException {
+        delete(unfinished());
+        if (Files.isDirectory(unfinished()) && InputBytes.list(unfinished()).isEmpty()) {
+            Files.delete(unfinished());
+        }
     }
 
     private static void delete(Path folder) throws IOException {

@@ -70,6 +70,15 @@ public final class ScenarioOptions {
     @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Any key of the scenario; may be repeated.")
     private List<String> settings = new ArrayList<>();
 
+    /** Refuses an output folder whose files of a run would take the place of what the scenario is read from. */
+    public void requireNotIn(Path out, Scenario resolved) {
+        if (out != null) {
+            ReportFolder.requireNotRead("--out", out.resolve("scenario.yaml"), scenario);
+            ReportFolder.requireNotRead(
+                    "--out", out.resolve("observables.csv"), resolved.trace().orElse(null));
+        }
+    }
+
     /** Refuses keys in {@code --set} that something else sets; see {@link OptionValues#assignments}. */
     public void requireSet(Set<String> reserved, String setter) {
         OptionValues.assignments(settings, reserved, setter);
