@@ -4,6 +4,7 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import org.phrenic.document.report.ReportDocument;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.file.BadInputException;
 
@@ -23,6 +24,14 @@ public final class Attempts<T> {
             results.add(work.get());
         } catch (BadInputException | DivergenceException | IllegalArgumentException | UncheckedIOException failure) {
             failures.add(name + ": " + failure.getMessage());
+        }
+    }
+
+    /** Adds a section with the cases that failed to a page, if there are any. */
+    public static void addFailures(ReportDocument page, String heading, List<String> failures) {
+        if (!failures.isEmpty()) {
+            page.section(heading);
+            page.points(failures.stream().map(failure -> failure + ".").toArray(String[]::new));
         }
     }
 

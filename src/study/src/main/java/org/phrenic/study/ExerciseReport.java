@@ -15,8 +15,9 @@ import org.phrenic.document.report.ReportDocument.Column;
  * of 30 to 95 %, median errors of 2 to 10 mm, fewer hits and greater errors in free than in held breath.
  *
  * @param results of each exercise that in free breath, then that in held breath
+ * @param failures exercises that were not done, each with the reason
  */
-public record ExerciseReport(RobotOperator.Hand hand, List<ExerciseStudy.Result> results) {
+public record ExerciseReport(RobotOperator.Hand hand, List<ExerciseStudy.Result> results, List<String> failures) {
     private static final double FEWEST_HITS = 0.30;
     private static final double MOST_HITS = 0.95;
     private static final double LEAST_MM = 2;
@@ -24,6 +25,7 @@ public record ExerciseReport(RobotOperator.Hand hand, List<ExerciseStudy.Result>
 
     public ExerciseReport {
         results = List.copyOf(results);
+        failures = List.copyOf(failures);
     }
 
     private static boolean isWithin(ExerciseStudy.Result r) {
@@ -52,6 +54,7 @@ public record ExerciseReport(RobotOperator.Hand hand, List<ExerciseStudy.Result>
                 .with(
                         "results",
                         results.stream().map(ExerciseStudy.Result::toMap).toList())
+                .with("not_done", failures)
                 .with("notice", Disclaimer.TEXT);
     }
 
@@ -99,6 +102,7 @@ public record ExerciseReport(RobotOperator.Hand hand, List<ExerciseStudy.Result>
                 Column.number("median mm"),
                 Column.text("within"));
         report.table("", columns, rows);
+        Attempts.addFailures(report, "Not done", failures);
         return report;
     }
 }

@@ -15,6 +15,7 @@ import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.file.BadInputException;
+import org.phrenic.study.Attempts;
 import org.phrenic.study.ExerciseReport;
 import org.phrenic.study.ExerciseStudy;
 import picocli.CommandLine.Command;
@@ -33,7 +34,7 @@ import picocli.CommandLine.Parameters;
             "  phrenic bench exercises --set resolution=low --out result        about ten minutes",
             "  phrenic bench exercises data/exercises/2-dome-target.yaml --attempts 20 --set resolution=low",
             "",
-            "DIR gets exercises.md and exercises.json.",
+            "DIR gets exercises.md and exercises.json. Exit code 3 if an exercise cannot be done, which is named.",
             Disclaimer.TEXT
         })
 final class BenchExercisesCommand extends ReportingCommand {
@@ -67,20 +68,24 @@ final class BenchExercisesCommand extends ReportingCommand {
         List<RehearsalPlan> exercises = plans.isEmpty()
                 ? RehearsalPlan.exercises()
                 : plans.stream().map(RehearsalPlan::read).toList();
+        List<RehearsalPlan> asked =
+                exercises.stream().map(plan -> plan.with(set)).toList();
         ConsoleProgress progress = progress();
-        List<ExerciseStudy.Result> results = new ArrayList<>();
+        Attempts<List<ExerciseStudy.Result>> done = new Attempts<>();
         try {
-            for (RehearsalPlan plan : exercises) {
-                results.addAll(ExerciseStudy.of(plan.with(set), RobotOperator.Hand.STANDARD, attempts, progress));
-            }
+            asked.forEach(plan -> done.add(
+                    plan.title(), () -> ExerciseStudy.of(plan, RobotOperator.Hand.STANDARD, attempts, progress)));
+            done.failures().forEach(progress::note);
         } finally {
             progress.end();
         }
-        ExerciseReport report = new ExerciseReport(RobotOperator.Hand.STANDARD, results);
+        List<ExerciseStudy.Result> results =
+                done.results().stream().flatMap(List::stream).toList();
+        ExerciseReport report = new ExerciseReport(RobotOperator.Hand.STANDARD, results, done.failures());
         out.write("exercises.md", MarkdownPage.format(report.document(provenance.lines())));
         out.write("exercises.json", report.values());
         print(report.values(), () -> table(results));
-        return ExitCode.SUCCESS;
+        return report.failures().isEmpty() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
     private String table(List<ExerciseStudy.Result> results) {

@@ -13,6 +13,7 @@ import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.study.Attempts;
 import org.phrenic.study.access.ImagingReport;
 import org.phrenic.study.access.ImagingStudy;
 import picocli.CommandLine.Command;
@@ -31,6 +32,7 @@ import picocli.CommandLine.Parameters;
             "  phrenic bench imaging --out result        about a minute",
             "",
             "DIR gets imaging.md and imaging.json. Other programs at work make every figure worse.",
+            "Exit code 3 if a body cannot be imaged, which is named.",
             Disclaimer.TEXT
         })
 final class BenchImagingCommand extends ReportingCommand {
@@ -64,14 +66,17 @@ final class BenchImagingCommand extends ReportingCommand {
         double wallS = OptionValues.number("--seconds", seconds, LEAST_S, MOST_S);
         Scenario scenario = Scenario.defaults().with(set.toArray(String[]::new));
         List<String> measured = bodies.isEmpty() ? List.of(RunSettings.VIRTUAL_MAN, RunSettings.VIRTUAL_WOMAN) : bodies;
-        List<ImagingStudy.Result> results = measured.stream()
-                .map(body -> ImagingStudy.of(scenario.with(List.of(Assignment.read(body, "anatomy", body))), wallS))
+        List<Scenario> asked = measured.stream()
+                .map(body -> scenario.with(List.of(Assignment.read(body, "anatomy", body))))
                 .toList();
-        ImagingReport report = new ImagingReport(scenario, results);
+        Attempts<ImagingStudy.Result> results = new Attempts<>();
+        asked.forEach(body -> results.add(body.anatomy(), () -> ImagingStudy.of(body, wallS)));
+        ImagingReport report = new ImagingReport(scenario, results.results(), results.failures());
         out.write("imaging.md", MarkdownPage.format(report.document(provenance.lines())));
         out.write("imaging.json", report.values());
         print(report.values(), () -> table(report));
-        return ExitCode.SUCCESS;
+        report.failures().forEach(err()::println);
+        return report.failures().isEmpty() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
     private String table(ImagingReport report) {

@@ -24,6 +24,7 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.study.Attempts;
 
 /**
  * Access maps of exercises, their free ways, and what came of the plans, as values for JSON and as a page.
@@ -171,10 +172,7 @@ public record AccessReport(List<AccessStudy.Result> results, List<String> failur
     public ReportDocument document(List<String> provenance) {
         ReportDocument report = new ReportDocument("Ways in of the exercises", summary() + ".");
         report.points(provenance.toArray(String[]::new));
-        if (!failures.isEmpty()) {
-            report.section("Not played");
-            report.points(failures.stream().map(failure -> failure + ".").toArray(String[]::new));
-        }
+        Attempts.addFailures(report, "Not played", failures);
         List<Rehearsal> all =
                 results.stream().map(AccessStudy.Result::rehearsal).toList();
         report.table(

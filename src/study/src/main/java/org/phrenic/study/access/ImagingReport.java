@@ -8,16 +8,22 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.study.Attempts;
 import org.phrenic.study.ReportNumbers;
 
-/** Times of ultrasound images and radiographs, as values for JSON and as a page. */
-public record ImagingReport(Scenario scenario, List<ImagingStudy.Result> results) {
+/**
+ * Times of ultrasound images and radiographs, as values for JSON and as a page.
+ *
+ * @param failures bodies that were not imaged, each with the reason
+ */
+public record ImagingReport(Scenario scenario, List<ImagingStudy.Result> results, List<String> failures) {
     private static final double LEAST_PER_S = 15;
     private static final double LONGEST_S = 0.1;
     private static final double MILLI = 1000;
 
     public ImagingReport {
         results = List.copyOf(results);
+        failures = List.copyOf(failures);
     }
 
     private static boolean isWithin(ImagingStudy.Result r) {
@@ -26,6 +32,9 @@ public record ImagingReport(Scenario scenario, List<ImagingStudy.Result> results
 
     /** What was found, in one sentence without a full stop. */
     public String summary() {
+        if (results.isEmpty()) {
+            return "No body could be imaged";
+        }
         double slowest =
                 results.stream().mapToDouble(r -> r.besideScene().perS()).min().orElseThrow();
         double longest = results.stream()
@@ -84,6 +93,7 @@ public record ImagingReport(Scenario scenario, List<ImagingStudy.Result> results
                         Column.number("simulated over real time"),
                         Column.text("within")),
                 table());
+        Attempts.addFailures(report, "Not imaged", failures);
         return report;
     }
 
@@ -105,6 +115,7 @@ public record ImagingReport(Scenario scenario, List<ImagingStudy.Result> results
                                         .with("images_per_s", r.besideScene().perS())
                                         .with("realtime_factor", r.realtimeFactor()))
                                 .toList())
+                .with("not_imaged", failures)
                 .with("notice", Disclaimer.TEXT);
     }
 }

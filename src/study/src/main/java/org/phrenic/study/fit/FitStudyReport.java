@@ -11,6 +11,7 @@ import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.fit.FitReport;
 import org.phrenic.fit.FitResult;
 import org.phrenic.fit.LandmarkTable;
+import org.phrenic.study.Attempts;
 import org.phrenic.study.ReportNumbers;
 
 /**
@@ -60,10 +61,7 @@ public record FitStudyReport(List<PatientFit> patients, List<KnownBreath> known,
     public ReportDocument document(List<String> provenance) {
         ReportDocument page = new ReportDocument("Fits to a second breath level", summary() + ".");
         page.points(provenance.toArray(String[]::new));
-        if (!failures.isEmpty()) {
-            page.section("Not fitted");
-            page.points(failures.stream().map(failure -> failure + ".").toArray(String[]::new));
-        }
+        Attempts.addFailures(page, "Not fitted", failures);
         if (!patients.isEmpty()) {
             page.section("Surfaces");
             page.paragraph("Mean distance on all targets (whole lungs and bases, both sides, equal weights). Half:"
