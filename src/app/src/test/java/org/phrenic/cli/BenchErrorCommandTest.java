@@ -82,6 +82,7 @@ class BenchErrorCommandTest {
         assertRefused("--until: found it with --whole", "--whole", "--until", "1");
         assertRefused("--beside: found it without --whole", "--beside", "data/scenarios/heavy-tissue.yaml");
         assertRefused("--quick: found it with --check", "--check", "data/error/settings.csv", "--quick");
+        assertRefused("--made-by: found it without --out", "--made-by", "me");
         assertRefused("--part: found 'luck'", "--whole", "--part", "luck");
         assertRefused("--scan: found no folder", "--whole", "--scan", "nowhere");
     }

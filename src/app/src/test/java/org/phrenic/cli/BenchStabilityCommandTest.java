@@ -37,7 +37,11 @@ class BenchStabilityCommandTest {
     @Test
     void badInputGivesExitCode2InOneLine() {
         for (String[] bad : new String[][] {
-            {"--only", "no-such"}, {"--integrator", "euler"}, {"--scan", "nowhere"}, {"--spend", "much"}
+            {"--only", "no-such"},
+            {"--integrator", "euler"},
+            {"--scan", "nowhere"},
+            {"--made-by", "me"},
+            {"--spend", "much"}
         }) {
             CommandLineRun run = CommandLineRun.of("bench", "stability", bad[0], bad[1]);
             assertThat(run.err()).contains("phrenic: " + bad[0]);

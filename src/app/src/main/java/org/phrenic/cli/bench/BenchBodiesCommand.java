@@ -126,6 +126,9 @@ final class BenchBodiesCommand extends ReportingCommand {
 
     @Override
     public Integer call() throws NoGraphicsException {
+        if (out == null) {
+            requireRead(name -> !name.equals("--made-by"), "without --out, expected both");
+        }
         if (out != null) {
             ReportFolder.requireWritable(out);
         } else if (pictures || cuts != null) {

@@ -170,6 +170,8 @@ final class BenchErrorCommand extends ReportingCommand {
         requireUsed();
         if (out != null) {
             ReportFolder.requireWritable(out);
+        } else {
+            requireRead(name -> !name.equals("--made-by"), "without --out, expected both");
         }
         ReportFolder.requireWritableFile("--write", table);
         if (budget.isGiven()) {

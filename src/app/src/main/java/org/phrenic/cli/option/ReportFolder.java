@@ -8,20 +8,27 @@ import org.phrenic.document.JsonWriter;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
 
 /** The option for the folder of the reports, and the check of folders that commands write into. */
 public final class ReportFolder {
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec command;
+
     @Option(
             names = "--out",
             paramLabel = "DIR",
             description = "Folder for the reports; without it, nothing is written.")
     private Path folder;
 
-    /** Checks as {@link #requireWritable} does. */
+    /** Checks as {@link #requireWritable(Path)} does; without a folder, that no line of a report is stated. */
     public void check() {
         if (folder != null) {
             requireWritable(folder);
+        } else if (command.commandLine().getParseResult().hasMatchedOption("--made-by")) {
+            throw new BadInputException("--made-by: found it without --out, expected both");
         }
     }
 
