@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
@@ -80,6 +81,9 @@ final class CompareCommand extends ReportingCommand {
             requireRead(
                     name -> !name.equals("--range") && !PictureOptions.NAMES.contains(name),
                     "without --picture, expected both");
+        }
+        if (picture != null && !name(picture).toLowerCase(Locale.ROOT).endsWith(".png")) {
+            throw new BadInputException("--picture " + picture + ": found another ending, expected .png");
         }
         Path[] written = {csv, ply, picture};
         String[] options = {"--csv", "--ply", "--picture"};

@@ -275,6 +275,10 @@ class BadInputTest {
     static Stream<Arguments> benches() {
         return Stream.of(
                 bad("no mesh", "--mesh", f -> List.of("bench")),
+                bad(
+                        "no loaded vertices",
+                        "found no --loaded FILE (",
+                        f -> List.of("bench", "--mesh", "a", "--fixed", "b")),
                 bad("no such door", "--door", f -> List.of("bench", "window", "--door", "front")),
                 bad("no whole interval", "--seconds", f -> List.of("bench", "window", "--seconds", "1")),
                 bad(

@@ -85,6 +85,7 @@ class CompareCommandTest {
     void whatCannotBeComparedIsToldInOneSentence() {
         assertBad("no such file", "compare", low, folder.resolve("none.ply").toString());
         assertBad("expected one of", "compare", low, folder.resolve("x.txt").toString());
+        assertBad("--picture x.jpg: found another ending", "compare", low, high, "--picture", "x.jpg");
         assertBad("--csv ", "compare", low, high, "--csv", low + "/x.csv");
         assertBad("--csv " + low + ": found a file that the command reads", "compare", low, high, "--csv", low);
         assertBad("--ply " + high + ": found a file that the command reads", "compare", low, high, "--ply", high);

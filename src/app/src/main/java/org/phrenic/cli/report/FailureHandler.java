@@ -68,8 +68,8 @@ public record FailureHandler(BooleanSupplier debug) implements IParameterExcepti
     private static String missing(MissingParameterException failure, String... args) {
         Set<String> given = Arrays.stream(args).map(a -> a.split("=", 2)[0]).collect(Collectors.toSet());
         String lacking = failure.getMissing().stream()
-                .filter(a ->
-                        !(a instanceof OptionSpec o) || Arrays.stream(o.names()).noneMatch(given::contains))
+                .filter(a -> !(a instanceof OptionSpec o)
+                        || (o.required() && Arrays.stream(o.names()).noneMatch(given::contains)))
                 .map(a -> a instanceof OptionSpec o ? o.longestName() + " " + o.paramLabel() : a.paramLabel())
                 .collect(Collectors.joining(" and "));
         return lacking.isEmpty() ? failure.getMessage() : "found no " + lacking;
