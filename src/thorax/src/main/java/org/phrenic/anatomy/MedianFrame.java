@@ -1,5 +1,6 @@
 package org.phrenic.anatomy;
 
+import java.util.Arrays;
 import java.util.Optional;
 import org.phrenic.engine.kinematics.HelicalAxis;
 import org.phrenic.engine.kinematics.RigidMotion;
@@ -137,11 +138,14 @@ public final class MedianFrame {
                 .orElse(point);
     }
 
-    /** Component of a vector of the scan along an axis of this frame (0 left, 1 posterior, 2 superior). */
-    public double component(double x, double y, double z, int axis) {
-        return toFrame.map(motion ->
-                        motion.rotation(axis, 0) * x + motion.rotation(axis, 1) * y + motion.rotation(axis, 2) * z)
-                .orElse(axis == 0 ? x : axis == 1 ? y : z);
+    /**
+     * Unit vectors of the axes of this frame (left, posterior, superior) in the axes of the scan, one after another.
+     */
+    public double[] axes() {
+        RigidMotion motion = toFrame.orElse(RigidMotion.identity());
+        double[] axes = new double[9];
+        Arrays.setAll(axes, i -> motion.rotation(i / 3, i % 3));
+        return axes;
     }
 
     private static TriangleMesh moved(TriangleMesh mesh, RigidMotion motion) {

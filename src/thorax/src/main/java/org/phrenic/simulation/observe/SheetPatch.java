@@ -2,7 +2,6 @@ package org.phrenic.simulation.observe;
 
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
-import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.model.organ.DiaphragmPart;
@@ -18,7 +17,9 @@ public final class SheetPatch {
 
     private static final double ROOF = 0.3;
 
-    private final MedianFrame frame;
+    /** Axes of the body's frame, three numbers each. */
+    private final double[] axes;
+
     private final int[] nodes;
     /** Share of each node in the mean. */
     private final double[] weights;
@@ -30,7 +31,7 @@ public final class SheetPatch {
      */
     public SheetPatch(DiaphragmPart part, double u, double v) {
         Diaphragm d = part.diaphragm;
-        frame = d.frame();
+        axes = d.frame().axes();
         TriangleMesh sheet = d.upright();
         double[] box = sheet.bounds();
         double[] normals = MeshMeasure.vertexNormals(sheet);
@@ -81,8 +82,9 @@ public final class SheetPatch {
         double sum = 0;
         for (int i = 0; i < nodes.length; i++) {
             int at = 3 * nodes[i];
-            double moved =
-                    frame.component(now[at] - rest[at], now[at + 1] - rest[at + 1], now[at + 2] - rest[at + 2], axis);
+            double moved = axes[3 * axis] * (now[at] - rest[at])
+                    + axes[3 * axis + 1] * (now[at + 1] - rest[at + 1])
+                    + axes[3 * axis + 2] * (now[at + 2] - rest[at + 2]);
             sum += weights[i] * moved;
         }
         return sum;
