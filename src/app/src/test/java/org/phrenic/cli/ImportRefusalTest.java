@@ -171,7 +171,11 @@ class ImportRefusalTest {
                         "a.nrrd",
                         nrrd("space directions: (-2,0,0) (0,3,0) (0,0,4)\n", "")),
                 bad("unknown space", "'scanner-xyz'", "a.nrrd", nrrd("right-anterior-superior", "scanner-xyz")),
-                bad("unknown encoding", "expected raw or gzip", "a.nrrd", nrrd("encoding: raw", "encoding: bzip2")),
+                bad(
+                        "unknown encoding",
+                        "expected raw, gzip or ascii",
+                        "a.nrrd",
+                        nrrd("encoding: raw", "encoding: bzip2")),
                 bad("no type", "no 'type'", "a.nrrd", nrrd("type: uchar\n", "")),
                 bad("unknown type", "'block'", "a.nrrd", nrrd("type: uchar", "type: block")),
                 bad(
@@ -221,7 +225,11 @@ class ImportRefusalTest {
                 bad("two spacings", "2 numbers, expected 3", "a.mha", meta("2 3 4", "2 3")),
                 bad("sheared", "right angles", "a.mha", meta("0 -1 0", "0.3 -1 0")),
                 bad("colours", "3 values a voxel", "a.mha", meta("NDims", "ElementNumberOfChannels = 3\nNDims")),
-                bad("text voxels", "binary data", "a.mha", meta("BinaryData = True", "BinaryData = False")),
+                bad(
+                        "text voxels",
+                        "expected a number, as voxels are text by the header",
+                        "a.mha",
+                        meta("BinaryData = True", "BinaryData = False")),
                 bad(
                         "float labels",
                         "found 0.5",

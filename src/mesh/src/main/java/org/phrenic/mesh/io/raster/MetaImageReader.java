@@ -18,8 +18,8 @@ import org.phrenic.file.ScalarType;
 
 /**
  * Reader of MetaImage, with voxels in the file ({@code .mha}) or in a separate file ({@code .mhd}), uncompressed or
- * zlib, in either byte order. It follows MetaIO as used by ITK: axes are LPS, and each three consecutive numbers of
- * {@code TransformMatrix} are the direction of one grid axis.
+ * zlib, in either byte order, or as text. It follows MetaIO as used by ITK: axes are LPS, and each three consecutive
+ * numbers of {@code TransformMatrix} are the direction of one grid axis.
  */
 final class MetaImageReader {
     private final VolumeSource source;
@@ -53,14 +53,12 @@ final class MetaImageReader {
         if (header.has(channels) && header.integers(channels)[0] != 1) {
             throw header.badInput(channels, "found " + header.text(channels) + " values a voxel, expected 1");
         }
-        if (!flag("binarydata", true)) {
-            throw header.badInput("binarydata", "found False, expected binary data");
-        }
         VolumeFrames frames = dimensions == 4 ? new VolumeFrames(sizes[3], false) : VolumeFrames.ONE;
         frames.choose(source);
-        VoxelDecoder voxels = new VoxelDecoder(new int[] {sizes[0], sizes[1], sizes[2]}, type(), order());
+        int[] volume = Arrays.copyOf(sizes, 3);
+        VoxelDecoder voxels = isText() ? TextVoxels.decoder(volume) : new VoxelDecoder(volume, type(), order());
         double[] affine = axes(dimensions).affine(file);
-        if (header.text("elementdatafile").equals("LOCAL")) {
+        if (header.text("elementdatafile").equalsIgnoreCase("LOCAL")) {
             return use.of(stored(path, in, voxels, affine, frames));
         }
         Path data = header.fileBeside(path, "elementdatafile");
@@ -72,11 +70,17 @@ final class MetaImageReader {
 
     private StoredVolume stored(Path data, InputStream in, VoxelDecoder voxels, double[] affine, VolumeFrames frames)
             throws IOException {
+        String name = data.toString();
         boolean packed = isPacked();
-        voxels.validate(data.toString(), InputBytes.size(data), packed, frames.count());
+        if (isText()) {
+            TextVoxels.validate(name, voxels, InputBytes.size(data), frames.count());
+        } else {
+            voxels.validate(name, InputBytes.size(data), packed, frames.count());
+        }
         InputStream unpacked = packed ? new InflaterInputStream(in, new java.util.zip.Inflater(), 1 << 16) : in;
-        InputStream chosen = frames.select(unpacked, voxels, frames.choose(source));
-        return new StoredVolume(data.toString(), chosen, voxels, affine, Map.of(), notes);
+        InputStream values = isText() ? new TextVoxels(name, unpacked) : unpacked;
+        InputStream chosen = frames.select(values, voxels, frames.choose(source));
+        return new StoredVolume(name, chosen, voxels, affine, Map.of(), notes);
     }
 
     private void readHeader(InputStream in) throws IOException {
@@ -102,8 +106,12 @@ final class MetaImageReader {
      */
     private long bytesToSkip(Path data, long voxelBytes) {
         int stated = header.has("headersize") ? header.integers("headersize")[0] : 0;
-        long bytes = stated < 0 && !isPacked() ? InputBytes.size(data) - voxelBytes : stated;
+        long bytes = stated < 0 && !isPacked() && !isText() ? InputBytes.size(data) - voxelBytes : stated;
         return Math.max(0, bytes);
+    }
+
+    private boolean isText() {
+        return !flag("binarydata", true);
     }
 
     private boolean isPacked() {

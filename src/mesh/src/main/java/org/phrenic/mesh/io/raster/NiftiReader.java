@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
@@ -109,17 +110,18 @@ final class NiftiReader {
     }
 
     private VolumeAxes axes() {
+        double mm =
+                switch (header.units() & 7) {
+                    case 1 -> 1000;
+                    case 3 -> 1e-3;
+                    default -> 1;
+                };
         VolumeAxes axes;
         if (header.sformCode() > 0) {
-            double[][] steps = new double[3][3];
-            double[] origin = new double[3];
-            for (int row = 0; row < 3; row++) {
-                for (int column = 0; column < 3; column++) {
-                    steps[column][row] = header.affine(row, column);
-                }
-                origin[row] = header.affine(row, 3);
+            axes = sform();
+            if (header.qformCode() > 0) {
+                compareForms(axes, mm);
             }
-            axes = new VolumeAxes(steps, origin);
         } else if (header.qformCode() > 0) {
             axes = qform();
         } else {
@@ -127,13 +129,29 @@ final class NiftiReader {
                     + " slices up");
             axes = VolumeAxes.axisAligned(header.pixel(1), header.pixel(2), header.pixel(3));
         }
-        double mm =
-                switch (header.units() & 7) {
-                    case 1 -> 1000;
-                    case 3 -> 1e-3;
-                    default -> 1;
-                };
         return axes.scaled(mm, mm, mm);
+    }
+
+    /** Says in a note how far the qform places voxels from where the sform does, if by half a voxel or more. */
+    private void compareForms(VolumeAxes sform, double mm) {
+        double apart = sform.farthest(qform(), sizes());
+        double smallest = Math.min(header.pixel(1), Math.min(header.pixel(2), header.pixel(3)));
+        if (apart >= smallest / 2) {
+            notes.add(String.format(
+                    Locale.ROOT, "sform and qform place voxels up to %.1f mm apart: the sform was taken", mm * apart));
+        }
+    }
+
+    private VolumeAxes sform() {
+        double[][] steps = new double[3][3];
+        double[] origin = new double[3];
+        for (int row = 0; row < 3; row++) {
+            for (int column = 0; column < 3; column++) {
+                steps[column][row] = header.affine(row, column);
+            }
+            origin[row] = header.affine(row, 3);
+        }
+        return new VolumeAxes(steps, origin);
     }
 
     /** The rotation of the quaternion (a, b, c, d) with a = sqrt(1 - b^2 - c^2 - d^2), times the spacing. */

@@ -1,10 +1,8 @@
 package org.phrenic.mesh.io.raster;
 
 import java.io.BufferedInputStream;
-import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,28 +14,25 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.zip.GZIPInputStream;
-import org.phrenic.file.BadInputException;
-import org.phrenic.file.InputBytes;
 import org.phrenic.file.Numbers;
 import org.phrenic.file.ScalarType;
 import org.phrenic.mesh.io.raster.LayeredSegments.Segment;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
- * Reader of NRRD and of 3D Slicer segmentations ({@code .seg.nrrd}), raw or gzip, with the header in the file or in a
- * separate file ({@code .nhdr}). It follows the format definition, teem.sourceforge.net/nrrd/format.html. Label names
- * come from {@code SegmentN_Name} and {@code SegmentN_LabelValue}.
+ * Reader of NRRD and of 3D Slicer segmentations ({@code .seg.nrrd}), raw, gzip or text, with the header in the file or
+ * in a separate file ({@code .nhdr}). It follows the format definition, teem.sourceforge.net/nrrd/format.html. Label
+ * names come from {@code SegmentN_Name} and {@code SegmentN_LabelValue}.
  */
 final class NrrdReader {
     private static final String DATA_FILE = "data file";
     private static final Pattern SEGMENT = Pattern.compile("(segment(\\d{1,5}))_(?:name|layer|id)");
-    private static final Pattern VECTOR = Pattern.compile("none|\\(([^)]*)\\)");
 
     private final VolumeSource source;
     private final Path path;
     private final String file;
     private final VolumeHeader header;
+    private final NrrdPlace place;
     private final List<String> notes = new ArrayList<>();
     /** The array axes that are spatial directions. */
     private int[] axes = {0, 1, 2};
@@ -49,6 +44,7 @@ final class NrrdReader {
         path = source.path();
         file = path.toString();
         header = new VolumeHeader(file);
+        place = new NrrdPlace(header);
     }
 
     static <T> T read(VolumeSource source, InputStream in, StoredVolume.Use<T> use) throws IOException {
@@ -60,21 +56,18 @@ final class NrrdReader {
         int[] sizes = sizes();
         Optional<LayeredSegments> layers = layers();
         int frame = layers.isPresent() ? 0 : frames.choose(source);
-        ScalarType type = type();
-        VoxelDecoder voxels = new VoxelDecoder(sizes, type, order(type));
-        double[] affine = volumeAxes().affine(file);
+        NrrdEncoding encoding = NrrdEncoding.of(header);
+        VoxelDecoder voxels = encoding.decoder(sizes, type());
+        double[] affine = place.axes(axes, notes).affine(file);
         Map<Integer, String> names = layers.map(LayeredSegments::names).orElseGet(this::names);
-        boolean packed = isPacked();
         if (attached) {
-            voxels.validate(file, InputBytes.size(path), packed, frames.count());
-            InputStream all = data(in, packed);
+            InputStream all = encoding.voxels(path, in, voxels, frames.count(), true);
             InputStream chosen = layers.isPresent() ? all : frames.select(all, voxels, frame);
             return use.of(new StoredVolume(file, chosen, voxels, affine, names, notes, layers));
         }
         Path data = header.fileBeside(path, DATA_FILE);
-        voxels.validate(data.toString(), InputBytes.size(data), packed, frames.count());
         try (InputStream apart = new BufferedInputStream(Files.newInputStream(data), 1 << 16)) {
-            InputStream all = data(apart, packed);
+            InputStream all = encoding.voxels(data, apart, voxels, frames.count(), false);
             InputStream chosen = layers.isPresent() ? all : frames.select(all, voxels, frame);
             return use.of(new StoredVolume(data.toString(), chosen, voxels, affine, names, notes, layers));
         }
@@ -129,7 +122,7 @@ final class NrrdReader {
      */
     private int[] spatialAxes(int[] sizes) {
         String[] kinds = header.text("kinds", "").split("\\s+", -1);
-        List<String> vectors = header.has("space directions") ? vectors("space directions") : List.of();
+        List<String> vectors = place.directions();
         int other = -1;
         for (int axis = 0; axis < 4; axis++) {
             boolean none = vectors.size() == 4
@@ -167,107 +160,6 @@ final class NrrdReader {
             case "double" -> ScalarType.FLOAT64;
             default -> throw header.unexpected("type", type, "whole numbers or real ones");
         };
-    }
-
-    private ByteOrder order(ScalarType type) {
-        String endian = header.text("endian", "").toLowerCase(Locale.ROOT);
-        if (type.size() > 1 && !endian.equals("little") && !endian.equals("big")) {
-            throw new BadInputException(file + ": found endian " + Numbers.quote(endian) + ", expected little or big");
-        }
-        return endian.equals("big") ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN;
-    }
-
-    private VolumeAxes volumeAxes() {
-        String space = header.text("space", "").toLowerCase(Locale.ROOT);
-        if (header.has("space directions")) {
-            List<String> vectors = vectors("space directions");
-            double[][] steps = new double[3][];
-            for (int i = 0; i < 3; i++) {
-                String vector = axes[i] < vectors.size() ? vectors.get(axes[i]) : "none";
-                if (vector.equals("none")) {
-                    throw header.badInput("space directions", "found none for axis " + axes[i] + ", expected a vector");
-                }
-                steps[i] = vector("space directions", vector);
-            }
-            double[] origin = new double[3];
-            if (header.has("space origin")) {
-                origin = vector("space origin", vectors("space origin").get(0));
-            }
-            return toLps(new VolumeAxes(steps, origin), space);
-        }
-        notes.add("no space directions: columns were taken to run to the left, rows to the back, slices up");
-        if (!header.has("spacings")) {
-            throw new BadInputException(
-                    file + ": found neither 'space directions' nor 'spacings', expected the size of a voxel");
-        }
-        double[] spacings = new double[3];
-        String[] words = header.text("spacings").split("\\s+", -1);
-        for (int i = 0; i < 3; i++) {
-            String word = axes[i] < words.length ? words[axes[i]] : "";
-            spacings[i] = header.number("spacings", word);
-        }
-        return VolumeAxes.axisAligned(spacings[0], spacings[1], spacings[2]);
-    }
-
-    private VolumeAxes toLps(VolumeAxes given, String space) {
-        return switch (space) {
-            case "left-posterior-superior", "lps" -> given;
-            case "right-anterior-superior", "ras" -> given.rasToLps();
-            case "left-anterior-superior", "las" -> given.scaled(1, -1, 1);
-            case "" -> {
-                notes.add("no space: axes were taken to be LPS");
-                yield given;
-            }
-            default ->
-                throw header.unexpected(
-                        "space", space, "left-posterior-superior, right-anterior-superior or left-anterior-superior");
-        };
-    }
-
-    private List<String> vectors(String key) {
-        List<String> vectors = new ArrayList<>();
-        Matcher vector = VECTOR.matcher(header.text(key));
-        while (vector.find()) {
-            vectors.add(vector.group(1) == null ? "none" : vector.group(1));
-        }
-        if (vectors.isEmpty()) {
-            throw header.unexpected(key, header.text(key), "vectors such as (1,0,0)");
-        }
-        return vectors;
-    }
-
-    private double[] vector(String key, String text) {
-        String[] parts = text.split(",", -1);
-        if (parts.length != 3) {
-            throw header.badInput(key, "found a vector of " + parts.length + " numbers, expected 3");
-        }
-        double[] vector = new double[3];
-        Arrays.setAll(vector, i -> header.number(key, parts[i].strip()));
-        return vector;
-    }
-
-    private boolean isPacked() {
-        String encoding = header.text("encoding").toLowerCase(Locale.ROOT);
-        return switch (encoding) {
-            case "raw" -> false;
-            case "gzip", "gz" -> true;
-            default -> throw header.unexpected("encoding", encoding, "raw or gzip");
-        };
-    }
-
-    private InputStream data(InputStream in, boolean packed) throws IOException {
-        for (int n = header.has("line skip") ? header.integers("line skip")[0] : 0; n > 0; n--) {
-            if (header.line(in) == null) {
-                throw new EOFException();
-            }
-        }
-        int skip = header.has("byte skip") ? header.integers("byte skip")[0] : 0;
-        if (skip < 0) {
-            throw header.badInput("byte skip", "found " + skip + ", expected 0 or more");
-        }
-        InputStream unpacked = packed ? new GZIPInputStream(in, 1 << 16) : in;
-        unpacked.skipNBytes(skip);
-        return unpacked;
     }
 
     /** The segments of a segmentation with several layers, if no layer is named by its number. */

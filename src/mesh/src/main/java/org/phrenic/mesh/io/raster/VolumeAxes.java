@@ -39,6 +39,24 @@ public record VolumeAxes(double[][] steps, double[] origin) {
         return new VolumeAxes(s, o);
     }
 
+    /** Greatest distance of the corners of a volume of these sizes from where {@code other} has them. */
+    double farthest(VolumeAxes other, int[] sizes) {
+        double farthest = 0;
+        for (int corner = 0; corner < 8; corner++) {
+            double square = 0;
+            for (int row = 0; row < 3; row++) {
+                double apart = origin[row] - other.origin[row];
+                for (int direction = 0; direction < 3; direction++) {
+                    int voxel = (corner >> direction & 1) * (sizes[direction] - 1);
+                    apart += voxel * (steps[direction][row] - other.steps[direction][row]);
+                }
+                square += apart * apart;
+            }
+            farthest = Math.max(farthest, Math.sqrt(square));
+        }
+        return farthest;
+    }
+
     /**
      * The affine matrix as twelve numbers, in the layout of {@code LabelGrid}.
      *

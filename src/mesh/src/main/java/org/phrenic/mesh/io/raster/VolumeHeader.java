@@ -27,6 +27,11 @@ final class VolumeHeader {
         this.file = file;
     }
 
+    /** Name of the file, for messages. */
+    String file() {
+        return file;
+    }
+
     /** The next line without its line break, or null at the end of the stream; reads no byte beyond the line. */
     String line(InputStream in) throws IOException {
         ByteArrayOutputStream text = new ByteArrayOutputStream();

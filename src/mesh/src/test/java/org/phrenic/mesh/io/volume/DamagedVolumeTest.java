@@ -96,6 +96,18 @@ class DamagedVolumeTest {
     }
 
     @Test
+    void textThatIsNoNumbersOrTooShort() {
+        String header = VolumeSamples.nrrd("uchar", "text") + "\n";
+        String numbers = "0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 ";
+        assertRefused("value 23: found 'liver'", "word.nrrd", text(header + numbers + "liver"));
+        assertRefused("value 23: found 'nan'", "nan.nrrd", text(header + numbers + "nan"));
+        assertRefused("the end after 23 voxels", "short.nrrd", text(header + numbers));
+        assertRefused(
+                "expected 240000 for 400 x 30 x 20", "none.nrrd", text(header.replace("4 3 2", "400 30 20") + "0"));
+        assertRefused("found 23.5", "half.nrrd", text(header + numbers + "23.5"));
+    }
+
+    @Test
     void voxelsWithoutSizeAndShearedAxes() {
         assertNiftiRefused("spacing of 0 mm along rows", h -> h.putFloat(300, 0));
         assertNiftiRefused("not finite", h -> h.putFloat(280, Float.NaN));

@@ -9,6 +9,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -73,10 +74,22 @@ class LabelVolumeFilesTest {
     /** The standard's order of preference (NIfTI-1, method 3 before method 2). */
     @Test
     void withBothFormsTheSformPlacesVoxels() {
-        assertIsSample(read("both.nii", VolumeSamples.nifti(2, LITTLE, h -> {
+        // A half turn about y with qfac -1, as the sform has it; the second qform lies 4 mm farther to the right.
+        Consumer<ByteBuffer> same = h -> {
             h.putShort(252, (short) 1);
-            h.putFloat(268, 99);
-        })));
+            h.putFloat(76, -1);
+            h.putFloat(260, 1);
+            h.putFloat(268, 10);
+            h.putFloat(272, 20);
+            h.putFloat(276, 30);
+        };
+        LabelVolume volume = read("both.nii", VolumeSamples.nifti(2, LITTLE, same));
+        assertIsSample(volume);
+        assertThat(volume.notes()).isEmpty();
+        LabelVolume apart = read("apart.nii", VolumeSamples.nifti(2, LITTLE, same.andThen(h -> h.putFloat(268, 14))));
+        assertIsSample(apart);
+        assertThat(apart.notes())
+                .containsExactly("sform and qform place voxels up to 4.0 mm apart: the sform was taken");
     }
 
     @Test
@@ -174,6 +187,49 @@ class LabelVolumeFilesTest {
                 .replace("(-2,0,0) (0,3,0) (0,0,4)", "(2,0,0) (0,3,0) (0,0,4)")
                 .replace("(10,20,30)", "(-10,20,30)");
         assertIsSample(read("las.nrrd", VolumeSamples.join(header + "\n", VolumeSamples.voxels(2, LITTLE, 1))));
+    }
+
+    /** The first voxel of the sample at (10, 20, 30) mm of RAS, stated in each unit. */
+    @Test
+    void nrrdInUnitsOfSpaceBecomesMillimetres() {
+        byte[] voxels = VolumeSamples.voxels(2, LITTLE, 1);
+        String header = VolumeSamples.nrrd("uchar", "raw");
+        String[] vectors = {"(-2,0,0) (0,3,0) (0,0,4)", "(10,20,30)"};
+        String[] metres = {"(-0.002,0,0) (0,0.003,0) (0,0,0.004)", "(0.01,0.02,0.03)"};
+        String[] micrometres = {"(-2000,0,0) (0,3000,0) (0,0,4000)", "(10000,20000,30000)"};
+        for (String unit : new String[] {"m", "um", "micron", "mm", "", "furlong"}) {
+            String[] stated = unit.equals("m") ? metres : unit.matches("um|micron") ? micrometres : vectors;
+            String text = header.replace(vectors[0], stated[0]).replace(vectors[1], stated[1])
+                    + "space units: \"U\" \"U\" \"U\"\n\n".replace("U", unit);
+            LabelVolume volume = read("units.nrrd", VolumeSamples.join(text, voxels));
+            assertIsSample(volume);
+            assertThat(volume.notes()).hasSize(unit.equals("furlong") ? 1 : 0);
+        }
+    }
+
+    /** pynrrd and MetaIO write text; 2 is 2.0, commas and line breaks separate numbers. */
+    @Test
+    void nrrdAndMetaImageAsText() {
+        StringBuilder numbers = new StringBuilder();
+        for (int v = 0; v < VolumeSamples.VOXELS; v++) {
+            numbers.append(v).append(v % 3 == 0 ? ".0\n" : v % 3 == 1 ? ", " : " ");
+        }
+        byte[] text = numbers.toString().strip().getBytes(StandardCharsets.US_ASCII);
+        String nrrd = VolumeSamples.nrrd("ushort", "ascii").replace("endian: little\n", "");
+        assertIsSample(read("text.nrrd", VolumeSamples.join(nrrd + "\n", text)));
+        String meta = VolumeSamples.meta("MET_SHORT", false).replace("BinaryData = True", "BinaryData = False");
+        assertIsSample(read("text.mha", VolumeSamples.join(meta + "Local\n", text)));
+        VolumeSamples.write(folder, "voxels.txt", text);
+        assertIsSample(read("text.mhd", (meta + "voxels.txt\n").getBytes(StandardCharsets.UTF_8)));
+    }
+
+    @Test
+    void nrrdWhoseVoxelsEndTheirFile() {
+        byte[] voxels = VolumeSamples.voxels(4, BIG, 1);
+        VolumeSamples.write(folder, "scanner.img", VolumeSamples.join(new byte[77], voxels));
+        String header = VolumeSamples.nrrd("short", "raw").replace("endian: little", "endian: big")
+                + "byte skip: -1\ndata file: scanner.img\n";
+        assertIsSample(read("end.nhdr", header.getBytes(StandardCharsets.UTF_8)));
     }
 
     @Test

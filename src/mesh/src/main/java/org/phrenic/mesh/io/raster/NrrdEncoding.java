@@ -1,0 +1,90 @@
+package org.phrenic.mesh.io.raster;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteOrder;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.zip.GZIPInputStream;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.InputBytes;
+import org.phrenic.file.Numbers;
+import org.phrenic.file.ScalarType;
+
+/**
+ * How the voxels of a NRRD file are stored: as they are, gzip, or as numbers in text.
+ *
+ * @param kind raw, gzip or text
+ */
+record NrrdEncoding(VolumeHeader header, String kind) {
+    private static final String LINE_SKIP = "line skip";
+    private static final String BYTE_SKIP = "byte skip";
+
+    /** @throws BadInputException if the header states another encoding */
+    static NrrdEncoding of(VolumeHeader header) {
+        String encoding = header.text("encoding").toLowerCase(Locale.ROOT);
+        return switch (encoding) {
+            case "raw" -> new NrrdEncoding(header, "raw");
+            case "gzip", "gz" -> new NrrdEncoding(header, "gzip");
+            case "ascii", "text", "txt" -> new NrrdEncoding(header, "text");
+            default -> throw header.unexpected("encoding", encoding, "raw, gzip or ascii");
+        };
+    }
+
+    private boolean isText() {
+        return kind.equals("text");
+    }
+
+    private boolean isPacked() {
+        return kind.equals("gzip");
+    }
+
+    /** The decoder of voxels of this type. */
+    VoxelDecoder decoder(int[] sizes, ScalarType type) {
+        return isText() ? TextVoxels.decoder(sizes) : new VoxelDecoder(sizes, type, order(type));
+    }
+
+    private ByteOrder order(ScalarType type) {
+        String endian = header.text("endian", "").toLowerCase(Locale.ROOT);
+        if (type.size() > 1 && !endian.equals("little") && !endian.equals("big")) {
+            String found = ": found endian " + Numbers.quote(endian);
+            throw new BadInputException(header.file() + found + ", expected little or big");
+        }
+        return endian.equals("big") ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN;
+    }
+
+    /**
+     * The values of all volumes.
+     *
+     * @param in data of the file {@code data}, behind the header if that is in it
+     * @param attached whether the header is in the file
+     * @throws BadInputException if the file is too short for them
+     */
+    InputStream voxels(Path data, InputStream in, VoxelDecoder voxels, int volumes, boolean attached)
+            throws IOException {
+        String file = data.toString();
+        long size = InputBytes.size(data);
+        if (isText()) {
+            TextVoxels.validate(file, voxels, size, volumes);
+        } else {
+            voxels.validate(file, size, isPacked(), volumes);
+        }
+        for (int n = header.has(LINE_SKIP) ? header.integers(LINE_SKIP)[0] : 0; n > 0; n--) {
+            if (header.line(in) == null) {
+                throw new EOFException();
+            }
+        }
+        long skip = header.has(BYTE_SKIP) ? header.integers(BYTE_SKIP)[0] : 0;
+        if (skip == -1 && kind.equals("raw") && !attached) {
+            // The voxels end the file.
+            skip = size - voxels.bytes() * volumes;
+        }
+        if (skip < 0) {
+            throw header.badInput(BYTE_SKIP, "found " + skip + ", expected 0 or more");
+        }
+        InputStream unpacked = isPacked() ? new GZIPInputStream(in, 1 << 16) : in;
+        unpacked.skipNBytes(skip);
+        return isText() ? new TextVoxels(file, unpacked) : unpacked;
+    }
+}
