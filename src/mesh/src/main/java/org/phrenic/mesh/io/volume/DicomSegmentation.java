@@ -19,8 +19,9 @@ import org.phrenic.mesh.io.dicom.FunctionalGroups;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
- * Reader of DICOM segmentations (PS3.3, A.51 and C.8.20), binary ones, whose segments may overlap, and label maps.
- * Labels are segment numbers, names are segment labels, or their coded types where these are mere numbers.
+ * Reader of DICOM segmentations (PS3.3, A.51 and C.8.20): binary and fractional ones, whose segments may overlap, and
+ * label maps. A voxel is in a segment if its fraction, a probability or an occupancy, is a half or more. Labels are
+ * segment numbers, names are segment labels, or their coded types where these are mere numbers.
  */
 final class DicomSegmentation {
     /** Labels that programs give to segments without a name: Segment 1, Seg_2, 3. */
@@ -48,10 +49,7 @@ final class DicomSegmentation {
 
     private LabelVolume volume() {
         String type = image.text(DicomTag.SEGMENTATION_TYPE, "LABELMAP");
-        if (!type.equals("BINARY") && !type.equals("LABELMAP")) {
-            throw image.badInput(
-                    DicomTag.SEGMENTATION_TYPE, "found " + Numbers.quote(type) + ", expected BINARY or LABELMAP");
-        }
+        int threshold = threshold(type);
         Map<Integer, String> names = new TreeMap<>();
         for (DicomDataSet segment : image.items(DicomTag.SEGMENT_SEQUENCE)) {
             int number = segment.whole(DicomTag.SEGMENT_NUMBER, 0, LabelGrid.MAX_LABEL);
@@ -66,15 +64,32 @@ final class DicomSegmentation {
         LabelPainter painter = new LabelPainter(image.file(), pixels.columns(), pixels.rows(), stack.slices());
         double[] affine = stack.axes().affine(image.file());
         List<String> notes = new ArrayList<>(stack.notes());
+        if (type.equals("FRACTIONAL")) {
+            notes.add("fractional segments: a voxel is in a segment whose fraction there is a half or more");
+        }
         LabelGrid grid;
-        if (type.equals("BINARY")) {
-            framesOfSegments(names).forEach((number, frames) -> painter.add(number, use -> forEach(frames, use)));
+        if (threshold > 0) {
+            framesOfSegments(names)
+                    .forEach((number, frames) -> painter.add(number, use -> forEach(frames, threshold, use)));
             grid = painter.grid(affine, notes);
         } else {
             paintMap(painter, names);
             grid = painter.grid(affine);
         }
         return new LabelVolume(grid, LabelPainter.named(names), notes);
+    }
+
+    /** The least value of a pixel in a segment; 0 where a pixel is the number of its segment. */
+    private int threshold(String type) {
+        return switch (type) {
+            case "BINARY" -> 1;
+            case "FRACTIONAL" -> (image.whole(DicomTag.MAXIMUM_FRACTIONAL_VALUE, 1, 0xFFFF) + 1) / 2;
+            case "LABELMAP" -> 0;
+            default ->
+                throw image.badInput(
+                        DicomTag.SEGMENTATION_TYPE,
+                        "found " + Numbers.quote(type) + ", expected BINARY, FRACTIONAL or LABELMAP");
+        };
     }
 
     /** The label of a segment; the meaning of its type, with its side, where the label is no more than a number. */
@@ -124,7 +139,7 @@ final class DicomSegmentation {
         return frames;
     }
 
-    private void forEach(List<Integer> frames, IntConsumer use) {
+    private void forEach(List<Integer> frames, int threshold, IntConsumer use) {
         for (int f : frames) {
             if (read != f) {
                 pixels.read(f, frame);
@@ -132,7 +147,7 @@ final class DicomSegmentation {
             }
             int first = stack.slice(f) * frame.length;
             for (int n = 0; n < frame.length; n++) {
-                if (frame[n] == 1) {
+                if (frame[n] >= threshold) {
                     use.accept(first + n);
                 }
             }

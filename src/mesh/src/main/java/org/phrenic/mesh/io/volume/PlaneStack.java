@@ -114,13 +114,7 @@ final class PlaneStack {
         int lowest = indexOf(distinct[0]);
         double along = (offsets[f] - distinct[0]) / step;
         if (Math.abs(along - Math.rint(along)) > OFF) {
-            throw new BadInputException(String.format(
-                    Locale.ROOT,
-                    "%s: found slices that are unevenly apart or missing (at %.2f mm along their normal), expected one"
-                            + " every %.3f mm",
-                    file,
-                    offsets[f],
-                    step));
+            throw uneven();
         }
         double share = distinct.length > 1 ? (offsets[f] - distinct[0]) / range() : 0;
         double tolerance = OFF * Math.min(step, Math.min(first.columnSpacing(), first.rowSpacing()));
@@ -130,6 +124,28 @@ final class PlaneStack {
                 throw new BadInputException(file + ": found slices that are shifted sideways, expected one stack");
             }
         }
+    }
+
+    /** An exception that names the gap that differs most from most gaps. */
+    private BadInputException uneven() {
+        double[] gaps = new double[distinct.length - 1];
+        Arrays.setAll(gaps, d -> distinct[d + 1] - distinct[d]);
+        double[] sorted = gaps.clone();
+        Arrays.sort(sorted);
+        double usual = sorted[sorted.length / 2];
+        int odd = 0;
+        for (int d = 1; d < gaps.length; d++) {
+            odd = Math.abs(gaps[d] - usual) > Math.abs(gaps[odd] - usual) ? d : odd;
+        }
+        return new BadInputException(String.format(
+                Locale.ROOT,
+                "%s: found slices that are unevenly apart or missing (%.3f mm between those at %.2f and %.2f mm along"
+                        + " their normal), expected one every %.3f mm",
+                file,
+                gaps[odd],
+                distinct[odd],
+                distinct[odd + 1],
+                usual));
     }
 
     private int indexOf(double offset) {

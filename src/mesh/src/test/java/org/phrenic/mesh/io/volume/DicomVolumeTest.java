@@ -164,7 +164,8 @@ class DicomVolumeTest {
         assertImageRefused(series, "7 slices at 6 places");
         Files.delete(series.resolve("twice.dcm"));
         Files.delete(second);
-        assertImageRefused(series, "unevenly apart or missing");
+        assertImageRefused(series, "unevenly apart or missing (6.000 mm between those");
+        assertImageRefused(series, "expected one every 3.000 mm");
         String text = new String(slice, StandardCharsets.ISO_8859_1);
         Files.write(second, text.replace("8.498.1.2\0", "8.498.1.9\0").getBytes(StandardCharsets.ISO_8859_1));
         assertImageRefused(series, "slices of 2 series");
