@@ -18,6 +18,9 @@ final class VtpArray implements InputLocator {
     /** Greatest compression ratio of deflate (zlib.net, "Technical details"). */
     private static final long MAX_RATIO = 1032;
 
+    private static final String ZLIB = "vtkZLibDataCompressor";
+    private static final String LZ4 = "vtkLZ4DataCompressor";
+
     private final String file;
     private final VtpDocument document;
     private final VtpDocument.DataArray array;
@@ -92,7 +95,7 @@ final class VtpArray implements InputLocator {
 
     private ByteBuffer content(byte[] bytes) {
         ByteBuffer encoded = encoded(bytes);
-        byte[] content = document.compressed ? inflated(encoded) : take(encoded, headerNumber(encoded));
+        byte[] content = document.compressor.isEmpty() ? take(encoded, headerNumber(encoded)) : unpacked(encoded);
         if (content.length % array.type().size() != 0) {
             throw badArray("found " + content.length + " bytes, expected a multiple of "
                     + array.type().size());
@@ -118,10 +121,14 @@ final class VtpArray implements InputLocator {
     }
 
     /**
-     * Decompresses zlib blocks. The header has the number of blocks, the block size, the size of the last partial block
-     * or 0, and the compressed sizes.
+     * Decompresses blocks. The header has the number of blocks, the block size, the size of the last partial block or
+     * 0, and the compressed sizes.
      */
-    private byte[] inflated(ByteBuffer encoded) {
+    private byte[] unpacked(ByteBuffer encoded) {
+        if (!document.compressor.equals(ZLIB) && !document.compressor.equals(LZ4)) {
+            String found = "found data packed by " + Numbers.quote(document.compressor);
+            throw badArray(found + ", expected " + ZLIB + ", " + LZ4 + " or none");
+        }
         long blocks = headerNumber(encoded);
         long blockSize = headerNumber(encoded);
         long lastSize = headerNumber(encoded);
@@ -144,13 +151,18 @@ final class VtpArray implements InputLocator {
         long total = sane ? (lastSize == 0 ? blocks * blockSize : (blocks - 1) * blockSize + lastSize) : -1;
         if (!sane || total > Integer.MAX_VALUE - 8 || total > MAX_RATIO * packedTotal) {
             throw badArray("found blocks of " + blockSize + " bytes promised from " + packedTotal
-                    + " compressed bytes, expected what zlib can pack");
+                    + " compressed bytes, expected what these can hold");
         }
         byte[] content = new byte[(int) total];
         int filled = 0;
         for (int b = 0; b < blocks; b++) {
             int expected = (int) (b == blocks - 1 && lastSize > 0 ? lastSize : blockSize);
-            inflate(take(encoded, packed[b]), content, filled, expected);
+            byte[] block = take(encoded, packed[b]);
+            if (document.compressor.equals(ZLIB)) {
+                inflate(block, content, filled, expected);
+            } else if (!Lz4Block.unpack(block, content, filled, expected)) {
+                throw badArray("found compressed data that is damaged, expected LZ4");
+            }
             filled += expected;
         }
         return content;

@@ -37,8 +37,8 @@ final class VtpDocument {
     ByteOrder order = ByteOrder.LITTLE_ENDIAN;
     /** Type of the lengths before binary data: UINT32 or UINT64. */
     ScalarType headerType = ScalarType.UINT32;
-    /** Whether binary data is compressed in zlib blocks. */
-    boolean compressed;
+    /** What packs binary data, block by block, such as vtkZLibDataCompressor; empty if nothing does. */
+    String compressor = "";
     /** Number of bytes up to and including the underscore of AppendedData; -1 without appended data. */
     int appended = -1;
     /** Whether appended data is raw instead of base64. */
@@ -160,11 +160,7 @@ final class VtpDocument {
             case "UInt64" -> ScalarType.UINT64;
             default -> throw unexpected("header_type", header, "UInt32 or UInt64");
         };
-        String compressor = attribute("compressor", "");
-        if (!compressor.isEmpty() && !compressor.equals("vtkZLibDataCompressor")) {
-            throw unexpected("compressor", compressor, "vtkZLibDataCompressor or none");
-        }
-        compressed = !compressor.isEmpty();
+        compressor = attribute("compressor", "");
     }
 
     private void add(String key, int components) throws XMLStreamException {

@@ -5,7 +5,7 @@ import org.phrenic.mesh.TriangleMesh;
 
 /**
  * Reader of VTK XML PolyData (docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html). Arrays may be text,
- * base64 or appended (raw or base64), uncompressed or zlib, in either byte order. Pieces are concatenated in order.
+ * base64 or appended (raw or base64), plain, zlib or LZ4, in either byte order. Pieces are concatenated in order.
  */
 final class VtpReader {
     private final String file;
