@@ -8,15 +8,17 @@ import org.phrenic.file.ScalarType;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * Reader of legacy VTK files with POLYDATA, text or binary (big endian), as specified in "VTK File Formats"
- * (docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html). It reads POINTS, POLYGONS and TRIANGLE_STRIPS.
- * Vertices, lines, fields, metadata, point data and cell data are ignored.
+ * Reader of legacy VTK files with POLYDATA or the surface cells of an UNSTRUCTURED_GRID, text or binary (big endian),
+ * as specified in "VTK File Formats" (docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html). It reads
+ * POINTS, POLYGONS and TRIANGLE_STRIPS, or CELLS with CELL_TYPES. Vertices, lines, fields, metadata, point data and
+ * cell data are ignored.
  */
 final class VtkReader {
     private static final String MAGIC = "# vtk DataFile Version ";
 
     private final ByteCursor cursor;
     private final PolygonSoup soup = new PolygonSoup();
+    private final VtkGridCells grid = new VtkGridCells(soup);
     private boolean pointsSeen;
 
     private VtkReader(String file, byte[] bytes) {
@@ -59,14 +61,17 @@ final class VtkReader {
             switch (keyword) {
                 case "DATASET" -> {
                     String kind = cursor.word("POLYDATA");
-                    if (!kind.equalsIgnoreCase("POLYDATA")) {
-                        throw cursor.badInput("found a dataset " + Numbers.quote(kind) + ", expected POLYDATA");
+                    if (!kind.equalsIgnoreCase("POLYDATA") && !kind.equalsIgnoreCase("UNSTRUCTURED_GRID")) {
+                        throw cursor.badInput(
+                                "found a dataset " + Numbers.quote(kind) + ", expected POLYDATA or UNSTRUCTURED_GRID");
                     }
                     datasetSeen = true;
                 }
                 case "POINTS" -> readPoints();
                 case "POLYGONS" -> cells.read(soup::polygon);
                 case "TRIANGLE_STRIPS" -> cells.read(soup::strip);
+                case "CELLS" -> cells.read(grid::add);
+                case "CELL_TYPES" -> grid.readTypes(cursor);
                 case "VERTICES", "LINES" ->
                     cells.read((source, points, from, to) -> {
                         // Not part of the surface.
@@ -74,12 +79,14 @@ final class VtkReader {
                 case "FIELD" -> skipField(cursor);
                 case "METADATA" -> skipMetadata(cursor);
                 case "POINT_DATA", "CELL_DATA" -> {
+                    grid.checkTyped(cursor);
                     return;
                 }
                 default ->
                     throw cursor.unexpected(word, "POINTS, POLYGONS, TRIANGLE_STRIPS or another section of POLYDATA");
             }
         }
+        grid.checkTyped(cursor);
         if (!pointsSeen) {
             throw cursor.badInput("found the end of the file, expected DATASET POLYDATA with POINTS");
         }

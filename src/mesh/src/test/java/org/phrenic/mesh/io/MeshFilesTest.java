@@ -221,7 +221,7 @@ class MeshFilesTest {
     @Test
     void vtkProblemsAreToldWithTheLine() {
         String points = VTK_HEAD + "POINTS 3 float\n0 0 0 1 0 0 0 1 0\n";
-        refused("grid.vtk", VTK_HEAD.replace("POLYDATA", "UNSTRUCTURED_GRID"), "line 4", "'UNSTRUCTURED_GRID'");
+        refused("grid.vtk", VTK_HEAD.replace("POLYDATA", "RECTILINEAR_GRID"), "line 4", "'RECTILINEAR_GRID'");
         refused("range.vtk", points + "POLYGONS 1 4\n3 0 1 3\n", "line 8", "vertex index 3");
         refused("long.vtk", points + "POLYGONS 1 4\n7 0 1 2\n", "line 8", "a cell of 7 points");
         refused("left.vtk", points + "POLYGONS 1 5\n3 0 1 2 0\n", "leave 1 of 5");
