@@ -191,12 +191,26 @@ class DocumentsTest {
         return FENCE.matcher(Files.readString(document)).replaceAll("");
     }
 
-    /** Artifact and version of every dependency, plugin and annotation processor in pom.xml. */
-    private static Map<String, String> artifactsOfTheBuild() throws Exception {
-        Element pom = DocumentBuilderFactory.newDefaultInstance()
+    /** {@code made_by} of a run and {@code machine} of a study are the version of the jar of their own module. */
+    @Test
+    void theJarOfEveryModuleStatesItsVersion() throws Exception {
+        NodeList entries = pom().getElementsByTagName("addDefaultImplementationEntries");
+        assertThat(entries.getLength()).isOne();
+        assertThat(entries.item(0).getTextContent()).isEqualTo("true");
+        assertThat(siblingText(entries.item(0).getParentNode().getParentNode().getParentNode(), "artifactId"))
+                .isEqualTo("maven-jar-plugin");
+    }
+
+    private static Element pom() throws Exception {
+        return DocumentBuilderFactory.newDefaultInstance()
                 .newDocumentBuilder()
                 .parse(Path.of("pom.xml").toFile())
                 .getDocumentElement();
+    }
+
+    /** Artifact and version of every dependency, plugin and annotation processor in pom.xml. */
+    private static Map<String, String> artifactsOfTheBuild() throws Exception {
+        Element pom = pom();
         Map<String, String> properties = new HashMap<>();
         NodeList declared = pom.getElementsByTagName("properties").item(0).getChildNodes();
         for (int i = 0; i < declared.getLength(); i++) {
