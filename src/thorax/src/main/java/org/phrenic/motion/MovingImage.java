@@ -83,7 +83,6 @@ final class MovingImage {
 
     /** The image at several times. */
     VoxelSeries series(double[] times, IntFunction<float[]> frame) {
-        double interval = times.length > 1 ? (times[times.length - 1] - times[0]) / (times.length - 1) : 0;
-        return new VoxelSeries(sampler.box(), 1, type, times.length, interval, frame, about());
+        return new VoxelSeries(sampler.box(), 1, type, VoxelSeries.Times.of(times), frame, about());
     }
 }

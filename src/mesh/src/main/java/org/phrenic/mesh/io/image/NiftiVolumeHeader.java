@@ -62,11 +62,14 @@ public final class NiftiVolumeHeader {
         };
     }
 
-    /** Several volumes, one every {@code intervalS} seconds. */
-    NiftiVolumeHeader frames(VoxelBox box, int count, double intervalS) {
-        dimensions(4, box.columns(), box.rows(), box.slices(), count);
-        h.putFloat(92, (float) intervalS);
+    /** One volume or several with their times. */
+    NiftiVolumeHeader frames(VoxelBox box, VoxelSeries.Times times) {
+        if (times.frames() > 1) {
+            dimensions(4, box.columns(), box.rows(), box.slices(), times.frames());
+            h.putFloat(92, (float) times.intervalS());
+        }
         h.put(123, (byte) (MM | SECONDS));
+        h.putFloat(136, (float) times.firstS());
         return this;
     }
 

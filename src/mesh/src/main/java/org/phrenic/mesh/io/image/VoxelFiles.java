@@ -76,8 +76,8 @@ public final class VoxelFiles {
                 .described(series.about().getOrDefault(VoxelSeries.CONTENT, ""));
         if (series.components() == 3) {
             header.displacement(box);
-        } else if (series.frames() > 1) {
-            header.frames(box, series.frames(), series.intervalS());
+        } else if (series.frames() > 1 || series.times().firstS() > 0) {
+            header.frames(box, series.times());
         }
         out.write(header.bytes());
         int slice = box.columns() * box.rows();

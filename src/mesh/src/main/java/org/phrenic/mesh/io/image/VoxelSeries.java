@@ -11,8 +11,7 @@ import org.phrenic.mesh.voxel.VoxelBox;
  * @param box size and place of the voxels
  * @param components 1, or 3 for displacements in mm, LPS; the components of a voxel lie side by side
  * @param type of the stored numbers: UINT8, UINT16, INT16 or FLOAT32
- * @param frames number of frames
- * @param intervalS time between two frames, s
+ * @param times number and times of the frames
  * @param frame values of each frame, asked for once and in order
  * @param about what the values are, as key and text, for the header; "content" is one line of at most 79 characters
  */
@@ -20,17 +19,36 @@ public record VoxelSeries(
         VoxelBox box,
         int components,
         ScalarType type,
-        int frames,
-        double intervalS,
+        Times times,
         IntFunction<float[]> frame,
         Map<String, String> about) {
     /** Key of a line of text that says what the values are. */
     public static final String CONTENT = "content";
 
-    /** One frame. */
+    /**
+     * Times of frames.
+     *
+     * @param frames number of frames
+     * @param firstS time of the first, s
+     * @param intervalS mean time between two frames, s
+     */
+    public record Times(int frames, double firstS, double intervalS) {
+        /** Times that follow one another, s. */
+        public static Times of(double[] s) {
+            double range = s[s.length - 1] - s[0];
+            return new Times(s.length, s[0], s.length > 1 ? range / (s.length - 1) : 0);
+        }
+    }
+
+    /** One frame without a time. */
     public static VoxelSeries of(
             VoxelBox box, int components, ScalarType type, float[] values, Map<String, String> about) {
-        return new VoxelSeries(box, components, type, 1, 0, any -> values, about);
+        return new VoxelSeries(box, components, type, new Times(1, 0, 0), any -> values, about);
+    }
+
+    /** Number of frames. */
+    int frames() {
+        return times.frames();
     }
 
     /** Bytes of a range of values of one component. Components are turned by their sign. */

@@ -53,8 +53,7 @@ class VoxelFilesTest {
                 BOX,
                 1,
                 ScalarType.INT16,
-                2,
-                0.5,
+                VoxelSeries.Times.of(new double[] {1.25, 1.75}),
                 frame -> new float[] {-1000, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 + frame, 11},
                 Map.of());
     }
@@ -106,6 +105,7 @@ class VoxelFilesTest {
         assertThat(b.getShort(40)).isEqualTo((short) 4);
         assertThat(b.getShort(48)).isEqualTo((short) 2);
         assertThat(b.getFloat(92)).isEqualTo(0.5f);
+        assertThat(b.getFloat(136)).as("time of the first, s").isEqualTo(1.25f);
         assertThat(b.get(123)).as("mm and s").isEqualTo((byte) 10);
         assertThat(b.getShort(352)).isEqualTo((short) -1000);
         assertThat(b.getShort(352 + 2 * (12 + 10))).isEqualTo((short) 11);
