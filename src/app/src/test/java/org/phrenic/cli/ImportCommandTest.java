@@ -48,6 +48,7 @@ class ImportCommandTest {
         assertThat(Files.readString(out.resolve("thorax.yaml"))).contains("axes: LPS", "lung_R: lung_R.vtp");
         assertThat(Files.readString(out.resolve("import.json")))
                 .contains("\"source\": \"scan\"", "off_label_mean_mm", "\"can_breathe\": false");
+        OutputsPage.assertHasKeys("What an import leaves", out.resolve("import.json"));
     }
 
     @Test

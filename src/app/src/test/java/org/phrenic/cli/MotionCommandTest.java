@@ -56,6 +56,17 @@ class MotionCommandTest {
     }
 
     @Test
+    void theReportHasTheKeysOfTheDocument() throws IOException {
+        Path points = folder.resolve("pairs.csv");
+        Files.writeString(points, "x_mm,y_mm,z_mm,to_x_mm,to_y_mm,to_z_mm\n-60,0,0,-60,0,-1\n");
+        CommandLineRun run = motion("--points", points.toString(), "--grid", "50", "--jacobian", "--at", "0");
+        assertThat(run.exitCode()).as(run.err()).isZero();
+        OutputsPage.assertHasKeys("What a motion leaves", folder.resolve("out").resolve("motion.json"));
+        assertThat(Files.readString(folder.resolve("out").resolve("trajectories.csv")))
+                .startsWith("name,structure,time_s,x_mm,y_mm,z_mm,distance_mm\n");
+    }
+
+    @Test
     void refusesAnImageBesideTheBodyAndStructuresThatAreNotThere() throws IOException {
         Path image = folder.resolve("far.nii.gz");
         VoxelBox box = new VoxelBox(new int[] {2, 2, 2}, new double[] {1, 0, 0, 5000, 0, 1, 0, 0, 0, 0, 1, 0});
