@@ -135,8 +135,7 @@ final class NiftiReader {
     /** Says in a note how far the qform places voxels from where the sform does, if by half a voxel or more. */
     private void compareForms(VolumeAxes sform, double mm) {
         double apart = sform.farthest(qform(), sizes());
-        double smallest = Math.min(header.pixel(1), Math.min(header.pixel(2), header.pixel(3)));
-        if (apart >= smallest / 2) {
+        if (apart > 0 && apart >= sform.smallestSpacing() / 2) {
             notes.add(String.format(
                     Locale.ROOT, "sform and qform place voxels up to %.1f mm apart: the sform was taken", mm * apart));
         }

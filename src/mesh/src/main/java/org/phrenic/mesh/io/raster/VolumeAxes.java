@@ -1,5 +1,6 @@
 package org.phrenic.mesh.io.raster;
 
+import java.util.Arrays;
 import java.util.Locale;
 import org.phrenic.file.BadInputException;
 
@@ -37,6 +38,14 @@ public record VolumeAxes(double[][] steps, double[] origin) {
             }
         }
         return new VolumeAxes(s, o);
+    }
+
+    /** Distance of neighbouring voxels along the direction in which they are nearest. */
+    double smallestSpacing() {
+        return Arrays.stream(steps)
+                .mapToDouble(s -> Math.sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]))
+                .min()
+                .orElseThrow();
     }
 
     /** Greatest distance of the corners of a volume of these sizes from where {@code other} has them. */
