@@ -38,7 +38,8 @@ public final class CsvTable {
     }
 
     /**
-     * Reads {@code file}. Markups of 3D Slicer ({@code .mrk.json}) are a table of name, x_mm, y_mm, z_mm in LPS.
+     * Reads {@code file}. Markups of 3D Slicer ({@code .mrk.json}, {@code .fcsv}) are a table of name, x_mm, y_mm, z_mm
+     * in LPS.
      *
      * @throws BadInputException if it cannot be read, a column name is missing or repeated, or a row and the header
      *     differ in length
@@ -46,6 +47,9 @@ public final class CsvTable {
     public static CsvTable read(Path file) {
         if (MarkupPoints.isMarkups(file)) {
             return MarkupPoints.read(file);
+        }
+        if (FiducialPoints.isFiducials(file)) {
+            return FiducialPoints.read(file);
         }
         return parse(file.toString(), new String(InputBytes.read(file), StandardCharsets.UTF_8));
     }
