@@ -95,9 +95,19 @@ record NrrdPlace(VolumeHeader header) {
         return mm;
     }
 
+    private String space() {
+        return header.text("space", "").toLowerCase(Locale.ROOT);
+    }
+
+    /** Whether vectors have a fourth number, which is time. */
+    private boolean hasTime() {
+        return space().matches(".*-time|[lr][ap]st");
+    }
+
     private VolumeAxes toLps(VolumeAxes given, List<String> notes) {
-        String space = header.text("space", "").toLowerCase(Locale.ROOT);
-        return switch (space) {
+        String space = space();
+        String still = hasTime() ? space.replaceFirst("(-time|t)$", "") : space;
+        return switch (still) {
             case "left-posterior-superior", "lps" -> given;
             case "right-anterior-superior", "ras" -> given.rasToLps();
             case "left-anterior-superior", "las" -> given.scaled(1, -1, 1);
@@ -125,8 +135,9 @@ record NrrdPlace(VolumeHeader header) {
 
     private double[] vector(String key, String text) {
         String[] parts = text.split(",", -1);
-        if (parts.length != 3) {
-            throw header.badInput(key, "found a vector of " + parts.length + " numbers, expected 3");
+        int expected = hasTime() ? 4 : 3;
+        if (parts.length != expected) {
+            throw header.badInput(key, "found a vector of " + parts.length + " numbers, expected " + expected);
         }
         double[] vector = new double[3];
         Arrays.setAll(vector, i -> header.number(key, parts[i].strip()));

@@ -207,6 +207,24 @@ class LabelVolumeFilesTest {
         }
     }
 
+    /** Spaces of four dimensions have time as the last number of each vector. */
+    @Test
+    void nrrdWithTimeAmongTheDimensionsOfSpace() {
+        byte[] first = VolumeSamples.voxels(2, LITTLE, 1);
+        for (String space : new String[] {"right-anterior-superior-time", "RAST"}) {
+            String header = VolumeSamples.nrrd("uchar", "raw")
+                    .replace("right-anterior-superior", space)
+                    .replace("dimension: 3", "dimension: 4")
+                    .replace("sizes: 4 3 2", "sizes: 4 3 2 2")
+                    .replace("(-2,0,0) (0,3,0) (0,0,4)", "(-2,0,0,0) (0,3,0,0) (0,0,4,0) (0,0,0,0.5)")
+                    .replace("kinds: domain domain domain", "kinds: domain domain domain time")
+                    .replace("(10,20,30)", "(10,20,30,0)");
+            byte[] file = VolumeSamples.join(header + "\n", VolumeSamples.join(new byte[first.length], first));
+            Path path = VolumeSamples.write(folder, "breath.nrrd", file);
+            assertIsSample(LabelVolumeFiles.read(path.resolveSibling("breath.nrrd#1")));
+        }
+    }
+
     /** pynrrd and MetaIO write text; 2 is 2.0, commas and line breaks separate numbers. */
     @Test
     void nrrdAndMetaImageAsText() {
