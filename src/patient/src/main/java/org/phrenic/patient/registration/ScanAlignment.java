@@ -64,11 +64,23 @@ public record ScanAlignment(
     private static final double MIN_NORMAL = 0.5;
 
     /**
-     * Aligns two scans.
+     * Aligns two scans by structures that both of them show.
      *
      * @throws IllegalArgumentException if the scans share neither a spine nor a lung
      */
     public static ScanAlignment of(Thorax first, Thorax second) {
+        return ofShown(shown(first), shown(second));
+    }
+
+    /** The body without what its scan does not show, which comes from a template. */
+    private static Thorax shown(Thorax body) {
+        List<Structure> shown = body.structures().stream()
+                .filter(s -> !body.notInScan().contains(s.name()))
+                .toList();
+        return new Thorax(body.name(), shown, body.notes());
+    }
+
+    private static ScanAlignment ofShown(Thorax first, Thorax second) {
         List<TriangleMesh> from = new ArrayList<>();
         List<TriangleMesh> to = new ArrayList<>();
         for (Structure vertebra : first.structuresOf(StructureKind.VERTEBRA)) {
@@ -139,7 +151,7 @@ public record ScanAlignment(
         PointTransform motion = alignment.motion::apply;
         PatientBody body = second.withEach(motion::apply);
         List<String> notes = new ArrayList<>(List.of(alignment.sentence(first.name())));
-        LungDistances.between(first, body.thorax())
+        LungDistances.between(shown(first), body.thorax())
                 .forEach((side, d) -> notes.add("lungs, " + side + ", off " + first.name() + ": whole "
                         + text(d.whole()) + ", base " + text(d.base())));
         return new Aligned(body.withNotes(notes), alignment);

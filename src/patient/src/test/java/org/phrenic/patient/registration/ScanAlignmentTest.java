@@ -4,7 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
@@ -117,5 +120,29 @@ class ScanAlignmentTest {
         assertThatThrownBy(() -> ScanAlignment.of(only(StructureKind.LUNG), only(StructureKind.LIVER)))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("neither two vertebrae nor a lung");
+    }
+
+    /** The first body was completed from its lungs: its spine is a template's, 20 mm in front of the patient's. */
+    @Test
+    void aSpineThatTheFirstScanDoesNotShowIsNotAlignedTo() {
+        List<Structure> completed = new ArrayList<>(male.structuresOf(StructureKind.LUNG));
+        Set<String> virtual = new HashSet<>();
+        for (Structure vertebra : male.structuresOf(StructureKind.VERTEBRA)) {
+            double[] p = vertebra.mesh().positions().clone();
+            for (int i = 1; i < p.length; i += 3) {
+                p[i] -= 20;
+            }
+            completed.add(vertebra.withMesh(vertebra.mesh().withPositions(p)));
+            virtual.add(vertebra.name());
+        }
+        Thorax first = new Thorax("first", completed, List.of(), virtual);
+        List<Structure> seen =
+                male.structures().stream().map(s -> moved(s, s.mesh())).toList();
+        ScanAlignment alignment = ScanAlignment.of(first, new Thorax("second", seen, List.of()));
+        assertThat(alignment.sentence("first")).doesNotContain("spine");
+        double[] p = {0, 0, 0};
+        elsewhere().apply(p);
+        alignment.motion().apply(p);
+        assertThat(p).containsExactly(new double[3], within(0.5));
     }
 }
