@@ -2,6 +2,7 @@ package org.phrenic.patient;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
@@ -31,22 +32,28 @@ public record PatientStructure(
     /**
      * Properties of a structure in the scan.
      *
-     * @param cutAt letters of the sides (L R P A S I) at which the scan truncates it; empty if it is complete
-     * @param meshed surface mesh with its statistics
+     * @param cuts ends of the scan at which it truncates the structure; empty if it is complete
+     * @param meshed surface mesh with its statistics, where the scan shows it
      */
-    public record Scan(List<Integer> labels, int voxels, double volumeMl, String cutAt, MeshedSegment meshed) {
+    public record Scan(List<Integer> labels, int voxels, double volumeMl, List<CutPlane> cuts, MeshedSegment meshed) {
         public Scan {
             labels = List.copyOf(labels);
+            cuts = List.copyOf(cuts);
         }
 
-        /** Returns a copy with other sides at which the scan truncates the structure. */
-        public Scan withCutAt(String sides) {
-            return new Scan(labels, voxels, volumeMl, sides, meshed);
+        /** Returns a copy with other ends at which the scan truncates the structure. */
+        public Scan withCuts(List<CutPlane> ends) {
+            return new Scan(labels, voxels, volumeMl, ends, meshed);
+        }
+
+        /** Letters of the sides (L R P A S I) at which the scan truncates the structure; empty if it is complete. */
+        public String cutAt() {
+            return cuts.stream().map(CutPlane::side).collect(Collectors.joining());
         }
 
         /** Whether the scan contains the complete structure. */
         public boolean isComplete() {
-            return cutAt.isEmpty();
+            return cuts.isEmpty();
         }
     }
 
@@ -58,6 +65,26 @@ public record PatientStructure(
     /** Whether the structure is not truncated by a scan. */
     public boolean isComplete() {
         return scan.map(Scan::isComplete).orElse(true);
+    }
+
+    /**
+     * Marks the vertices on the faces at which the scan truncates the structure, wherever these have been moved since.
+     *
+     * @param distanceMm distance from the end of the scan within which a vertex belongs to such a face, mm
+     */
+    public boolean[] verticesAtCut(double distanceMm) {
+        TriangleMesh now = structure.mesh();
+        boolean[] at = new boolean[now.vertexCount()];
+        List<CutPlane> cuts = scan.map(Scan::cuts).orElse(List.of());
+        if (!cuts.isEmpty()) {
+            TriangleMesh shown = scan.orElseThrow().meshed().mesh();
+            double[] p = (shown.vertexCount() == at.length ? shown : now).positions();
+            for (int v = 0; v < at.length; v++) {
+                int first = 3 * v;
+                at[v] = cuts.stream().anyMatch(cut -> cut.isReachedBy(p, first, distanceMm));
+            }
+        }
+        return at;
     }
 
     /** Returns a copy with another surface. */

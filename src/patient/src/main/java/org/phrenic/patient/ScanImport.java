@@ -20,6 +20,7 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.segmentation.BodyOutline;
 import org.phrenic.patient.segmentation.CartilageSplitter;
 import org.phrenic.patient.segmentation.EnclosedStructures;
 import org.phrenic.patient.segmentation.LungSplitter;
@@ -166,7 +167,9 @@ public final class ScanImport {
                 .filter(ScanImport::isSkin)
                 .min(Comparator.comparingInt(segmentation::find))
                 .map(structure -> new SegmentMesher(
-                        segmentation.bodyOutline(coarsening(segmentation, edge(structure, voxelMm3))), SKIN, settings));
+                        BodyOutline.of(segmentation, coarsening(segmentation, edge(structure, voxelMm3))),
+                        SKIN,
+                        settings));
         segmentation.releaseVoxels();
         PatientStructure[] meshed = new PatientStructure[built.size()];
         AtomicInteger next = new AtomicInteger();
@@ -234,7 +237,7 @@ public final class ScanImport {
                         segmentation.labels(name),
                         voxels,
                         voxels * voxelMm3 / MeshMeasure.MM3_PER_ML,
-                        segmentation.cutAt(name),
+                        segmentation.cuts(name),
                         meshed));
     }
 

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -16,6 +15,7 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.patient.BodyPlausibility;
+import org.phrenic.patient.CutPlane;
 import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.LungOutline;
 import org.phrenic.patient.PatientBody;
@@ -93,13 +93,13 @@ public final class BodyCompletion {
         Structure whole = s.structure()
                 .withMesh(merged(parts.stream().map(PatientStructure::structure).toList(), s.structure())
                         .orElseThrow());
-        String cutAt = parts.stream()
+        List<CutPlane> cuts = parts.stream()
                 .flatMap(part -> part.scan().stream())
-                .map(PatientStructure.Scan::cutAt)
-                .collect(Collectors.joining());
+                .flatMap(scan -> scan.cuts().stream())
+                .distinct()
+                .toList();
         return new SharedStructure(
-                new PatientStructure(
-                        whole, s.source(), s.scan().map(scan -> scan.withCutAt(cutAt)), s.distanceToScan()),
+                new PatientStructure(whole, s.source(), s.scan().map(scan -> scan.withCuts(cuts)), s.distanceToScan()),
                 mesh);
     }
 
@@ -199,7 +199,7 @@ public final class BodyCompletion {
                     merged(template, s.structure()).map(mesh -> SurfacePair.distanceToScan(s, mesh));
             // The end of a scan always cuts the skin.
             boolean skin = s.structure().kind() == StructureKind.SKIN;
-            if (off.isEmpty() || s.isComplete() || skin) {
+            if (off.isEmpty() || firstCut(s.structure()).isEmpty() || skin) {
                 all.add(extended(off.map(s::withDistanceToScan).orElse(s), extended));
             }
         }
@@ -208,9 +208,7 @@ public final class BodyCompletion {
             if (all.stream()
                     .noneMatch(
                             s -> isSame(s.structure(), structure) && s.source() != PatientStructure.Source.VIRTUAL)) {
-                Optional<PatientStructure> cut = body.structures().stream()
-                        .filter(s -> isSame(s.structure(), structure))
-                        .findFirst();
+                Optional<PatientStructure> cut = firstCut(structure);
                 all.add(new PatientStructure(
                         structure,
                         PatientStructure.Source.VIRTUAL,
@@ -232,6 +230,13 @@ public final class BodyCompletion {
             notes.add("ribs that end short of the spine, given neck and head: " + String.join(", ", extended));
         }
         return new PatientBody(body.name(), all, ExpectedStructures.missing(all), body.notes()).withNotes(notes);
+    }
+
+    /** The first part of a structure that the scan truncates; with one part truncated the whole structure is. */
+    private Optional<PatientStructure> firstCut(Structure structure) {
+        return body.structures().stream()
+                .filter(s -> !s.isComplete() && isSame(s.structure(), structure))
+                .findFirst();
     }
 
     /** The rib with neck and head where it ends short of the spine, any other structure as it is. */

@@ -63,15 +63,7 @@ final class RibFit {
     }
 
     private boolean isCut(double[] p, int at) {
-        double[] box = shared.scan().bounds();
-        for (int axis = 0; axis < 3; axis++) {
-            boolean high = shared.cutAt().indexOf("LPS".charAt(axis)) >= 0 && p[at + axis] > box[3 + axis] - CUT_MM;
-            boolean low = shared.cutAt().indexOf("RAI".charAt(axis)) >= 0 && p[at + axis] < box[axis] + CUT_MM;
-            if (high || low) {
-                return true;
-            }
-        }
-        return false;
+        return shared.cuts().stream().anyMatch(cut -> cut.isReachedBy(p, at, CUT_MM));
     }
 
     Side side() {

@@ -1,8 +1,10 @@
 package org.phrenic.patient.registration;
 
+import java.util.List;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.patient.CutPlane;
 import org.phrenic.patient.PatientStructure;
 
 /**
@@ -35,5 +37,9 @@ record SharedStructure(PatientStructure organ, TriangleMesh template) {
 
     String cutAt() {
         return organ.scan().map(PatientStructure.Scan::cutAt).orElse("");
+    }
+
+    List<CutPlane> cuts() {
+        return organ.scan().map(PatientStructure.Scan::cuts).orElse(List.of());
     }
 }

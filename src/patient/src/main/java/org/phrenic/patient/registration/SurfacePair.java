@@ -11,6 +11,7 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceDistance;
 import org.phrenic.mesh.query.TriangleTree;
+import org.phrenic.model.organ.NearestVertex;
 import org.phrenic.patient.PatientStructure;
 
 /** A surface of the scan and the corresponding surface of the template, with their nearest points. */
@@ -19,6 +20,9 @@ final class SurfacePair {
     private static final int POINTS = 500;
     /** Vertices closer than this to the boundary of the scan belong to the cut, mm. */
     private static final double CUT_MM = 8;
+
+    /** Distance within which vertices of a surface and of a part of it are the same, mm. */
+    private static final double SAME_MM = 1e-3;
 
     /** Pairs are farther apart than usual beyond this multiple of the median distance. */
     private static final double OUTLIER = 2.5;
@@ -77,18 +81,13 @@ final class SurfacePair {
         return at;
     }
 
-    /** Marks vertices at the boundary of the scan. */
+    /** Marks the vertices of a surface, or of a part of it, at the boundary of the scan. */
     private static boolean[] atCut(PatientStructure organ, TriangleMesh part) {
-        String cutAt = organ.scan().map(PatientStructure.Scan::cutAt).orElse("");
+        boolean[] ofOrgan = organ.verticesAtCut(CUT_MM);
         boolean[] atCut = new boolean[part.vertexCount()];
-        double[] box = organ.structure().mesh().bounds();
+        NearestVertex nearest = new NearestVertex(organ.structure().mesh(), v -> ofOrgan[v]);
         for (int v = 0; v < atCut.length; v++) {
-            for (int axis = 0; axis < 3; axis++) {
-                double x = part.positions()[3 * v + axis];
-                boolean high = cutAt.indexOf("LPS".charAt(axis)) >= 0 && x > box[3 + axis] - CUT_MM;
-                boolean low = cutAt.indexOf("RAI".charAt(axis)) >= 0 && x < box[axis] + CUT_MM;
-                atCut[v] |= high || low;
-            }
+            atCut[v] = nearest.find(part.x(v), part.y(v), part.z(v), SAME_MM) >= 0;
         }
         return atCut;
     }

@@ -11,6 +11,7 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.CutPlane;
 import org.phrenic.patient.label.LabelTable;
 
 /**
@@ -33,7 +34,8 @@ public final class Segmentation {
     /** Segment number of each voxel; 0 for no segment. */
     byte[] voxels;
 
-    private final double[] toMm;
+    /** Affine transform from voxel indices to LPS, mm. */
+    final double[] toMm;
     /**
      * Whether the box begins at the first voxel and ends at the last of the volume, for each direction, or at empty
      * slices with which a volume is filled up beyond the end of a scan.
@@ -41,8 +43,8 @@ public final class Segmentation {
     private final boolean[] atEnd = new boolean[6];
 
     private final List<String> names = new ArrayList<>();
-    /** Sides of the volume that each structure touches, as letters of LPS and RAI. */
-    private final Map<String, String> cut = new TreeMap<>();
+    /** Ends of the scan that each structure touches. */
+    private final Map<String, List<CutPlane>> cuts = new TreeMap<>();
     /** Labels that each structure was built from. */
     private final Map<String, List<Integer>> labels = new LinkedHashMap<>();
 
@@ -87,7 +89,7 @@ public final class Segmentation {
         for (int direction = 0; direction < 3; direction++) {
             atEnd[direction] = box[direction] == 0;
             atEnd[3 + direction] = box[3 + direction] == last[direction];
-            if ("SI".contains(side(direction, true))) {
+            if ("SI".contains(CutPlane.ofLayer(toMm, direction, 0, true).side())) {
                 atEnd[direction] |= structuresAt(direction, 0).size() >= CUT_STRUCTURES;
                 atEnd[3 + direction] |= structuresAt(direction, box[3 + direction] - box[direction])
                                 .size()
@@ -129,20 +131,23 @@ public final class Segmentation {
 
     /** Finds truncated structures: those that reach the first or last voxel of the volume. */
     public void findCuts() {
-        cut.clear();
+        cuts.clear();
         int[] sizes = {columns, rows, slices};
         for (int direction = 0; direction < 3; direction++) {
             if (atEnd[direction]) {
-                addCut(direction, 0, side(direction, false));
+                addCut(direction, 0, false);
             }
             if (atEnd[3 + direction]) {
-                addCut(direction, sizes[direction] - 1, side(direction, true));
+                addCut(direction, sizes[direction] - 1, true);
             }
         }
     }
 
-    private void addCut(int direction, int at, String side) {
-        structuresAt(direction, at).forEach(name -> cut.merge(name, side, String::concat));
+    private void addCut(int direction, int layer, boolean forward) {
+        CutPlane plane = CutPlane.ofLayer(toMm, direction, layer, forward);
+        for (String name : structuresAt(direction, layer)) {
+            cuts.computeIfAbsent(name, none -> new ArrayList<>()).add(plane);
+        }
     }
 
     /** Names of the structures in a layer of voxels across a direction of the grid. */
@@ -161,18 +166,6 @@ public final class Segmentation {
                 .filter(segment -> met[segment])
                 .mapToObj(segment -> names.get(segment - 1))
                 .toList();
-    }
-
-    /** Letter of the side of the body toward which a grid direction runs. */
-    private String side(int direction, boolean forward) {
-        int row = 0;
-        for (int k = 1; k < 3; k++) {
-            if (Math.abs(toMm[4 * k + direction]) > Math.abs(toMm[4 * row + direction])) {
-                row = k;
-            }
-        }
-        boolean positive = toMm[4 * row + direction] > 0 == forward;
-        return String.valueOf((positive ? "LPS" : "RAI").charAt(row));
     }
 
     /** Segment number of a structure. The segment is created if it does not exist. */
@@ -206,9 +199,9 @@ public final class Segmentation {
         labels.put(name, from);
     }
 
-    /** Letters of the sides at which the volume truncates a structure. */
-    public String cutAt(String name) {
-        return cut.getOrDefault(name, "");
+    /** Ends of the scan at which it truncates a structure. */
+    public List<CutPlane> cuts(String name) {
+        return cuts.getOrDefault(name, List.of());
     }
 
     /** Labels that a structure was built from. */
@@ -281,28 +274,6 @@ public final class Segmentation {
             }
         }
         return boxes;
-    }
-
-    /** The union of all segments as label 1. Voxels are enlarged by one factor each for columns, rows and slices. */
-    public LabelGrid bodyOutline(int[] times) {
-        int[] sizes = {(columns - 1) / times[0] + 1, (rows - 1) / times[1] + 1, (slices - 1) / times[2] + 1};
-        byte[] any = new byte[sizes[0] * sizes[1] * sizes[2]];
-        for (int cell = 0; cell < any.length; cell++) {
-            // Samples at the middle of each large voxel.
-            int i = Math.min(columns - 1, times[0] * (cell % sizes[0]) + times[0] / 2);
-            int j = Math.min(rows - 1, times[1] * (cell / sizes[0] % sizes[1]) + times[1] / 2);
-            int k = Math.min(slices - 1, times[2] * (cell / sizes[0] / sizes[1]) + times[2] / 2);
-            any[cell] = (byte) (voxels[i + columns * (j + rows * k)] == 0 ? 0 : 1);
-        }
-        double[] large = toMm.clone();
-        for (int row = 0; row < 3; row++) {
-            for (int direction = 0; direction < 3; direction++) {
-                large[4 * row + direction] *= times[direction];
-                int middle = times[direction] / 2;
-                large[4 * row + 3] += middle * toMm[4 * row + direction];
-            }
-        }
-        return LabelGrid.of(sizes[0], sizes[1], sizes[2], any, large);
     }
 
     /** Releases the memory of the voxels. */

@@ -19,6 +19,7 @@ import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.SelfIntersections;
+import org.phrenic.patient.CutPlane;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 
@@ -133,7 +134,8 @@ class EndExpirationTest {
         for (int i = 2; i < p.length; i += 3) {
             p[i] = Math.max(p[i], bottom + heightMm);
         }
-        var scan = new PatientStructure.Scan(List.of(1), 1, 1, "I", null);
+        var scan = new PatientStructure.Scan(
+                List.of(1), 1, 1, List.of(new CutPlane("I", 0, 0, -1, -bottom - heightMm)), null);
         return new PatientStructure(
                 lung.withMesh(lung.mesh().withPositions(p)),
                 PatientStructure.Source.SCAN,

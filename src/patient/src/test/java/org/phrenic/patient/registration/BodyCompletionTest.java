@@ -3,6 +3,7 @@ package org.phrenic.patient.registration;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -16,6 +17,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.cage.RibEnds;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
@@ -23,6 +25,7 @@ import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.edit.MeshRepair;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
+import org.phrenic.patient.CutPlane;
 import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.MeshedSegment;
 import org.phrenic.patient.PatientBody;
@@ -45,7 +48,22 @@ class BodyCompletionTest {
     private static PatientStructure scanned(Structure s, String cutAt) {
         MeshedSegment meshed =
                 new MeshedSegment(s.mesh(), 0, 0, DistanceSummary.NONE, MeshQuality.of(s.mesh()), 0.2, 1, 0);
-        return PatientStructure.ofScan(s, new PatientStructure.Scan(List.of(1), 1000, 1000, cutAt, meshed));
+        return PatientStructure.ofScan(
+                s, new PatientStructure.Scan(List.of(1), 1000, 1000, ends(s.mesh(), cutAt), meshed));
+    }
+
+    /** Ends of a scan at sides of the box of a surface. */
+    private static List<CutPlane> ends(TriangleMesh mesh, String sides) {
+        return sides.chars()
+                .mapToObj(letter -> {
+                    int axis = Math.max("LPS".indexOf(letter), "RAI".indexOf(letter));
+                    int sign = "LPS".indexOf(letter) >= 0 ? 1 : -1;
+                    double[] normal = new double[3];
+                    normal[axis] = sign;
+                    double offset = sign * mesh.bounds()[sign > 0 ? 3 + axis : axis];
+                    return new CutPlane(String.valueOf((char) letter), normal[0], normal[1], normal[2], offset);
+                })
+                .toList();
     }
 
     @Test
@@ -185,6 +203,42 @@ class BodyCompletionTest {
         seen.add(scanned(left.withMesh(left.mesh().withPositions(p)), "L"));
         // 1.1 mm without the piece; 5.2 mm where the lung is fitted to the piece.
         assertThat(lungError(seen, patient)).isLessThan(2);
+    }
+
+    /** The right lung in two lobes, of which the end of the scan cuts the lower one off. */
+    @Test
+    void aLungOfWhichOneLobeIsCutOffIsCompletedWhole() {
+        Thorax patient = thorax("adult-female");
+        List<PatientStructure> seen = new ArrayList<>();
+        for (Structure s : patient.structures()) {
+            if (s.kind() == StructureKind.RIB || s.kind() == StructureKind.VERTEBRA) {
+                seen.add(scanned(s, ""));
+            }
+        }
+        Structure right = patient.find("lung_R").orElseThrow();
+        double[] box = right.mesh().bounds();
+        double fissure = 0.5 * (box[2] + box[5]);
+        seen.add(scanned(lobe(right, "lung_R_upper", fissure, box[5]), ""));
+        seen.add(scanned(lobe(right, "lung_R_lower", box[2] + 50, fissure), "I"));
+        PatientBody scan = new PatientBody("patient", seen, ExpectedStructures.missing(seen), List.of());
+        PatientBody body = BodyCompletion.complete(scan, thorax("adult-male"));
+        List<TriangleMesh> lungs = body.structures().stream()
+                .map(PatientStructure::structure)
+                .filter(s -> s.kind() == StructureKind.LUNG && s.side() == Side.RIGHT)
+                .map(Structure::mesh)
+                .toList();
+        assertThat(lungs).hasSize(1);
+        assertThat(MeshMeasure.signedVolume(lungs.get(0)))
+                .isCloseTo(MeshMeasure.signedVolume(right.mesh()), withinPercentage(10));
+    }
+
+    private static Structure lobe(Structure lung, String name, double low, double high) {
+        double[] p = lung.mesh().positions().clone();
+        for (int i = 2; i < p.length; i += 3) {
+            p[i] = Math.max(low, Math.min(high, p[i]));
+        }
+        return new Structure(
+                name, StructureKind.LUNG, 0, lung.side(), lung.mesh().withPositions(p));
     }
 
     /** Mean distance of the completed left lung from the patient's, mm. */
