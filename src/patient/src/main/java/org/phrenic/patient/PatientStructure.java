@@ -6,6 +6,7 @@ import java.util.stream.Collectors;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
+import org.phrenic.patient.segmentation.CutPlane;
 
 /**
  * A structure of a patient's body and its source.

@@ -20,9 +20,9 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
-import org.phrenic.patient.segmentation.BodyOutline;
 import org.phrenic.patient.segmentation.CartilageSplitter;
 import org.phrenic.patient.segmentation.EnclosedStructures;
+import org.phrenic.patient.segmentation.FilledOutline;
 import org.phrenic.patient.segmentation.LungSplitter;
 import org.phrenic.patient.segmentation.Segmentation;
 import org.phrenic.patient.segmentation.SegmentationRepair;
@@ -167,7 +167,7 @@ public final class ScanImport {
                 .filter(ScanImport::isSkin)
                 .min(Comparator.comparingInt(segmentation::find))
                 .map(structure -> new SegmentMesher(
-                        BodyOutline.of(segmentation, coarsening(segmentation, edge(structure, voxelMm3))),
+                        FilledOutline.of(segmentation, coarsening(segmentation, edge(structure, voxelMm3))),
                         SKIN,
                         settings));
         segmentation.releaseVoxels();

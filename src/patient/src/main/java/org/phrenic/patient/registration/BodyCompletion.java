@@ -15,12 +15,12 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.patient.BodyPlausibility;
-import org.phrenic.patient.CutPlane;
 import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.LungOutline;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.segmentation.CutPlane;
 
 /**
  * Completes a body from any field of view with the structures that are missing from its scan or truncated. A template

@@ -4,8 +4,8 @@ import java.util.List;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.patient.CutPlane;
 import org.phrenic.patient.PatientStructure;
+import org.phrenic.patient.segmentation.CutPlane;
 
 /**
  * A structure that scan and template have.

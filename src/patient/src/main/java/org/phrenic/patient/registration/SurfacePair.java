@@ -2,7 +2,9 @@ package org.phrenic.patient.registration;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.DoubleList;
 import org.phrenic.mesh.MeshMeasure;
@@ -11,7 +13,6 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceDistance;
 import org.phrenic.mesh.query.TriangleTree;
-import org.phrenic.model.organ.NearestVertex;
 import org.phrenic.patient.PatientStructure;
 
 /** A surface of the scan and the corresponding surface of the template, with their nearest points. */
@@ -20,9 +21,6 @@ final class SurfacePair {
     private static final int POINTS = 500;
     /** Vertices closer than this to the boundary of the scan belong to the cut, mm. */
     private static final double CUT_MM = 8;
-
-    /** Distance within which vertices of a surface and of a part of it are the same, mm. */
-    private static final double SAME_MM = 1e-3;
 
     /** Pairs are farther apart than usual beyond this multiple of the median distance. */
     private static final double OUTLIER = 2.5;
@@ -84,10 +82,16 @@ final class SurfacePair {
     /** Marks the vertices of a surface, or of a part of it, at the boundary of the scan. */
     private static boolean[] atCut(PatientStructure organ, TriangleMesh part) {
         boolean[] ofOrgan = organ.verticesAtCut(CUT_MM);
+        TriangleMesh whole = organ.structure().mesh();
+        Set<List<Double>> cut = new HashSet<>();
+        for (int v = 0; v < ofOrgan.length; v++) {
+            if (ofOrgan[v]) {
+                cut.add(List.of(whole.x(v), whole.y(v), whole.z(v)));
+            }
+        }
         boolean[] atCut = new boolean[part.vertexCount()];
-        NearestVertex nearest = new NearestVertex(organ.structure().mesh(), v -> ofOrgan[v]);
         for (int v = 0; v < atCut.length; v++) {
-            atCut[v] = nearest.find(part.x(v), part.y(v), part.z(v), SAME_MM) >= 0;
+            atCut[v] = cut.contains(List.of(part.x(v), part.y(v), part.z(v)));
         }
         return atCut;
     }

@@ -11,7 +11,6 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
-import org.phrenic.patient.CutPlane;
 import org.phrenic.patient.label.LabelTable;
 
 /**

@@ -15,7 +15,6 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
-import org.phrenic.patient.CutPlane;
 import org.phrenic.patient.label.LabelTable;
 
 class SegmentationRepairTest {

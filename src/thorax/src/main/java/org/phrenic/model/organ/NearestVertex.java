@@ -23,7 +23,7 @@ public final class NearestVertex {
     }
 
     /** Number of the nearest chosen vertex within {@code reach} mm; -1 if there is none. */
-    public int find(double x, double y, double z, double reach) {
+    int find(double x, double y, double z, double reach) {
         return tree.closest(x, y, z, reach, hit) ? vertex[hit.triangle] : -1;
     }
 

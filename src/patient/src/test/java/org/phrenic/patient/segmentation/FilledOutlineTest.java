@@ -12,7 +12,7 @@ import org.phrenic.patient.label.LabelTable;
 /**
  * A trunk of 16 x 12 voxels in 10 axial slices, whose skin is labelled as a shell of one voxel that ends with the scan.
  */
-class BodyOutlineTest {
+class FilledOutlineTest {
     private static final int COLUMNS = 20;
     private static final int ROWS = 16;
     private static final int SLICES = 10;
@@ -31,7 +31,7 @@ class BodyOutlineTest {
         LabelGrid grid = LabelGrid.of(COLUMNS, ROWS, SLICES, labels, new double[] {3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 3, 0});
         LabelVolume volume = new LabelVolume(grid, Map.of(), List.of());
         Segmentation body = new Segmentation(volume, new LabelTable(Map.of(1, "skin")), "scan");
-        return BodyOutline.of(body, new int[] {1, 1, 1});
+        return FilledOutline.of(body, new int[] {1, 1, 1});
     }
 
     @Test

@@ -1,4 +1,4 @@
-package org.phrenic.patient;
+package org.phrenic.patient.segmentation;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -11,6 +11,8 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
+import org.phrenic.patient.MeshedSegment;
+import org.phrenic.patient.PatientStructure;
 
 /** The end of a scan whose slices are tilted by 30 degrees about the axis from right to left. */
 class CutPlaneTest {

@@ -2,17 +2,16 @@ package org.phrenic.patient.segmentation;
 
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
-import org.phrenic.patient.CutPlane;
 
 /**
  * The body within its skin: the union of all segments, and what these enclose in a layer across the body, as where the
  * skin is labelled as a shell. The ends of a scan above and below do not open a layer.
  */
-public final class BodyOutline {
+public final class FilledOutline {
     private final int[] sizes;
     private final byte[] inside;
 
-    private BodyOutline(int[] sizes, byte[] inside) {
+    private FilledOutline(int[] sizes, byte[] inside) {
         this.sizes = sizes;
         this.inside = inside;
     }
@@ -43,7 +42,7 @@ public final class BodyOutline {
                 large[4 * row + 3] += middle * toMm[4 * row + direction];
             }
         }
-        new BodyOutline(sizes, any).fill(alongBody(toMm));
+        new FilledOutline(sizes, any).fill(alongBody(toMm));
         return LabelGrid.of(sizes[0], sizes[1], sizes[2], any, large);
     }
 

@@ -1,4 +1,4 @@
-package org.phrenic.patient;
+package org.phrenic.patient.segmentation;
 
 /**
  * A plane at which the end of a scan truncates structures, {@code n . p = offset} with the unit normal n = (x, y, z)
