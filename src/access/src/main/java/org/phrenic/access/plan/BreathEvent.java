@@ -19,8 +19,12 @@ public record BreathEvent(Kind kind, OptionalInt breath) {
     /** Kinds of events. */
     public enum Kind {
         INSPIRATION,
+        /** The expiration begins, or a breath hold that the breathing pattern has at the end of the inspiration. */
         END_INSPIRATION,
-        /** The end-expiratory pause begins or is in progress, or the next breath begins. */
+        /**
+         * The end-expiratory pause begins or is in progress, or a breath hold that the breathing pattern has at the end
+         * of the expiration or the next breath begins.
+         */
         END_EXPIRATION,
         /** The breath is held. */
         HOLD;
@@ -49,7 +53,10 @@ public record BreathEvent(Kind kind, OptionalInt breath) {
                 + ", such as 'end-expiration of breath 3'");
     }
 
-    /** Whether the event occurs between two frames, given the phase and breath number of both. */
+    /**
+     * Whether the event occurs between two frames, given the phase and breath number of both. Frames of a breath that
+     * is held on command are not given, except for {@link Kind#HOLD}: such a hold may be in the middle of a breath.
+     */
     public boolean occurs(RespiratoryPhase before, int breathBefore, RespiratoryPhase now, int breathNow) {
         boolean occurs =
                 switch (kind) {

@@ -31,6 +31,9 @@ public final class PlanPlayer {
     private double sinceS;
     private RespiratoryPhase before = RespiratoryPhase.PAUSE;
     private int breathBefore = 1;
+    private boolean held;
+    /** Whether the breath stands still because a step holds it. A pattern with a breath hold of its own goes on. */
+    private boolean still;
 
     /** @param map access map of the target, for steps that use its best entry points */
     public PlanPlayer(RehearsalPlan plan, NeedleInsertion needle, HeldProbe probe, AccessMap map, Breathing breathing) {
@@ -61,12 +64,15 @@ public final class PlanPlayer {
      */
     public boolean update(RespiratoryPhase phase, int breath) {
         List<PlanStep> steps = plan.steps();
+        still = phase == RespiratoryPhase.HOLD && (held || still);
         while (next < steps.size() && isDone(steps.get(next), phase, breath)) {
             next++;
             begun = false;
         }
-        before = phase;
-        breathBefore = breath;
+        if (!still) {
+            before = phase;
+            breathBefore = breath;
+        }
         return next == steps.size();
     }
 
@@ -106,7 +112,8 @@ public final class PlanPlayer {
             return needle.timeS() - sinceS >= wait.seconds() - 1e-9;
         }
         if (step instanceof PlanStep.HoldBreath hold) {
-            breathing.hold(hold.held(), hold.place());
+            held = hold.held();
+            breathing.hold(held, hold.place());
         } else if (step instanceof PlanStep.Place place) {
             place(entry(place, map), place.aim());
         } else if (step instanceof PlanStep.Redirect redirect) {
@@ -147,7 +154,8 @@ public final class PlanPlayer {
     }
 
     private boolean occurs(BreathEvent event, RespiratoryPhase phase, int breath) {
-        if (event.occurs(before, breathBefore, phase, breath)) {
+        boolean possible = !still || event.kind() == BreathEvent.Kind.HOLD;
+        if (possible && event.occurs(before, breathBefore, phase, breath)) {
             return true;
         }
         if (event.breath().isPresent() && breath > event.breath().getAsInt()) {

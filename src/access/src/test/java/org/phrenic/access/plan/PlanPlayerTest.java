@@ -10,6 +10,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.access.BoxAnatomy;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.MovingAnatomy;
@@ -29,9 +31,14 @@ class PlanPlayerTest {
 
     private final BoxAnatomy body = new BoxAnatomy();
     private final List<Boolean> held = new ArrayList<>();
+    private double stoppedFromS;
+    private double stoppedToS;
 
-    private static RespiratoryPhase label(double timeS) {
+    private RespiratoryPhase label(double timeS) {
         double at = timeS % 4;
+        if (timeS > stoppedFromS && timeS < stoppedToS) {
+            return RespiratoryPhase.HOLD;
+        }
         return at < 1.6
                 ? RespiratoryPhase.INSPIRATION
                 : at < 3.4 ? RespiratoryPhase.EXPIRATION : RespiratoryPhase.PAUSE;
@@ -75,6 +82,40 @@ class PlanPlayerTest {
         assertThat(needle.timeS()).isBetween(5.6 - 1e-9, 5.6 + FRAME_S + 1e-9);
         needle = play("steps: [{wait: inspiration of breath 2}, {wait: 0.5}, {place: {entry: [0, 0, 0]}}]");
         assertThat(needle.timeS()).isBetween(4.5 - 1e-9, 4.5 + FRAME_S + 1e-9);
+    }
+
+    /** The breath is held 1 s after an inspiration or expiration began, and soon goes on. */
+    @ParameterizedTest
+    @CsvSource({"inspiration, 5.0, end-inspiration, 5.6", "end-inspiration, 6.6, end-expiration, 7.4"})
+    void aHoldInMidBreathIsNoEndOfIt(String before, double holdS, String end, double expectedS) throws IOException {
+        stoppedFromS = holdS + 0.05;
+        stoppedToS = holdS + 0.25;
+        String held = "  - wait: " + before + " of breath 2\n  - wait: 1\n  - hold_breath: true\n";
+        String wait = "  - wait: " + end + "\n  - place: {entry: [0, 0, 0]}\n";
+        double inHoldS = play("steps:\n" + held + "  - wait: hold\n  - wait: 0.06\n  - hold_breath: false\n" + wait)
+                .timeS();
+        assertThat(inHoldS).isBetween(expectedS - 1e-9, expectedS + FRAME_S + 1e-9);
+        double asHeldS = play("steps:\n" + held + wait).timeS();
+        assertThat(asHeldS).isBetween(expectedS - 1e-9, expectedS + FRAME_S + 1e-9);
+    }
+
+    /** No step holds the breath, so the pattern does: as in a hold at full inspiration, or before a cough. */
+    @Test
+    void aHoldOfThePatternBeginsAtTheEndOfTheInspiration() throws IOException {
+        stoppedFromS = 5.59;
+        stoppedToS = 7;
+        NeedleInsertion needle = play("steps: [{wait: end-inspiration of breath 2}, {place: {entry: [0, 0, 0]}}]");
+        assertThat(needle.timeS()).isBetween(5.6 - 1e-9, 5.6 + FRAME_S + 1e-9);
+    }
+
+    /** A breath that goes on from a hold has not begun there. */
+    @Test
+    void goingOnInMidInspirationIsNoInspiration() throws IOException {
+        stoppedFromS = 5.03;
+        stoppedToS = 5.2;
+        NeedleInsertion needle = play("steps: [{wait: 5}, {hold_breath: true}, {wait: hold}, {hold_breath: false},"
+                + " {wait: inspiration}, {place: {entry: [0, 0, 0]}}]");
+        assertThat(needle.timeS()).isBetween(8 - 1e-9, 8 + FRAME_S + 1e-9);
     }
 
     @Test
