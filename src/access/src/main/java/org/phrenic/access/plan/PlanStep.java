@@ -71,6 +71,11 @@ public sealed interface PlanStep {
             return new Aim(Optional.empty(), false, Optional.of(angles));
         }
 
+        /** Whether it is a position that does not move with the breath. */
+        boolean standsStill() {
+            return point.isPresent() || atRest;
+        }
+
         /** Whether the program points the needle, not a hand. */
         boolean byProgram() {
             return angles.isEmpty();

@@ -137,15 +137,21 @@ public record Rehearsal(
         }
     }
 
-    /** Checks that entry points lie on the skin and within reach, before a breath is simulated. */
-    private static void requireEntries(RehearsalPlan plan, MovingAnatomy anatomy, TargetLesion target) {
+    /**
+     * Checks, before a breath is simulated, that entry points lie on the skin and within reach of an aim that stands
+     * still. The reach to a moving target is checked when the needle is placed. A needle at given angles needs no
+     * reach.
+     */
+    static void requireEntries(RehearsalPlan plan, MovingAnatomy anatomy, TargetLesion target) {
         RehearsalImage.requirePlaces(plan.steps(), anatomy);
         for (PlanStep step : plan.steps()) {
             if (step instanceof PlanStep.Place place && place.entryRest().isPresent()) {
                 double[] entry = place.entryRest().get();
                 try {
                     SkinEntries.pointAtRest(anatomy, entry);
-                    plan.needle().requireReach(entry, place.aim().point().orElse(target.restMm()));
+                    if (place.aim().standsStill()) {
+                        plan.needle().requireReach(entry, place.aim().point().orElse(target.restMm()));
+                    }
                 } catch (BadInputException bad) {
                     throw new BadInputException(step.place() + ": " + bad.getMessage(), bad);
                 }
