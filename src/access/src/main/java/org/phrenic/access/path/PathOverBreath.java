@@ -21,12 +21,15 @@ import org.phrenic.document.OrderedValues;
  *
  * @param analyses analysis of the path at each moment
  * @param marginsMm margin to the avoided zones at each moment, mm; 0 if a zone is touched
+ * @param marginsFrom display name of the structure that the margin is measured from at each moment; empty if none is in
+ *     range
  * @param motion motion of the target
  */
 public record PathOverBreath(
         List<BreathMoment> cycle,
         List<PathAnalysis> analyses,
         double[] marginsMm,
+        List<String> marginsFrom,
         TargetMotion motion,
         Set<NoGoZone> avoided) {
     /**
@@ -49,14 +52,17 @@ public record PathOverBreath(
         List<PathAnalysis> analyses = new ArrayList<>();
         List<double[]> targets = new ArrayList<>();
         double[] margins = new double[cycle.size()];
+        List<String> marginsFrom = new ArrayList<>();
         for (int m = 0; m < margins.length; m++) {
             anatomy.update(cycle.get(m).frame());
             double[] end = tissue.position(centre);
             targets.add(end);
             analyses.add(analyzer.analyze(entry.current(), end));
-            margins[m] = analyzer.margin(entry.current(), end, avoided).mm();
+            PathAnalyzer.Margin margin = analyzer.margin(entry.current(), end, avoided);
+            margins[m] = margin.mm();
+            marginsFrom.add(anatomy.labelOf(margin.nearest()));
         }
-        return new PathOverBreath(cycle, analyses, margins, new TargetMotion(targets), avoided);
+        return new PathOverBreath(cycle, analyses, margins, marginsFrom, new TargetMotion(targets), avoided);
     }
 
     /** Whether the path is free at a moment. */

@@ -8,9 +8,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.phrenic.access.CostalGroove;
 import org.phrenic.access.path.AccessMap;
-import org.phrenic.access.path.Approach;
 import org.phrenic.access.path.PathAnalysis;
 import org.phrenic.access.path.PathAnalyzer;
 import org.phrenic.access.path.PathOverBreath;
@@ -61,20 +59,22 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
                 : free < moments
                         ? "Free in " + Math.round(100.0 * free / moments) + " % of the breath"
                         : close ? "Free over the whole breath, but close" : "Free over the whole breath";
-        List<PathAnalysis> analyses = path.analyses();
-        String margin = tightest < 0 ? "" : margin(path.marginsMm()[tightest], analyses.get(tightest));
-        return new PathAdvice(level, headline, List.copyOf(reasons), margin, way(analyses.get(0)));
+        String margin = tightest < 0
+                ? ""
+                : margin(path.marginsMm()[tightest], path.marginsFrom().get(tightest));
+        return new PathAdvice(
+                level,
+                headline,
+                List.copyOf(reasons),
+                margin,
+                way(path.analyses().get(0)));
     }
 
     /** Text such as "8.3 mm from right lung". */
-    private static String margin(double marginMm, PathAnalysis path) {
+    private static String margin(double marginMm, String nearest) {
         if (marginMm >= PathAnalyzer.MAX_DISTANCE_MM) {
             return "no structure at risk within " + Math.round(PathAnalyzer.MAX_DISTANCE_MM) + " mm";
         }
-        Approach first = path.approaches().isEmpty() ? null : path.approaches().get(0);
-        double grooveMm = path.costalGrooveMm() - CostalGroove.NEUROVASCULAR_ZONE_MM;
-        boolean groove = first == null || grooveMm < first.distanceMm() - 1;
-        String nearest = groove ? "the vessels below " + path.costalGrooveRib() : first.label();
         return String.format(Locale.ROOT, "%.1f mm from %s", marginMm, nearest);
     }
 

@@ -1,0 +1,45 @@
+package org.phrenic.access.plan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.EnumSet;
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.phrenic.access.BoxAnatomy;
+import org.phrenic.access.BreathMoment;
+import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.Needle;
+import org.phrenic.access.NoGoZone;
+import org.phrenic.access.TargetLesion;
+import org.phrenic.access.path.PathOverBreath;
+import org.phrenic.breathing.RespiratoryPhase;
+
+class PathAdviceTest {
+    /**
+     * A level path of a needle of 0.6 mm radius. At z = -20 the lung is 30 mm away, rib 9 is 10 mm away, and the lower
+     * face of rib 8, whose vessels take 5 mm, is 50 mm away. At z = 5 these are 5, 35 and 25 mm.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "-20, LUNG, 29.4 mm from right lung",
+        "-20, BONE, 9.4 mm from right rib 9",
+        "5, LUNG, 4.4 mm from right lung",
+        "5, BONE, 24.4 mm from right rib 8",
+        "5, VESSELS, 20.0 mm from the vessels below right rib 8",
+        "5, ORGAN, no structure at risk within 40 mm"
+    })
+    void theMarginNamesTheAvoidedStructureThatItIsMeasuredFrom(double z, NoGoZone avoided, String margin) {
+        BoxAnatomy body = new BoxAnatomy();
+        MovingAnatomy scene = new MovingAnatomy(body.surfaces);
+        scene.update(body.still(0));
+        PathOverBreath path = PathOverBreath.of(
+                scene,
+                List.of(new BreathMoment(body.still(0), RespiratoryPhase.PAUSE)),
+                new double[] {0, 0, z},
+                TargetLesion.at(scene, new double[] {90, 0, z}, 20),
+                Needle.standard(),
+                EnumSet.of(avoided));
+        assertThat(PathAdvice.of(path).margin()).isEqualTo(margin);
+    }
+}
