@@ -45,7 +45,12 @@ public final class BoxAnatomy {
 
     /** The body with liver and lung shifted, and the upper rib raised. */
     public Frame frame(double timeS, double phase, double[] liverShift, double lungDown, double ribUp) {
-        double[] pose = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, ribUp};
+        return frame(timeS, phase, liverShift, lungDown, new double[] {0, 0, ribUp});
+    }
+
+    /** The body with liver, lung and the upper rib shifted. */
+    public Frame frame(double timeS, double phase, double[] liverShift, double lungDown, double[] ribShift) {
+        double[] pose = {1, 0, 0, ribShift[0], 0, 1, 0, ribShift[1], 0, 0, 1, ribShift[2]};
         return TestFrames.of(
                 surfaces,
                 timeS,

@@ -102,14 +102,14 @@ public final class NeedleInsertion {
         shaft.moveTo(next);
     }
 
-    /** The first bone between the tip and a depth, if any. */
+    /** The first bone between the tip and a depth, if any. It may have moved over the tip with the breath. */
     private Optional<Crossing> boneBefore(double depth) {
         double[] from = shaft.tip();
         double[] to = shaft.at(depth);
         return anatomy.hazards().stream()
                 .filter(s -> s.noGo().orElseThrow() == NoGoZone.BONE && s.boxDistance(from, to) <= 0)
                 .flatMap(s -> analyzer.crossingsOf(s, shaft.entry(), to).stream())
-                .filter(c -> c.fromMm() >= shaft.depth() - TOLERANCE_MM)
+                .filter(c -> c.toMm() > shaft.depth() + TOLERANCE_MM)
                 .min(Comparator.comparingDouble(Crossing::fromMm));
     }
 

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.access.BoxAnatomy;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.Needle;
@@ -25,7 +27,7 @@ class NeedleInsertionTest {
     private final BoxAnatomy body = new BoxAnatomy();
     private final MovingAnatomy scene = new MovingAnatomy(body.surfaces);
     private int frames;
-    private double ribUp;
+    private double[] ribShift = new double[3];
 
     /** The liver is A (1 - cos) / 2 lower than at rest. */
     private static double down(double timeS) {
@@ -49,7 +51,7 @@ class NeedleInsertionTest {
         frames++;
         double t = frames * FRAME_S;
         session.update(
-                body.frame(t, t / PERIOD_S % 1, new double[] {0, 0, -down(t)}, -100, ribUp),
+                body.frame(t, t / PERIOD_S % 1, new double[] {0, 0, -down(t)}, -100, ribShift),
                 RespiratoryPhase.INSPIRATION);
     }
 
@@ -205,6 +207,49 @@ class NeedleInsertionTest {
         assertThat(session.isMoving()).isFalse();
         assertThat(session.record().count(AttemptEvent.Kind.BONE_CONTACT)).isEqualTo(1);
         assertThat(session.record().inNoGoS()).isPositive();
+    }
+
+    /** A breath moves the rib by so much into the skin's side of the tip; the rib is 6 mm thick. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-6, 0.01, 3})
+    void boneStopsTheTipAgainWhereTheBreathHasMovedOverIt(double mm) {
+        NeedleInsertion session = session(20);
+        session.place(new double[] {0, 0, 35}, new double[] {90, 0, 35});
+        session.advance(90, 50);
+        until(session, 2);
+        double contactMm = session.shaft().depth();
+        ribShift = new double[] {-mm, 0, 0};
+        next(session);
+        for (int again = 1; again <= 3; again++) {
+            session.advance(90, 50);
+            until(session, 2 + again);
+            assertThat(session.shaft().depth()).isEqualTo(contactMm);
+            assertThat(session.isMoving()).isFalse();
+            assertThat(session.record().count(AttemptEvent.Kind.BONE_CONTACT)).isEqualTo(1 + again);
+        }
+        ribShift = new double[] {2, 0, 0};
+        next(session);
+        session.advance(90, 50);
+        until(session, 6);
+        assertThat(session.shaft().depth()).isCloseTo(12, within(TOLERANCE_MM));
+        session.advance(0, 50);
+        until(session, 7);
+        assertThat(session.shaft().isPlaced()).as("out").isFalse();
+    }
+
+    /** A rib that moves over the needle behind its tip neither stops nor moves the tip. */
+    @Test
+    void boneBehindTheTipStopsNothing() {
+        NeedleInsertion session = session(20);
+        session.place(new double[] {0, 0, 27}, new double[] {90, 0, 27});
+        session.advance(18, AT_ONCE);
+        next(session);
+        ribShift = new double[] {0, 0, -5};
+        next(session);
+        session.advance(25, AT_ONCE);
+        next(session);
+        assertThat(session.shaft().depth()).isEqualTo(25);
+        assertThat(session.record().count(AttemptEvent.Kind.BONE_CONTACT)).isZero();
     }
 
     @Test
