@@ -13,18 +13,39 @@ import org.phrenic.simulation.observe.Surface;
  * each pixel, at one photon energy, without scatter and noise. {@code L_s} is the length of the ray inside the closed
  * surface s, mm, {@code mu_s} its linear attenuation coefficient, 1/mm.
  *
- * <p>The skin encloses soft tissue. A structure within it replaces soft tissue, and a lesion replaces liver, so it
- * counts with the difference of the coefficients. The lungs keep their mass: their coefficient goes with one over their
- * volume. Holes are closed ({@link CappedSurface}); an open sheet has no inside and is left out.
+ * <p>The skin encloses soft tissue. A structure within it replaces soft tissue, or the lung or liver that it lies in
+ * ({@link EnclosingOrgans}), so it counts with the difference of the coefficients. The lungs keep their mass: their
+ * coefficient goes with one over their volume. Holes are closed ({@link CappedSurface}); an open sheet has no inside
+ * and is left out.
  */
 public final class Fluoroscope {
     /** Photon energy of a beam of 80 to 90 kV, about, keV. */
     public static final double ENERGY_KEV = 60;
 
-    private record Part(int index, Surface surface, CappedSurface capped, double orientation, double restVolume) {}
+    private record Part(int index, Surface surface, CappedSurface capped, double orientation, double restVolume) {
+        boolean mayEnclose() {
+            return surface.kind() == StructureKind.LUNG || surface.kind() == StructureKind.LIVER;
+        }
+
+        boolean mayBeEnclosed() {
+            return switch (surface.kind()) {
+                case VESSEL, LESION, ORGAN, OTHER -> true;
+                default -> false;
+            };
+        }
+
+        TriangleMesh rest() {
+            return capped.at(surface.rest().positions());
+        }
+    }
 
     private final List<Part> parts = new ArrayList<>();
     private final List<String> leftOut = new ArrayList<>();
+    /** Lungs and liver. */
+    private final List<Part> organs;
+    /** Shares of each part in each of the organs. */
+    private final List<double[]> shares = new ArrayList<>();
+
     private final boolean skin;
     private final int threads;
 
@@ -46,6 +67,12 @@ public final class Fluoroscope {
             }
         }
         skin = parts.stream().anyMatch(part -> part.surface().kind() == StructureKind.SKIN);
+        organs = parts.stream().filter(Part::mayEnclose).toList();
+        EnclosingOrgans enclosing =
+                new EnclosingOrgans(organs.stream().map(Part::rest).toList());
+        for (Part part : parts) {
+            shares.add(part.mayBeEnclosed() ? enclosing.sharesOf(part.surface().rest()) : new double[organs.size()]);
+        }
     }
 
     /** Names of surfaces without an inside. */
@@ -72,12 +99,15 @@ public final class Fluoroscope {
      */
     public Radiograph take(Frame frame, CArm arm, double energyKev, List<SteelRod> steel) {
         PathLengths lengths = new PathLengths(arm, threads);
-        for (Part part : parts) {
-            Surface surface = part.surface();
-            double[] p = new double[surface.rest().positions().length];
-            frame.writePositions(surface, part.index(), p);
-            TriangleMesh mesh = part.capped().at(p);
-            lengths.add(mesh, part.orientation() * coefficient(part, mesh, energyKev));
+        double[] organPerMm = new double[organs.size()];
+        for (int i = 0; i < organPerMm.length; i++) {
+            organPerMm[i] = coefficient(organs.get(i), now(organs.get(i), frame), energyKev);
+        }
+        for (int i = 0; i < parts.size(); i++) {
+            Part part = parts.get(i);
+            TriangleMesh mesh = now(part, frame);
+            double around = surroundings(part, shares.get(i), organPerMm, energyKev);
+            lengths.add(mesh, part.orientation() * (coefficient(part, mesh, energyKev) - around));
         }
         for (SteelRod rod : steel) {
             lengths.add(rod.mesh(), SteelRod.attenuationPerMm(energyKev) - surroundings(energyKev));
@@ -85,15 +115,33 @@ public final class Fluoroscope {
         return new Radiograph(arm, lengths.values());
     }
 
-    /** What a millimetre of a structure adds to its surroundings, 1/mm. */
-    private double coefficient(Part part, TriangleMesh now, double energyKev) {
+    /** The closed surface of a part in a frame. */
+    private static TriangleMesh now(Part part, Frame frame) {
+        double[] p = new double[part.surface().rest().positions().length];
+        frame.writePositions(part.surface(), part.index(), p);
+        return part.capped().at(p);
+    }
+
+    /** Linear attenuation coefficient of a structure, 1/mm. */
+    private static double coefficient(Part part, TriangleMesh now, double energyKev) {
         double own = Tissue.of(part.surface()).attenuationPerMm(energyKev);
-        return switch (part.surface().kind()) {
-            case SKIN -> own;
-            case LESION -> own - Tissue.LIVER.attenuationPerMm(energyKev);
-            case LUNG -> own * part.restVolume() / Math.abs(MeshMeasure.signedVolume(now)) - surroundings(energyKev);
-            default -> own - surroundings(energyKev);
-        };
+        return part.surface().kind() == StructureKind.LUNG
+                ? own * part.restVolume() / Math.abs(MeshMeasure.signedVolume(now))
+                : own;
+    }
+
+    /** Coefficient of what a structure replaces, 1/mm. */
+    private double surroundings(Part part, double[] shares, double[] organPerMm, double energyKev) {
+        if (part.surface().kind() == StructureKind.SKIN) {
+            return 0;
+        }
+        double mean = 0;
+        double enclosed = 0;
+        for (int i = 0; i < shares.length; i++) {
+            mean += shares[i] * organPerMm[i];
+            enclosed += shares[i];
+        }
+        return enclosed > 0 ? mean : surroundings(energyKev);
     }
 
     private double surroundings(double energyKev) {

@@ -4,8 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.Shapes;
@@ -16,6 +19,7 @@ import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
+import org.phrenic.simulation.observe.TestFrames;
 
 class FluoroscopeTest {
     private static final CArm ARM = new CArm(new double[3], 0, 0, 1000, 700, new CArm.Detector(300, 65, 65));
@@ -44,6 +48,60 @@ class FluoroscopeTest {
         assertThat(central(List.of(rib))).isCloseTo(40 * ribPerMm, within(0.01));
     }
 
+    /**
+     * Surfaces of lungs and liver run around what lies in them. 200 mm of skin, 120 mm of organ, 30 mm of structure.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "lung_R, LUNG, lesion_nodule, LESION, LESION",
+        "lung_R, LUNG, trachea, OTHER, GAS",
+        "lung_R, LUNG, pulmonary_vein, VESSEL, BLOOD",
+        "liver, LIVER, liver_lesion, LESION, LESION",
+        "liver, LIVER, liver_vessels, VESSEL, BLOOD"
+    })
+    void whatLiesInAnOrganReplacesIt(String organ, StructureKind around, String name, StructureKind kind, Tissue own) {
+        List<Surface> surfaces = List.of(
+                surface("skin", StructureKind.SKIN, Shapes.sphere(100, 5)),
+                surface(organ, around, Shapes.sphere(60, 5)),
+                surface(name, kind, Shapes.sphere(15, 5)));
+        double expected = 80 * Tissue.SOFT.attenuationPerMm(60)
+                + 90 * Tissue.of(around, organ).attenuationPerMm(60)
+                + 30 * own.attenuationPerMm(60);
+        assertThat(central(surfaces)).isCloseTo(expected, within(0.01));
+        assertThat(central(surfaces.subList(1, 3)))
+                .as("without skin")
+                .isCloseTo(expected - 80 * Tissue.SOFT.attenuationPerMm(60), within(0.01));
+    }
+
+    /** A lung that is 1.5 times as wide in every direction has 1 / 3.375 of its density, about its nodule as well. */
+    @Test
+    void aNoduleReplacesTheLungOfTheMoment() {
+        TriangleMesh rest = Shapes.sphere(40, 5);
+        Surface lung = new Surface(
+                "lung_R", StructureKind.LUNG, 0, Side.RIGHT, rest, Surface.Motion.DEFORMING, new boolean[0]);
+        List<Surface> surfaces = List.of(lung, surface("lesion", StructureKind.LESION, Shapes.sphere(15, 5)));
+        double[] filled = Arrays.stream(rest.positions()).map(x -> 1.5 * x).toArray();
+        Frame frame = TestFrames.of(surfaces, 0, 0, 0, filled, new double[0]);
+        double expected = 90 * Tissue.LUNG.attenuationPerMm(60) / 3.375 + 30 * Tissue.LESION.attenuationPerMm(60);
+        assertThat(new Fluoroscope(surfaces, 1).take(frame, ARM, 60).attenuation(32, 32))
+                .isCloseTo(expected, within(0.01));
+    }
+
+    /** A lesion of a bone, or of a kidney, lies in neither lung nor liver. */
+    @Test
+    void aLesionInNoOrganReplacesSoftTissue() {
+        Surface skin = surface("skin", StructureKind.SKIN, Shapes.sphere(100, 5));
+        Surface lesion = surface("lesion", StructureKind.LESION, Shapes.sphere(15, 5));
+        double[] aside = Shapes.sphere(20, 5).positions().clone();
+        for (int i = 0; i < aside.length; i += 3) {
+            aside[i] += 60;
+        }
+        Surface liver =
+                surface("liver", StructureKind.LIVER, Shapes.sphere(20, 5).withPositions(aside));
+        double expected = 170 * Tissue.SOFT.attenuationPerMm(60) + 30 * Tissue.LESION.attenuationPerMm(60);
+        assertThat(central(List.of(skin, liver, lesion))).isCloseTo(expected, within(0.01));
+    }
+
     /** A needle of 2 mm across the central ray; iron at 60 keV: 1.205 cm2/g. */
     @Test
     void aNeedleAddsSteelToWhatItReplaces() {
@@ -59,7 +117,7 @@ class FluoroscopeTest {
     @Test
     void openSheetsAreLeftOutByName() {
         TriangleMesh box = Shapes.box(10, 10, 10);
-        int[] face = java.util.Arrays.copyOf(box.triangles(), 6);
+        int[] face = Arrays.copyOf(box.triangles(), 6);
         List<Surface> surfaces = List.of(
                 surface("liver", StructureKind.LIVER, new TriangleMesh(box.positions(), face)),
                 surface("lung_R", StructureKind.LUNG, box));
@@ -70,7 +128,7 @@ class FluoroscopeTest {
     @Test
     void holesAreClosed() {
         TriangleMesh whole = Shapes.sphere(100, 4);
-        int[] holed = java.util.Arrays.copyOf(whole.triangles(), whole.triangles().length - 3);
+        int[] holed = Arrays.copyOf(whole.triangles(), whole.triangles().length - 3);
         List<Surface> closed = List.of(surface("skin", StructureKind.SKIN, whole));
         List<Surface> open = List.of(surface("skin", StructureKind.SKIN, new TriangleMesh(whole.positions(), holed)));
         for (double angle = 0; angle < 360; angle += 90) {
