@@ -2,6 +2,7 @@ package org.phrenic.patient.label;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -11,6 +12,7 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 
 /**
@@ -19,7 +21,20 @@ import org.phrenic.anatomy.StructureName;
  */
 public final class LabelNames {
     private static final Pattern VERTEBRA = Pattern.compile("([ctls])0*(\\d{1,2})");
-    private static final Pattern NUMBER = Pattern.compile("0*(\\d{1,2})");
+    private static final Pattern NUMBER = Pattern.compile("0*(\\d{1,2})(?:st|nd|rd|th)?");
+    private static final List<String> ORDINALS = List.of(
+            "first",
+            "second",
+            "third",
+            "fourth",
+            "fifth",
+            "sixth",
+            "seventh",
+            "eighth",
+            "ninth",
+            "tenth",
+            "eleventh",
+            "twelfth");
     private static final Pattern SPINAL = Pattern.compile("((?:vertebra|disc)_)(.*)");
     private static final Pattern SUFFIX = Pattern.compile("_[rl](?=_|$)");
     /** Words that capitals part, such as "SpinalCord". */
@@ -28,39 +43,73 @@ public final class LabelNames {
     private static final Pattern JOINED_SIDE = Pattern.compile("\\b(left|right)(?=[a-z])");
     /** Words that add nothing to the name of a structure. */
     private static final List<String> FILLERS = List.of(
-            "vertebra", "vertebrae", "vb", "lobe", "upper", "middle", "lower", "superior", "inferior", "of", "the");
+            "vertebra",
+            "vertebrae",
+            "vertebral",
+            "vb",
+            "body",
+            "corpus",
+            "thoracic",
+            "lumbar",
+            "cervical",
+            "upper",
+            "middle",
+            "lower",
+            "superior",
+            "inferior",
+            "of",
+            "the");
 
     /** Lesions, and the target volumes of radiotherapy. */
     private static final Pattern LESION =
-            Pattern.compile(".*(tumou?r|lesion|metasta|nodule|cyst|\\bhcc\\b|\\b[gcip]tv).*");
+            Pattern.compile("tumou?r|lesion|metasta|nodule|cancer|(carcin|sarc|aden|angi|lymph|hepat|hamart)oma"
+                    + "|(?<!chole)cysts?(?![a-z])|(?<!fat |muscle |body |bone )\\bmass(es)?\\b"
+                    + "|\\bhcc\\b|\\b(i?[gcp]|i)tv");
+    /** An organ less a target volume in the names of TG-263, such as "Lungs-GTV", or less anything else. */
+    private static final Pattern LESS =
+            Pattern.compile("(?i)(.+?)( ?[-\u2013] ?(i?[gcp]|i)tv|[ _](minus|without|excluding)[ _]).*");
+    /** Words for what lies in or beside an organ and is no part of it. */
+    private static final Pattern BESIDE =
+            Pattern.compile("effusion|fluid|(pneumo|hydro|ha?emo)thorax|empyema|arter(y|i)|\\bveins?\\b|\\bvenae?\\b"
+                    + "|lymph|\\bnodes?\\b|nerve|ligament|intercostal|\\bprv|implant|catheter|\\bdrain|\\btube"
+                    + "|pacemaker|\\bleads?\\b|marker|\\bclips?\\b|bolus");
 
-    private static final Pattern RIB = Pattern.compile("(.* )?rib.*");
-    private static final Pattern CARTILAGE = Pattern.compile("(.* )?cartilage.*");
-    private static final Pattern STERNUM = Pattern.compile("(.* )?(sternum|manubrium|xiphoid)( .*)?");
-    private static final Pattern LUNG = Pattern.compile("(.* )?lung.*");
+    private static final Pattern CARTILAGE =
+            Pattern.compile("(?=.*cartilage)(.*\\b(costal|ribs?\\d*\\b).*|cartilages?[ \\d]*)");
+    private static final Pattern RIB = Pattern.compile("(.* )?rib(s|cage)?\\d*( .*)?");
+    private static final Pattern STERNUM = Pattern.compile("(?!.*malle)(.* )?(sternum|manubrium|xiphoid)( .*)?");
+    private static final Pattern LUNG = Pattern.compile("(?!.*\\bpleurae?\\b)(.* )?lung.*");
+    /** The parts of a segment's name, the numbers of Couinaud's segments among them. */
+    private static final String LIVER_PART = "lobe|segments?|\\d[ab]?|[iv]+[ab]?|whole|total|normal|healthy";
 
     /** Structures by expressions for their names without the side; the first that matches counts. */
     private static final Map<Pattern, String> BY_EXPRESSION = new LinkedHashMap<>();
 
     static {
         BY_EXPRESSION.put(Pattern.compile(".*(\\bairway|\\bbronch|\\btrachea).*"), "trachea");
-        BY_EXPRESSION.put(Pattern.compile(".*\\bextremit.*"), LabelTable.IGNORE);
+        BY_EXPRESSION.put(Pattern.compile("((body|upper|lower) )*extremit(y|ies)"), LabelTable.IGNORE);
         BY_EXPRESSION.put(Pattern.compile("(.* )?(liver|hepatic) ?(vessel|vascul).*"), "liver_vessels");
-        // Numbers are those of Couinaud's segments.
         BY_EXPRESSION.put(
                 Pattern.compile(
-                        "((caudate|quadrate) )?(lobe )?liver( (parenchyma|lobe|segments?|\\d[ab]?|[iv]+[ab]?))*"),
+                        "((caudate|quadrate|of|the|" + LIVER_PART + ") )*liver( (parenchyma|" + LIVER_PART + "))*"),
                 "liver");
         BY_EXPRESSION.put(
-                Pattern.compile("(?!.*(fat|effusion))(.*\\b(heart|cardiac|\\w*cardium)\\b.*|atrium|ventricle)"),
+                Pattern.compile("(?!.*\\b(fat|vessels?|lung|stomach)\\b)"
+                        + "(.*\\b(heart|cardiac|\\w*cardium)\\b.*|atrium|ventricle)"),
                 "heart");
         BY_EXPRESSION.put(
-                Pattern.compile("(subcutaneous|torso|visceral|intermuscular) (fat|adipose.*)"), LabelTable.SKIN);
+                Pattern.compile("(subcutaneous|torso|body|visceral|intermuscular) (fat|adipose.*)"), LabelTable.SKIN);
         BY_EXPRESSION.put(Pattern.compile("(skeletal )?muscles?"), "muscle_skeletal");
         BY_EXPRESSION.put(Pattern.compile("(all )?bones?|skeleton"), LabelTable.ALL_BONES);
         BY_EXPRESSION.put(Pattern.compile("spine|vertebrae|vertebral column"), LabelTable.SPINE);
+        BY_EXPRESSION.put(Pattern.compile("sternal body|corpus sterni"), "sternum_body");
+        // Only whole names: celiac trunk, pancreas body and external carotid artery are no skin.
         BY_EXPRESSION.put(
-                Pattern.compile("(?!.*vertebra)(.* )?(skin|body|torso|trunk|external)( .*)?"), LabelTable.SKIN);
+                Pattern.compile("((whole|entire|full|outer|human|patient) )*(body|torso|trunk|external)\\d?"
+                        + "( (contour|outline|mask|surface|hull|trunk|trunc|torso|body|\\d{1,2}))*"),
+                LabelTable.SKIN);
+        BY_EXPRESSION.put(Pattern.compile("(outer|patient) (contour|outline|surface)"), LabelTable.SKIN);
+        BY_EXPRESSION.put(Pattern.compile("(.* )?skin( .*)?"), LabelTable.SKIN);
     }
 
     /** Structures by names of labels of segmentation tools and public data sets. */
@@ -101,22 +150,52 @@ public final class LabelNames {
                 .replaceAll("[^a-z0-9]+", " ")
                 .strip();
         String ofTool = OF_TOOLS.get(plain.replace(' ', '_'));
-        if (ofTool != null || LabelTable.isStructure(name)) {
-            return Optional.of(ofTool != null ? ofTool : withUsualCase(name));
+        if (ofTool != null) {
+            return Optional.of(ofTool);
+        }
+        Optional<String> organ = organWithoutTarget(name);
+        if (organ.isPresent()) {
+            return organ;
         }
         List<String> words = new ArrayList<>(
                 Arrays.asList(JOINED_SIDE.matcher(plain).replaceAll("$1 ").split(" ", -1)));
         Side side = side(words);
         String suffix = side == Side.RIGHT ? "_R" : side == Side.LEFT ? "_L" : "";
         String rest = String.join(" ", words);
-        if (LESION.matcher(rest).matches()) {
-            return Optional.of("lesion_" + String.join("_", words));
+        boolean lesion = LESION.matcher(rest).find();
+        boolean beside = BESIDE.matcher(rest).find();
+        if (LabelTable.isStructure(name) && (isNamed(name) || !(lesion || beside))) {
+            return Optional.of(withUsualCase(name));
+        }
+        if (lesion) {
+            return Optional.of("lesion_" + String.join("_", words) + suffix);
+        }
+        return beside ? organ(words, suffix).filter(LabelNames::isNamed) : ofWords(words, side, suffix);
+    }
+
+    /** The organ of a name such as "Liver-CTV". "E" is External in the names of TG-263. */
+    private static Optional<String> organWithoutTarget(String name) {
+        Matcher less = LESS.matcher(name);
+        return less.matches()
+                ? structure(less.group(1).equalsIgnoreCase("e") ? "external" : less.group(1))
+                        .filter(organ -> !organ.startsWith("lesion_"))
+                : Optional.empty();
+    }
+
+    private static boolean isNamed(String structure) {
+        return StructureName.parse(structure)
+                .map(StructureName::kind)
+                .filter(StructureKind::isNamed)
+                .isPresent();
+    }
+
+    private static Optional<String> ofWords(List<String> words, Side side, String suffix) {
+        String rest = String.join(" ", words);
+        if (CARTILAGE.matcher(rest).matches()) {
+            return levelled(words, side, "costal_cartilage", LabelTable.COSTAL_CARTILAGES);
         }
         if (RIB.matcher(rest).matches()) {
             return levelled(words, side, "rib", LabelTable.RIBS);
-        }
-        if (CARTILAGE.matcher(rest).matches()) {
-            return levelled(words, side, "costal_cartilage", LabelTable.COSTAL_CARTILAGES);
         }
         Matcher sternum = STERNUM.matcher(rest);
         if (sternum.matches()) {
@@ -145,12 +224,16 @@ public final class LabelNames {
     private static Side side(List<String> words) {
         boolean right = words.removeAll(List.of("right", "r", "rt"));
         boolean left = words.removeAll(List.of("left", "l", "lt"));
+        right |= !Collections.disjoint(words, List.of("rul", "rml", "rll"));
+        left |= !Collections.disjoint(words, List.of("lul", "lll"));
         return right == left ? Side.MIDLINE : right ? Side.RIGHT : Side.LEFT;
     }
 
     private static Optional<String> levelled(List<String> words, Side side, String stem, String common) {
         for (String word : words) {
-            Matcher m = NUMBER.matcher(word.replaceAll("^(ribs?|cartilages?)", ""));
+            int ordinal = 1 + ORDINALS.indexOf(word);
+            Matcher m =
+                    NUMBER.matcher(ordinal > 0 ? String.valueOf(ordinal) : word.replaceAll("^(ribs?|cartilages?)", ""));
             if (m.matches() && side != Side.MIDLINE) {
                 return known(String.format(
                         Locale.ROOT, "%s_%02d_%s", stem, Integer.parseInt(m.group(1)), side == Side.RIGHT ? "R" : "L"));

@@ -1,0 +1,173 @@
+package org.phrenic.patient.label;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Names of tools, data sets, TG-263 and atlases that hold a word of another structure. */
+class LabelNamesTest {
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "celiac_trunk",
+                "pulmonary_trunk",
+                "external_iliac_artery_left",
+                "iliac_artery_external_left",
+                "External carotid artery",
+                "external oblique left",
+                "external_oblique_right",
+                "pancreas_body",
+                "stomach_body",
+                "gastric body",
+                "vertebrae_body",
+                "body fluid",
+                "Skin_PRV05",
+                "thyroid_cartilage",
+                "cricoid_cartilage",
+                "tracheal artery",
+                "manubrium of malleus",
+                "lung_left_effusion",
+                "left lung effusion",
+                "lung_L_effusion",
+                "Pleural effusion left lung",
+                "pleura_L_effusion",
+                "pneumothorax left lung",
+                "left lung lymph nodes",
+                "left lung artery",
+                "left lung pleura",
+                "Lung_L_PRV05",
+                "pericardial_effusion",
+                "pleural_effusion",
+                "great cardiac vein",
+                "heart fat",
+                "bronchial artery",
+                "cystic artery",
+                "cystic duct",
+                "coronary_arteries",
+                "intercostal vein of rib 5 left",
+                "ribbon left 5",
+                "superior extremity of kidney",
+                "hip_implant",
+                "trunk muscles",
+                "heart lead",
+                "cardiac stomach",
+                "肺動脈",
+                "肝静脉",
+                "右肺积液",
+                "artère poumon gauche"
+            })
+    void whatLiesBesideAStructureIsNotThatStructure(String name) {
+        assertThat(LabelNames.structure(name)).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "body, skin",
+        "BODY, skin",
+        "Body_trunc, skin",
+        "body trunk, skin",
+        "whole body, skin",
+        "body outline, skin",
+        "BodyContour, skin",
+        "body mask, skin",
+        "torso, skin",
+        "BODY1, skin",
+        "Body fat, skin",
+        "trunk, skin",
+        "EXTERNAL, skin",
+        "External contour, skin",
+        "patient outline, skin",
+        "skin, skin",
+        "abdominal skin, skin",
+        "Peau, skin",
+        "BODY-PTV, skin",
+        "E-PTV_Ev20, skin",
+        "BODY_extremities, ignore",
+        "lower extremity left, ignore",
+    })
+    void theOutlineOfABodyIsTakenByItsWholeName(String name, String structure) {
+        assertThat(LabelNames.structure(name)).contains(structure);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "Lungs-GTV, lungs",
+        "Lungs-GTVp, lungs",
+        "Lungs-IGTV, lungs",
+        "Lung_L-GTV, lung_L",
+        "Lung_R-PTV_6000, lung_R",
+        "Liver-GTV, liver",
+        "Liver-CTV, liver",
+        "Liver - ITV, liver",
+        "Heart-PTV, heart",
+        "Kidney_R-PTV, kidney_R",
+        "liver without tumor, liver",
+        "lung_left_minus_gtv, lung_L",
+    })
+    void anOrganLessItsTargetIsTheOrgan(String name, String structure) {
+        assertThat(LabelNames.structure(name)).contains(structure);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "lung_L_tumor, lesion_lung_tumor_L",
+        "lung_R_tumor, lesion_lung_tumor_R",
+        "lung_L_nodule, lesion_lung_nodule_L",
+        "Lung_L_GTV, lesion_lung_gtv_L",
+        "left lung cancer, lesion_lung_cancer_L",
+        "Lung mass right, lesion_lung_mass_R",
+        "sternum_metastasis, lesion_sternum_metastasis",
+        "skin_lesion, lesion_skin_lesion",
+        "rib 5 left metastasis, lesion_rib_5_metastasis_L",
+        "liver_cysts, lesion_liver_cysts",
+        "IGTV, lesion_igtv",
+        "Liver_GTV, lesion_liver_gtv",
+        "GTV-CTV, lesion_gtv_ctv",
+        "liver_tumor, lesion_liver_tumor",
+        "kidney_cyst_left, kidney_cyst_L",
+        "右肺癌, lesion_lung_cancer_R",
+    })
+    void aLesionIsNotTheOrganAboutIt(String name, String structure) {
+        assertThat(LabelNames.structure(name)).contains(structure);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "Rib cartilage 3 left, costal_cartilage_03_L",
+        "left costal cartilage of rib 3, costal_cartilage_03_L",
+        "Left fifth costal cartilage, costal_cartilage_05_L",
+        "Costal cartilage 3 L, costal_cartilage_03_L",
+        "Rippenknorpel, costal_cartilages",
+        "cartilage, costal_cartilages",
+        "Right third rib, rib_03_R",
+        "5th rib left, rib_05_L",
+        "ribcage, ribs",
+        "Vertebral body T5, vertebra_T05",
+        "corpus_vertebrae_T5, vertebra_T05",
+        "sternum_body, sternum_body",
+        "sternal body, sternum_body",
+        "body of sternum, sternum",
+        "lung opacity left, lung_L",
+        "left lung atelectasis, lung_L",
+        "lower lobe of left lung, lung_L",
+        "Lung_LUL, lung_L",
+        "Lung_RML, lung_R",
+        "lung_pleural, lungs",
+        "Left lung vessels, lung_L",
+        "right lobe of liver, liver",
+        "Liver segment 5, liver",
+        "heart_myocardium, heart",
+        "heart_atrium_left, heart",
+        "Left ventricle of heart, heart",
+        "pulmonary_artery, pulmonary_artery",
+        "portal vein, portal_vein",
+        "左肾上腺, adrenal_gland_L",
+        "pleura_L, pleura_L",
+        "lung_R_middle, lung_R_middle",
+    })
+    void partsAndOtherOrdersOfWordsAreKnown(String name, String structure) {
+        assertThat(LabelNames.structure(name)).contains(structure);
+    }
+}
