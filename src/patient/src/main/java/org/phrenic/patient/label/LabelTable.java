@@ -59,7 +59,7 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
      * Reads a table with the columns {@code label} or {@code name} (label number or name in the volume) and
      * {@code structure}. If both are present, names are used if the volume has any.
      *
-     * @throws BadInputException if the table cannot be read or contains an unknown structure
+     * @throws BadInputException if the table cannot be read, contains an unknown structure, or gives a label to two
      */
     public static LabelTable read(Path file, LabelVolume volume) {
         return of(file.toString(), CsvTable.read(file), volume);
@@ -143,25 +143,19 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         List<String> absent = new ArrayList<>();
         for (int row = 0; row < structures.size(); row++) {
             String structure = structures.get(row);
-            if (!isStructure(structure)) {
-                throw table.badCell(
-                        row,
-                        "structure",
-                        "found '" + structure + "', expected a structure such as rib_05_R, lung_L, liver, kidney_R,"
-                                + " other_NAME, " + LUNGS + ", " + RIBS + ", " + COSTAL_CARTILAGES + " or " + IGNORE);
-            }
-            Optional<String> twin =
-                    structures.stream().filter(structure::equalsIgnoreCase).findFirst();
-            if (!structure.equals(twin.orElse(structure))) {
-                throw table.badCell(
-                        row,
-                        "structure",
-                        "found '" + structure + "' besides '" + twin.get() + "', expected one spelling,"
-                                + " because some systems take both for one file");
-            }
+            requireStructure(table, row, structures);
             List<Integer> labels =
                     byName ? labelsNamed(volume, table.texts("name").get(row)) : List.of(label(table, row));
-            labels.forEach(label -> map.put(label, structure));
+            for (int label : labels) {
+                String before = map.put(label, structure);
+                if (before != null && !before.equals(structure)) {
+                    throw table.badCell(
+                            row,
+                            byName ? "name" : "label",
+                            "found label " + label + " for '" + structure + "' and, in a row above, for '" + before
+                                    + "', expected one structure");
+                }
+            }
             if (labels.stream().noneMatch(label -> label < counts.length && counts[label] > 0)) {
                 absent.add((byName ? "name '" + table.texts("name").get(row) + "'" : "label " + labels.get(0)) + " ("
                         + structure + ")");
@@ -173,6 +167,26 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         LabelTable read = new LabelTable(map, absent);
         boolean fits = map.keySet().stream().anyMatch(label -> label < counts.length && counts[label] > 0);
         return fits ? read.withRest(volume) : read;
+    }
+
+    private static void requireStructure(CsvTable table, int row, List<String> structures) {
+        String structure = structures.get(row);
+        if (!isStructure(structure)) {
+            throw table.badCell(
+                    row,
+                    "structure",
+                    "found '" + structure + "', expected a structure such as rib_05_R, lung_L, liver, kidney_R,"
+                            + " other_NAME, " + LUNGS + ", " + RIBS + ", " + COSTAL_CARTILAGES + " or " + IGNORE);
+        }
+        Optional<String> twin =
+                structures.stream().filter(structure::equalsIgnoreCase).findFirst();
+        if (!structure.equals(twin.orElse(structure))) {
+            throw table.badCell(
+                    row,
+                    "structure",
+                    "found '" + structure + "' besides '" + twin.get() + "', expected one spelling,"
+                            + " because some systems take both for one file");
+        }
     }
 
     private static List<Integer> labelsNamed(LabelVolume volume, String name) {

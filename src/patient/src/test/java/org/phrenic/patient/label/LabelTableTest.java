@@ -1,0 +1,45 @@
+package org.phrenic.patient.label;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+class LabelTableTest {
+    @TempDir
+    Path folder;
+
+    private LabelTable read(String rows, Map<Integer, String> names) throws IOException {
+        LabelGrid grid = LabelGrid.of(3, 1, 1, new byte[] {5, 6, 0}, new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+        return LabelTable.read(
+                Files.writeString(folder.resolve("labels.csv"), rows), new LabelVolume(grid, names, List.of()));
+    }
+
+    @Test
+    void aLabelOfTwoStructuresIsRefused() {
+        assertThatThrownBy(() -> read("label,structure\n5,liver\n6,heart\n5,spleen\n", Map.of()))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("labels.csv: line 4, column 'label'")
+                .hasMessageContaining("label 5 for 'spleen' and, in a row above, for 'liver', expected one structure");
+        assertThatThrownBy(() -> read("name,structure\na,liver\na,spleen\n", Map.of(5, "a", 6, "b")))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("labels.csv: line 3, column 'name'")
+                .hasMessageContaining("label 5");
+    }
+
+    @Test
+    void aLabelMayBeRepeatedAndAStructureMayHaveSeveralLabels() throws IOException {
+        assertThat(read("label,structure\n5,liver\n6,liver\n5,liver\n", Map.of())
+                        .structures())
+                .containsExactlyInAnyOrderEntriesOf(Map.of(5, "liver", 6, "liver"));
+    }
+}
