@@ -1,6 +1,7 @@
 package org.phrenic.access.path;
 
 import java.util.Optional;
+import org.phrenic.access.Midline;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.MovingStructure;
 import org.phrenic.anatomy.Side;
@@ -11,7 +12,7 @@ import org.phrenic.mesh.query.TriangleTree;
 /**
  * Names the ways of paths in the current frame. A path passes the rib cage where it comes nearest to a rib or
  * cartilage; with neighbouring ribs above and below that place the way is intercostal, with none below it is subcostal,
- * or subxiphoid within {@value #MIDLINE_MM} mm of the middle of the sternum. Not thread-safe.
+ * or subxiphoid within {@value #MIDLINE_MM} mm of the {@link Midline}. Not thread-safe.
  */
 final class EntryWays {
     private static final double MIDLINE_MM = 30;
@@ -57,18 +58,13 @@ final class EntryWays {
     }
 
     private EntryWay belowTheMargin(double[] entry) {
-        double middle = 0;
         double lowest = Double.POSITIVE_INFINITY;
         for (MovingStructure s : anatomy.structures()) {
             if (s.surface().kind() == StructureKind.STERNUM) {
-                double[] box = s.box();
-                if (box[2] < lowest) {
-                    lowest = box[2];
-                    middle = 0.5 * (box[0] + box[3]);
-                }
+                lowest = Math.min(lowest, s.box()[2]);
             }
         }
-        double across = entry[0] - middle;
+        double across = entry[0] - Midline.x(anatomy.structures(), MovingStructure::surface, MovingStructure::box);
         if (Math.abs(across) < MIDLINE_MM && entry[2] > lowest - BELOW_TIP_MM) {
             return EntryWay.of(EntryWay.Kind.SUBXIPHOID, Side.MIDLINE);
         }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
+import org.phrenic.access.Midline;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.file.BadInputException;
@@ -50,14 +51,18 @@ public enum LiverWindow {
         return switch (this) {
             case RIGHT_INTERCOSTAL -> betweenRibs(surfaces, tree, middle);
             case RIGHT_SUBCOSTAL -> {
-                double x = 0.5 * liver[0];
+                double x = 0.5 * (liver[0] + midline(surfaces));
                 yield front(tree, x, middle[1], lowestNear(surfaces, x) - BELOW_MM);
             }
             case SUBXIPHOID -> {
                 double[] sternum = bounds(surfaces, "sternum", s -> s.kind() == StructureKind.STERNUM);
-                yield front(tree, 0, middle[1], sternum[2] - BELOW_MM);
+                yield front(tree, midline(surfaces), middle[1], sternum[2] - BELOW_MM);
             }
         };
+    }
+
+    private static double midline(List<Surface> surfaces) {
+        return Midline.x(surfaces, s -> s, s -> s.rest().bounds());
     }
 
     private static double[] bounds(List<Surface> surfaces, String what, Predicate<Surface> wanted) {
