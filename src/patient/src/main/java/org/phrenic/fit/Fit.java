@@ -117,22 +117,21 @@ public final class Fit {
     }
 
     /**
-     * Computes the effect of moving each parameter alone, in both directions: on the linear model of the search if it
-     * has one, otherwise with a breath each.
+     * Computes the effect of moving the value of each parameter alone, in both directions: on the linear model of the
+     * search if it has one, otherwise with a breath each.
      */
     private List<FitResult.Effect> effects(double[] values, double bestMm, LinearShapeModel model) {
+        SearchSpace space = new SearchSpace(setup.parameters());
         List<Supplier<Double>> jobs = new ArrayList<>();
         for (int i = 0; i < values.length; i++) {
             FitParameter p = setup.parameters().get(i);
             for (int side = -1; side <= 1; side += 2) {
-                int moving = i;
-                double step = side * SENSITIVITY_STEP;
-                double to = p.toUnit(values[i]) + step;
+                double to = p.toUnit(values[i]) + side * SENSITIVITY_STEP;
                 double[] moved = values.clone();
                 moved[i] = p.fromUnit(to);
-                Supplier<Double> mean = () -> model == null
-                        ? evaluate(moved).value()
-                        : withObjective(o -> bestMm + change(o, model, moving, step));
+                double[] way = space.wayOf(values, i, moved[i]);
+                Supplier<Double> mean = () ->
+                        model == null ? evaluate(moved).value() : withObjective(o -> bestMm + change(o, model, way));
                 jobs.add(() -> to >= 0 && to <= 1 ? mean.get() : Double.NaN);
             }
         }
@@ -146,13 +145,15 @@ public final class Fit {
                 .toList();
     }
 
-    /** Change of the objective with a step from the centre of a linear model, mm. */
-    private static double change(FitObjective objective, LinearShapeModel model, int parameter, double step) {
+    /** Change of the objective on a way from the centre of a linear model, mm. */
+    private static double change(FitObjective objective, LinearShapeModel model, double[] way) {
         double[] shape = new double[model.length()];
         double[] point = model.centre().clone();
         model.predict(point, shape);
         double before = objective.meanMm(shape);
-        point[parameter] += step;
+        for (int i = 0; i < way.length; i++) {
+            point[i] += way[i];
+        }
         model.predict(point, shape);
         return objective.meanMm(shape) - before;
     }

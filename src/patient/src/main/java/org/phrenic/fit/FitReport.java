@@ -173,7 +173,7 @@ public record FitReport(FitResult result) {
         page.section("Parameters");
         page.paragraph(
                 "A step is a twentieth of the way between the bounds (by the logarithm where they are far apart);"
-                        + " distances are the objective of the fit, mm, with that parameter alone moved.");
+                        + " distances are the objective of the fit, mm, with the value of that parameter alone moved.");
         page.table("", PARAMETERS, parameters());
         if (!limits().isEmpty()) {
             page.section("What limits it");

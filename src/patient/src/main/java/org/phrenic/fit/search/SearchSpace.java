@@ -37,6 +37,27 @@ public record SearchSpace(List<FitParameter> parameters) {
     }
 
     /**
+     * The way in the cube that moves one value alone. Where a ratio moves, the coordinate of its drive moves too, so
+     * that the drive of the stronger side stays.
+     *
+     * @param values values of the parameters
+     * @param parameter index of the parameter
+     * @param to its other value
+     * @return change of each coordinate
+     */
+    public double[] wayOf(double[] values, int parameter, double to) {
+        double[] moved = values.clone();
+        moved[parameter] = to;
+        double[] way = new double[values.length];
+        for (int i = 0; i < way.length; i++) {
+            FitParameter p = parameters.get(i);
+            way[i] = p.toUnit(moved[i] / strongerSideOverMean(p, moved))
+                    - p.toUnit(values[i] / strongerSideOverMean(p, values));
+        }
+        return way;
+    }
+
+    /**
      * The point with less drive: activation, pressure and rib rotation are multiplied by a factor, within their bounds.
      * All other coordinates are unchanged.
      *
