@@ -1,6 +1,9 @@
 package org.phrenic.mesh.io;
 
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
@@ -9,6 +12,7 @@ import java.util.Collections;
 import java.util.StringTokenizer;
 import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
+import org.apache.commons.compress.compressors.lz4.BlockLZ4CompressorInputStream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputLocator;
 import org.phrenic.file.Numbers;
@@ -160,12 +164,26 @@ final class VtpArray implements InputLocator {
             byte[] block = take(encoded, packed[b]);
             if (document.compressor.equals(ZLIB)) {
                 inflate(block, content, filled, expected);
-            } else if (!Lz4Block.unpack(block, content, filled, expected)) {
-                throw badArray("found compressed data that is damaged, expected LZ4");
+            } else {
+                unpackLz4(block, content, filled, expected);
             }
             filled += expected;
         }
         return content;
+    }
+
+    private void unpackLz4(byte[] packed, byte[] content, int from, int expected) {
+        try (InputStream block = new BlockLZ4CompressorInputStream(new ByteArrayInputStream(packed))) {
+            int got = block.readNBytes(content, from, expected);
+            if (got < expected || block.read() >= 0) {
+                throw badArray("found a compressed block of another size, expected " + expected + " bytes");
+            }
+        } catch (IOException | IllegalArgumentException | IndexOutOfBoundsException broken) {
+            throw new BadInputException(
+                    badArray("found compressed data that is damaged, expected LZ4")
+                            .getMessage(),
+                    broken);
+        }
     }
 
     private void inflate(byte[] packed, byte[] content, int from, int expected) {

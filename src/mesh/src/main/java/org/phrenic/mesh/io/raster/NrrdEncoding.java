@@ -13,9 +13,9 @@ import org.phrenic.file.Numbers;
 import org.phrenic.file.ScalarType;
 
 /**
- * How the voxels of a NRRD file are stored: as they are, gzip, or as numbers in text.
+ * How the voxels of a NRRD file are stored: as they are, packed by gzip or bzip2, or as numbers in text.
  *
- * @param kind raw, gzip or text
+ * @param kind raw, gzip, bzip2 or text
  */
 record NrrdEncoding(VolumeHeader header, String kind) {
     private static final String LINE_SKIP = "line skip";
@@ -27,17 +27,14 @@ record NrrdEncoding(VolumeHeader header, String kind) {
         return switch (encoding) {
             case "raw" -> new NrrdEncoding(header, "raw");
             case "gzip", "gz" -> new NrrdEncoding(header, "gzip");
+            case "bzip2", "bz2" -> new NrrdEncoding(header, "bzip2");
             case "ascii", "text", "txt" -> new NrrdEncoding(header, "text");
-            default -> throw header.unexpected("encoding", encoding, "raw, gzip or ascii");
+            default -> throw header.unexpected("encoding", encoding, "raw, gzip, bzip2 or ascii");
         };
     }
 
     private boolean isText() {
         return kind.equals("text");
-    }
-
-    private boolean isPacked() {
-        return kind.equals("gzip");
     }
 
     /** The decoder of voxels of this type. */
@@ -68,7 +65,8 @@ record NrrdEncoding(VolumeHeader header, String kind) {
         if (isText()) {
             TextVoxels.validate(file, voxels, size, volumes);
         } else {
-            voxels.validate(file, size, isPacked(), volumes);
+            // By bzip2 equal voxels are packed a million to one: the size of the file says nothing.
+            voxels.validate(file, kind.equals("bzip2") ? Long.MAX_VALUE : size, kind.equals("gzip"), volumes);
         }
         for (int n = header.has(LINE_SKIP) ? header.integers(LINE_SKIP)[0] : 0; n > 0; n--) {
             if (header.line(in) == null) {
@@ -83,8 +81,16 @@ record NrrdEncoding(VolumeHeader header, String kind) {
         if (skip < 0) {
             throw header.badInput(BYTE_SKIP, "found " + skip + ", expected 0 or more");
         }
-        InputStream unpacked = isPacked() ? new GZIPInputStream(in, 1 << 16) : in;
+        InputStream unpacked = unpacked(in);
         unpacked.skipNBytes(skip);
         return isText() ? new TextVoxels(file, unpacked) : unpacked;
+    }
+
+    private InputStream unpacked(InputStream in) throws IOException {
+        return switch (kind) {
+            case "gzip" -> new GZIPInputStream(in, 1 << 16);
+            case "bzip2" -> Bzip2Voxels.of(in);
+            default -> in;
+        };
     }
 }

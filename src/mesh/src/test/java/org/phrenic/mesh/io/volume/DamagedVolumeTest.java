@@ -166,6 +166,12 @@ class DamagedVolumeTest {
         assertRefused("not there", "apart.nhdr", text(nrrd + "data file: none.gz\n\n"));
         assertRefused("expected one file", "list.nhdr", text(nrrd + "data file: LIST\na\nb\n"));
         assertRefused("'encoding'", "hex.nrrd", text(nrrd.replace("gzip", "hex") + "\n00"));
+        String bzip2 = nrrd.replace("gzip", "bzip2") + "\n";
+        assertRefused("damaged", "raw-not-bzip2.nrrd", VolumeSamples.join(bzip2, new byte[40]));
+        byte[] crc = VolumeSamples.bzip2(VolumeSamples.voxels(2, LITTLE, 1));
+        // The block's checksum follows its marker of six bytes, behind the stream's header of four.
+        crc[11] ^= 1;
+        assertRefused("damaged", "crc.bzip2.nrrd", VolumeSamples.join(bzip2, crc));
         assertRefused("'ElementDataFile'", "header.mha", text("NDims = 3\n"));
         assertRefused(
                 "damaged",

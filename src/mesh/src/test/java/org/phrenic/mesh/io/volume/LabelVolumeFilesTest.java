@@ -144,12 +144,15 @@ class LabelVolumeFilesTest {
     }
 
     @Test
-    void nrrdRawGzipBothByteOrdersAndDetached() {
+    void nrrdRawGzipBzip2BothByteOrdersAndDetached() {
         byte[] shorts = VolumeSamples.voxels(4, LITTLE, 1);
         assertIsSample(read("raw.nrrd", VolumeSamples.join(VolumeSamples.nrrd("short", "raw") + "\n", shorts)));
         assertIsSample(read(
                 "packed.seg.nrrd",
                 VolumeSamples.join(VolumeSamples.nrrd("short", "gzip") + "\n", VolumeSamples.gzip(shorts))));
+        assertIsSample(read(
+                "bzip2.seg.nrrd",
+                VolumeSamples.join(VolumeSamples.nrrd("short", "bzip2") + "\n", VolumeSamples.bzip2(shorts))));
         assertIsSample(read(
                 "big.nrrd",
                 VolumeSamples.join(

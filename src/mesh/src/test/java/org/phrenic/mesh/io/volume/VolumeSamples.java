@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.function.Consumer;
 import java.util.zip.DeflaterOutputStream;
 import java.util.zip.GZIPOutputStream;
+import org.apache.commons.compress.compressors.bzip2.BZip2CompressorOutputStream;
 
 /** Volumes of 4 x 3 x 2 voxels as bytes of files: voxel (i, j, k) has the label i + 4 j + 12 k. */
 public final class VolumeSamples {
@@ -105,6 +106,16 @@ public final class VolumeSamples {
 
     public static byte[] zlib(byte[] content) {
         return packed(content, false);
+    }
+
+    static byte[] bzip2(byte[] content) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (OutputStream out = new BZip2CompressorOutputStream(bytes)) {
+            out.write(content);
+        } catch (IOException impossible) {
+            throw new UncheckedIOException(impossible);
+        }
+        return bytes.toByteArray();
     }
 
     private static byte[] packed(byte[] content, boolean gzip) {

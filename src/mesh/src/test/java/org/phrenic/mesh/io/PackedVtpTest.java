@@ -6,61 +6,17 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.Base64;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 
-/** Blocks of LZ4 made by hand from its description, and VTP files packed with them. */
-class Lz4BlockTest {
+/** VTP files packed with LZ4, and by compressors that are not read. */
+class PackedVtpTest {
     @TempDir
     private Path folder;
-
-    private static byte[] bytes(int... values) {
-        byte[] bytes = new byte[values.length];
-        for (int n = 0; n < values.length; n++) {
-            bytes[n] = (byte) values[n];
-        }
-        return bytes;
-    }
-
-    private static String unpacked(byte[] block, int length) {
-        byte[] out = new byte[length + 2];
-        return Lz4Block.unpack(block, out, 1, length)
-                ? new String(out, 1, length, StandardCharsets.US_ASCII)
-                : "damaged";
-    }
-
-    @Test
-    void literalsAndCopiesThatOverlap() {
-        assertThat(unpacked(bytes(0x30, 'a', 'b', 'c'), 3)).isEqualTo("abc");
-        // Three literals, eleven bytes from three back, one literal.
-        assertThat(unpacked(bytes(0x37, 'a', 'b', 'c', 3, 0, 0x10, 'x'), 15)).isEqualTo("abcabcabcabcabx");
-        // One literal, 4 + 15 + 255 + 2 copies of it, none at the end.
-        assertThat(unpacked(bytes(0x1F, 'z', 1, 0, 255, 2, 0), 277)).isEqualTo("z".repeat(277));
-        // 15 + 3 literals.
-        byte[] eighteen = new byte[20];
-        Arrays.fill(eighteen, (byte) 'y');
-        eighteen[0] = (byte) 0xF0;
-        eighteen[1] = 3;
-        assertThat(unpacked(eighteen, 18)).isEqualTo("y".repeat(18));
-    }
-
-    @Test
-    void damagedBlocksAreKnown() {
-        assertThat(unpacked(bytes(), 3)).isEqualTo("damaged");
-        assertThat(unpacked(bytes(0x30, 'a', 'b'), 3)).isEqualTo("damaged");
-        assertThat(unpacked(bytes(0x30, 'a', 'b', 'c'), 4)).isEqualTo("damaged");
-        assertThat(unpacked(bytes(0x30, 'a', 'b', 'c'), 2)).isEqualTo("damaged");
-        assertThat(unpacked(bytes(0x10, 'a', 2, 0, 0), 5)).isEqualTo("damaged");
-        assertThat(unpacked(bytes(0x10, 'a', 0, 0, 0), 5)).isEqualTo("damaged");
-        assertThat(unpacked(bytes(0x10, 'a', 1), 5)).isEqualTo("damaged");
-        assertThat(unpacked(bytes(0x1F, 'a', 1, 0, 255, 255), 20)).isEqualTo("damaged");
-    }
 
     /** An array in base64: one block of literals, its header apart from the data as VTK writes it. */
     private static String array(String name, String type, int components, ByteBuffer content) {
@@ -104,6 +60,20 @@ class Lz4BlockTest {
         TriangleMesh read = read(packed("vtkLZ4DataCompressor", mesh));
         assertThat(read.positions()).containsExactly(mesh.positions());
         assertThat(read.triangles()).containsExactly(mesh.triangles());
+    }
+
+    @Test
+    void damagedOrShorterBlocksAreRefused() {
+        String whole = packed("vtkLZ4DataCompressor", MeshSamples.tetrahedron());
+        // The first token promises 15 literals and more: 0xF0 becomes 0x50, five literals.
+        byte[] token = {(byte) 0xF0, 81, 0};
+        byte[] fewer = {(byte) 0x50, 81, 0};
+        String damaged = whole.replace(
+                Base64.getEncoder().encodeToString(token), Base64.getEncoder().encodeToString(fewer));
+        assertThat(damaged).isNotEqualTo(whole);
+        assertThatThrownBy(() -> read(damaged))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("compressed");
     }
 
     @Test
