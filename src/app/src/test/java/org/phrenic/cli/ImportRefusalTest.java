@@ -173,9 +173,9 @@ class ImportRefusalTest {
                 bad("unknown space", "'scanner-xyz'", "a.nrrd", nrrd("right-anterior-superior", "scanner-xyz")),
                 bad(
                         "unknown encoding",
-                        "expected raw, gzip or ascii",
+                        "expected raw, gzip, bzip2 or ascii",
                         "a.nrrd",
-                        nrrd("encoding: raw", "encoding: bzip2")),
+                        nrrd("encoding: raw", "encoding: hex")),
                 bad("no type", "no 'type'", "a.nrrd", nrrd("type: uchar\n", "")),
                 bad("unknown type", "'block'", "a.nrrd", nrrd("type: uchar", "type: block")),
                 bad(
