@@ -65,7 +65,12 @@ public record PatientStructure(
 
     /** Whether the structure is not truncated by a scan. */
     public boolean isComplete() {
-        return scan.map(Scan::isComplete).orElse(true);
+        return cuts().isEmpty();
+    }
+
+    /** Ends of the scan at which it truncates the structure. */
+    public List<CutPlane> cuts() {
+        return scan.map(Scan::cuts).orElse(List.of());
     }
 
     /**
@@ -76,7 +81,7 @@ public record PatientStructure(
     public boolean[] verticesAtCut(double distanceMm) {
         TriangleMesh now = structure.mesh();
         boolean[] at = new boolean[now.vertexCount()];
-        List<CutPlane> cuts = scan.map(Scan::cuts).orElse(List.of());
+        List<CutPlane> cuts = cuts();
         if (!cuts.isEmpty()) {
             TriangleMesh shown = scan.orElseThrow().meshed().mesh();
             double[] p = (shown.vertexCount() == at.length ? shown : now).positions();

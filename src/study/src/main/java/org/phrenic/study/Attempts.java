@@ -19,7 +19,7 @@ public final class Attempts<T> {
     private final List<String> failures = new ArrayList<>();
 
     /** Computes a case. */
-    public synchronized void add(String name, Supplier<T> work) {
+    public void add(String name, Supplier<T> work) {
         try {
             results.add(work.get());
         } catch (BadInputException | DivergenceException | IllegalArgumentException | UncheckedIOException failure) {

@@ -61,7 +61,7 @@ public record Thorax(
 
     private String notInScanOfKind(StructureKind kind) {
         List<Structure> all = structuresOf(kind);
-        long count = all.stream().filter(s -> notInScan.contains(s.name())).count();
+        long count = all.stream().filter(s -> !isInScan(s)).count();
         String label = kind.name().toLowerCase(Locale.ROOT).replace('_', ' ');
         if (count == 0 || all.size() == 1) {
             return count == 0 ? "" : label;
@@ -73,6 +73,11 @@ public record Thorax(
                     default -> label + "s";
                 };
         return count == all.size() ? plural : count + " of " + all.size() + " " + plural;
+    }
+
+    /** Whether a structure of a scanned body is in its scan; every structure of another body is. */
+    public boolean isInScan(Structure structure) {
+        return !notInScan.contains(structure.name());
     }
 
     /** All structures of a kind, in their original order. */

@@ -41,6 +41,6 @@ public final class ScheduleCheck {
     private static long end(Scenario scenario, double total, double time, long step) {
         return scenario.steps() >= 0
                 ? scenario.steps()
-                : step + Math.max(0, Math.round((total - time) / scenario.timeStepS()));
+                : step + SimulationRun.stepsFor(total - time, scenario.timeStepS());
     }
 }

@@ -93,7 +93,7 @@ public final class SimulationRun {
     }
 
     /** Steps that a time takes, the last of which may reach beyond it: a run ends no earlier than its last breath. */
-    private static long stepsFor(double seconds, double dt) {
+    static long stepsFor(double seconds, double dt) {
         return Math.max(0, (long) Math.ceil(seconds / dt * (1 - ROUNDING)));
     }
 

@@ -18,7 +18,9 @@ import org.phrenic.file.Hashes;
 import org.phrenic.file.OutputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.ScheduledChange;
 import org.phrenic.simulation.observe.Observation;
 
 /** What a run leaves behind; the paper's material, for it is quick. */
@@ -58,12 +60,24 @@ class RunRecorderTest {
         assertThat(execute(again, null).get("state_sha256")).isEqualTo(summary.get("state_sha256"));
     }
 
-    /** At 17 breaths/min two breaths take 7.0588 s, 2823.5 steps of 2.5 ms; the 2824th ends the second breath. */
+    /** At 19 breaths/min two breaths take 6.3158 s, 2526.3 steps of 2.5 ms; the 2527th ends the second breath. */
     @Test
     void aRunOfTwoBreathsHasTwoWholeBreathsAtAnyRate() {
         Scenario twoBreaths = Runs.scenario(Runs.sheetAlone(
-                "material=paper", "pressure=false", "rate_per_min=17", "time_step_s=0.0025", "record_every_s=0.05"));
-        assertThat(execute(twoBreaths, null)).containsEntry("breaths", 2).containsEntry("steps", 2824L);
+                "material=paper", "pressure=false", "rate_per_min=19", "time_step_s=0.0025", "record_every_s=0.05"));
+        assertThat(execute(twoBreaths, null)).containsEntry("breaths", 2).containsEntry("steps", 2527L);
+    }
+
+    /** As far as the last step of the same two breaths. */
+    @Test
+    void aChangeMayBeScheduledForTheLastStepAtAnyRate() {
+        Scenario twoBreaths = scenario("preset=quiet", "rate_per_min=19", "time_step_s=0.0025")
+                .without(RunSettings.DURATION);
+        ScheduleCheck.requireWithinRun(twoBreaths.withChanges(List.of(ScheduledChange.parse("2527:depth=0.5"))));
+        Scenario late = twoBreaths.withChanges(List.of(ScheduledChange.parse("2528:depth=0.5")));
+        assertThatExceptionOfType(BadInputException.class)
+                .isThrownBy(() -> ScheduleCheck.requireWithinRun(late))
+                .withMessageContaining("at most step 2527");
     }
 
     private static void meshes(Path out) throws IOException {

@@ -1,7 +1,9 @@
 package org.phrenic.access.imaging;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
@@ -41,8 +43,8 @@ public final class Fluoroscope {
 
     private final List<Part> parts = new ArrayList<>();
     private final List<String> leftOut = new ArrayList<>();
-    /** Lungs and liver. */
-    private final List<Part> organs;
+    /** Indices of the parts that are lungs and liver. */
+    private final int[] organs;
     /** Shares of each part in each of the organs. */
     private final List<double[]> shares = new ArrayList<>();
 
@@ -67,11 +69,13 @@ public final class Fluoroscope {
             }
         }
         skin = parts.stream().anyMatch(part -> part.surface().kind() == StructureKind.SKIN);
-        organs = parts.stream().filter(Part::mayEnclose).toList();
-        EnclosingOrgans enclosing =
-                new EnclosingOrgans(organs.stream().map(Part::rest).toList());
+        organs = IntStream.range(0, parts.size())
+                .filter(i -> parts.get(i).mayEnclose())
+                .toArray();
+        EnclosingOrgans enclosing = new EnclosingOrgans(
+                IntStream.of(organs).mapToObj(i -> parts.get(i).rest()).toList());
         for (Part part : parts) {
-            shares.add(part.mayBeEnclosed() ? enclosing.sharesOf(part.surface().rest()) : new double[organs.size()]);
+            shares.add(part.mayBeEnclosed() ? enclosing.sharesOf(part.surface().rest()) : new double[organs.length]);
         }
     }
 
@@ -99,15 +103,13 @@ public final class Fluoroscope {
      */
     public Radiograph take(Frame frame, CArm arm, double energyKev, List<SteelRod> steel) {
         PathLengths lengths = new PathLengths(arm, threads);
-        double[] organPerMm = new double[organs.size()];
-        for (int i = 0; i < organPerMm.length; i++) {
-            organPerMm[i] = coefficient(organs.get(i), now(organs.get(i), frame), energyKev);
-        }
-        for (int i = 0; i < parts.size(); i++) {
+        List<TriangleMesh> meshes = parts.stream().map(part -> now(part, frame)).toList();
+        double[] perMm = new double[parts.size()];
+        Arrays.setAll(perMm, i -> coefficient(parts.get(i), meshes.get(i), energyKev));
+        for (int i = 0; i < perMm.length; i++) {
             Part part = parts.get(i);
-            TriangleMesh mesh = now(part, frame);
-            double around = surroundings(part, shares.get(i), organPerMm, energyKev);
-            lengths.add(mesh, part.orientation() * (coefficient(part, mesh, energyKev) - around));
+            double around = surroundings(part, shares.get(i), perMm, energyKev);
+            lengths.add(meshes.get(i), part.orientation() * (perMm[i] - around));
         }
         for (SteelRod rod : steel) {
             lengths.add(rod.mesh(), SteelRod.attenuationPerMm(energyKev) - surroundings(energyKev));
@@ -131,14 +133,14 @@ public final class Fluoroscope {
     }
 
     /** Coefficient of what a structure replaces, 1/mm. */
-    private double surroundings(Part part, double[] shares, double[] organPerMm, double energyKev) {
+    private double surroundings(Part part, double[] shares, double[] perMm, double energyKev) {
         if (part.surface().kind() == StructureKind.SKIN) {
             return 0;
         }
         double mean = 0;
         double enclosed = 0;
         for (int i = 0; i < shares.length; i++) {
-            mean += shares[i] * organPerMm[i];
+            mean += shares[i] * perMm[organs[i]];
             enclosed += shares[i];
         }
         return enclosed > 0 ? mean : surroundings(energyKev);

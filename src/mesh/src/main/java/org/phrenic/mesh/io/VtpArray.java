@@ -179,11 +179,13 @@ final class VtpArray implements InputLocator {
                 throw badArray("found a compressed block of another size, expected " + expected + " bytes");
             }
         } catch (IOException | IllegalArgumentException | IndexOutOfBoundsException broken) {
-            throw new BadInputException(
-                    badArray("found compressed data that is damaged, expected LZ4")
-                            .getMessage(),
-                    broken);
+            throw damaged("LZ4", broken);
         }
+    }
+
+    private BadInputException damaged(String expected, Exception broken) {
+        String problem = "found compressed data that is damaged, expected " + expected;
+        return new BadInputException(badArray(problem).getMessage(), broken);
     }
 
     private void inflate(byte[] packed, byte[] content, int from, int expected) {
@@ -204,10 +206,7 @@ final class VtpArray implements InputLocator {
                 throw badArray("found a compressed block of " + got + " bytes, expected " + expected);
             }
         } catch (DataFormatException broken) {
-            throw new BadInputException(
-                    badArray("found compressed data that is damaged, expected zlib")
-                            .getMessage(),
-                    broken);
+            throw damaged("zlib", broken);
         } finally {
             inflater.end();
         }

@@ -31,7 +31,7 @@ public record SearchSpace(List<FitParameter> parameters) {
         double[] unit = new double[values.length];
         for (int i = 0; i < unit.length; i++) {
             FitParameter p = parameters.get(i);
-            unit[i] = p.toUnit(Math.max(p.minimum(), values[i] / strongerSideOverMean(p, values)));
+            unit[i] = p.toUnit(Math.max(p.minimum(), meanOfSides(i, values)));
         }
         return unit;
     }
@@ -51,8 +51,7 @@ public record SearchSpace(List<FitParameter> parameters) {
         double[] way = new double[values.length];
         for (int i = 0; i < way.length; i++) {
             FitParameter p = parameters.get(i);
-            way[i] = p.toUnit(moved[i] / strongerSideOverMean(p, moved))
-                    - p.toUnit(values[i] / strongerSideOverMean(p, values));
+            way[i] = p.toUnit(meanOfSides(i, moved)) - p.toUnit(meanOfSides(i, values));
         }
         return way;
     }
@@ -86,6 +85,11 @@ public record SearchSpace(List<FitParameter> parameters) {
             shared[i] = Math.min(p.maximum(), values[i] * strongerSideOverMean(p, values));
         }
         return shared;
+    }
+
+    /** The value of a parameter, of a drive the geometric mean of its sides. */
+    private double meanOfSides(int parameter, double[] values) {
+        return values[parameter] / strongerSideOverMean(parameters.get(parameter), values);
     }
 
     /** Ratio of the stronger side to the geometric mean, over all fitted ratios of a drive; 1 if there are none. */

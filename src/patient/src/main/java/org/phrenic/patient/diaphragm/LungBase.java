@@ -159,7 +159,7 @@ final class LungBase {
     /** The bases of the right and the left lung, as far as the body has them. */
     static List<LungBase> of(Thorax body) {
         List<TriangleMesh> organs = ContactingOrgans.abdominal(body).stream()
-                .filter(organ -> !body.notInScan().contains(organ.name()))
+                .filter(body::isInScan)
                 .map(Structure::mesh)
                 .toList();
         Optional<TriangleTree> below =

@@ -93,11 +93,8 @@ public final class BodyCompletion {
         Structure whole = s.structure()
                 .withMesh(merged(parts.stream().map(PatientStructure::structure).toList(), s.structure())
                         .orElseThrow());
-        List<CutPlane> cuts = parts.stream()
-                .flatMap(part -> part.scan().stream())
-                .flatMap(scan -> scan.cuts().stream())
-                .distinct()
-                .toList();
+        List<CutPlane> cuts =
+                parts.stream().flatMap(part -> part.cuts().stream()).distinct().toList();
         return new SharedStructure(
                 new PatientStructure(whole, s.source(), s.scan().map(scan -> scan.withCuts(cuts)), s.distanceToScan()),
                 mesh);

@@ -63,7 +63,7 @@ final class RibFit {
     }
 
     private boolean isCut(double[] p, int at) {
-        return shared.cuts().stream().anyMatch(cut -> cut.isReachedBy(p, at, CUT_MM));
+        return shared.organ().cuts().stream().anyMatch(cut -> cut.isReachedBy(p, at, CUT_MM));
     }
 
     Side side() {

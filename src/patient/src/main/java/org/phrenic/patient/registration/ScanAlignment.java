@@ -74,9 +74,8 @@ public record ScanAlignment(
 
     /** The body without what its scan does not show, which comes from a template. */
     private static Thorax shown(Thorax body) {
-        List<Structure> shown = body.structures().stream()
-                .filter(s -> !body.notInScan().contains(s.name()))
-                .toList();
+        List<Structure> shown =
+                body.structures().stream().filter(body::isInScan).toList();
         return new Thorax(body.name(), shown, body.notes());
     }
 
@@ -147,11 +146,12 @@ public record ScanAlignment(
      * @throws IllegalArgumentException if the scans share neither a spine nor a lung
      */
     public static Aligned aligned(Thorax first, PatientBody second) {
-        ScanAlignment alignment = of(first, second.thorax());
+        Thorax ofFirst = shown(first);
+        ScanAlignment alignment = ofShown(ofFirst, shown(second.thorax()));
         PointTransform motion = alignment.motion::apply;
         PatientBody body = second.withEach(motion::apply);
         List<String> notes = new ArrayList<>(List.of(alignment.sentence(first.name())));
-        LungDistances.between(shown(first), body.thorax())
+        LungDistances.between(ofFirst, body.thorax())
                 .forEach((side, d) -> notes.add("lungs, " + side + ", off " + first.name() + ": whole "
                         + text(d.whole()) + ", base " + text(d.base())));
         return new Aligned(body.withNotes(notes), alignment);

@@ -1,11 +1,9 @@
 package org.phrenic.patient.registration;
 
-import java.util.List;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.patient.PatientStructure;
-import org.phrenic.patient.segmentation.CutPlane;
 
 /**
  * A structure that scan and template have.
@@ -37,9 +35,5 @@ record SharedStructure(PatientStructure organ, TriangleMesh template) {
 
     String cutAt() {
         return organ.scan().map(PatientStructure.Scan::cutAt).orElse("");
-    }
-
-    List<CutPlane> cuts() {
-        return organ.scan().map(PatientStructure.Scan::cuts).orElse(List.of());
     }
 }

@@ -1,5 +1,7 @@
 package org.phrenic.patient.segmentation;
 
+import org.phrenic.mesh.Vectors;
+
 /**
  * A plane at which the end of a scan truncates structures, {@code n . p = offset} with the unit normal n = (x, y, z)
  * out of the scan. The grid of a scan may be rotated relative to LPS.
@@ -18,7 +20,7 @@ public record CutPlane(String side, double x, double y, double z, double offsetM
      */
     public static CutPlane ofLayer(double[] toMm, int direction, int layer, boolean forward) {
         double[] normal = {toMm[direction], toMm[4 + direction], toMm[8 + direction]};
-        double length = Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+        double length = Vectors.length(normal);
         double offset = (forward ? layer + 0.5 : 0.5 - layer) * length;
         int largest = 0;
         for (int row = 0; row < 3; row++) {

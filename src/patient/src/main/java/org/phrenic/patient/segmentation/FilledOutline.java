@@ -1,5 +1,6 @@
 package org.phrenic.patient.segmentation;
 
+import java.util.stream.IntStream;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
 
@@ -33,7 +34,7 @@ public final class FilledOutline {
             int k = Math.min(body.slices - 1, times[2] * (cell / sizes[0] / sizes[1]) + times[2] / 2);
             any[cell] = (byte) (body.voxels[i + body.columns * (j + body.rows * k)] == 0 ? 0 : 1);
         }
-        double[] toMm = body.toMm;
+        double[] toMm = body.grid().toMm();
         double[] large = toMm.clone();
         for (int row = 0; row < 3; row++) {
             for (int direction = 0; direction < 3; direction++) {
@@ -42,17 +43,12 @@ public final class FilledOutline {
                 large[4 * row + 3] += middle * toMm[4 * row + direction];
             }
         }
-        new FilledOutline(sizes, any).fill(alongBody(toMm));
+        new FilledOutline(sizes, any)
+                .fill(IntStream.range(0, 3)
+                        .filter(body::isAlongBody)
+                        .findFirst()
+                        .orElse(2));
         return LabelGrid.of(sizes[0], sizes[1], sizes[2], any, large);
-    }
-
-    private static int alongBody(double[] toMm) {
-        int direction = 0;
-        while (direction < 2
-                && !"SI".contains(CutPlane.ofLayer(toMm, direction, 0, true).side())) {
-            direction++;
-        }
-        return direction;
     }
 
     /** Fills the background of each layer across a direction that no path in the layer joins to the layer's border. */

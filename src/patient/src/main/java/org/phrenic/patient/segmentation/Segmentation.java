@@ -33,8 +33,7 @@ public final class Segmentation {
     /** Segment number of each voxel; 0 for no segment. */
     byte[] voxels;
 
-    /** Affine transform from voxel indices to LPS, mm. */
-    final double[] toMm;
+    private final double[] toMm;
     /**
      * Whether the box begins at the first voxel and ends at the last of the volume, for each direction, or at empty
      * slices with which a volume is filled up beyond the end of a scan.
@@ -88,7 +87,7 @@ public final class Segmentation {
         for (int direction = 0; direction < 3; direction++) {
             atEnd[direction] = box[direction] == 0;
             atEnd[3 + direction] = box[3 + direction] == last[direction];
-            if ("SI".contains(CutPlane.ofLayer(toMm, direction, 0, true).side())) {
+            if (isAlongBody(direction)) {
                 atEnd[direction] |= structuresAt(direction, 0).size() >= CUT_STRUCTURES;
                 atEnd[3 + direction] |= structuresAt(direction, box[3 + direction] - box[direction])
                                 .size()
@@ -165,6 +164,11 @@ public final class Segmentation {
                 .filter(segment -> met[segment])
                 .mapToObj(segment -> names.get(segment - 1))
                 .toList();
+    }
+
+    /** Whether a direction of the grid runs along the body, up or down, more than across it. */
+    boolean isAlongBody(int direction) {
+        return "SI".contains(CutPlane.ofLayer(toMm, direction, 0, true).side());
     }
 
     /** Segment number of a structure. The segment is created if it does not exist. */

@@ -20,9 +20,9 @@ import org.phrenic.mesh.io.raster.LayeredSegments.Segment;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
- * Reader of NRRD and of 3D Slicer segmentations ({@code .seg.nrrd}), raw, gzip or text, with the header in the file or
- * in a separate file ({@code .nhdr}). It follows the format definition, teem.sourceforge.net/nrrd/format.html. Label
- * names come from {@code SegmentN_Name} and {@code SegmentN_LabelValue}.
+ * Reader of NRRD and of 3D Slicer segmentations ({@code .seg.nrrd}), raw, gzip, bzip2 or text, with the header in the
+ * file or in a separate file ({@code .nhdr}). It follows the format definition, teem.sourceforge.net/nrrd/format.html.
+ * Label names come from {@code SegmentN_Name} and {@code SegmentN_LabelValue}.
  */
 final class NrrdReader {
     private static final String DATA_FILE = "data file";

@@ -3,6 +3,7 @@ package org.phrenic.mesh.io.raster;
 import java.util.Arrays;
 import java.util.Locale;
 import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.Vectors;
 
 /**
  * Position of the voxels of a volume, mm.
@@ -42,10 +43,7 @@ public record VolumeAxes(double[][] steps, double[] origin) {
 
     /** Distance of neighbouring voxels along the direction in which they are nearest. */
     double smallestSpacing() {
-        return Arrays.stream(steps)
-                .mapToDouble(s -> Math.sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]))
-                .min()
-                .orElseThrow();
+        return Arrays.stream(steps).mapToDouble(Vectors::length).min().orElseThrow();
     }
 
     /** Greatest distance of the corners of a volume of these sizes from where {@code other} has them. */
