@@ -1,7 +1,6 @@
 package org.phrenic.simulation.observe;
 
 import java.util.Arrays;
-import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.engine.math.Triangles;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
@@ -27,8 +26,6 @@ public final class SheetContact {
     private static final double FOLD_REACH_MM = 5;
     /** Such a point is searched for up to the height of a pleat: an edge of the coarsest sheet and the thickness. */
     private static final double PLEAT_REACH_MM = 10;
-    /** Weight of corners within a face below which a nearest point lies on the border. */
-    private static final double AT_BORDER = 1e-3;
     /** Weight of a corner below which a nearest point lies on the opposite side of its triangle. */
     private static final double ON_SIDE = 1e-9;
 
@@ -40,10 +37,7 @@ public final class SheetContact {
 
     private final int first;
     private final TriangleTree sheet;
-    private final boolean[] thoracicFace;
-    private final boolean[] abdominalFace;
-    private final boolean[] isThoracic;
-    private final boolean[] atBorder;
+    private final SheetFaces faces;
     private final double[] positions;
     /** Sum of the largest distances that a vertex has moved from update to update, mm. */
     private double travelMm;
@@ -54,39 +48,12 @@ public final class SheetContact {
     private final TriangleTree.Hit onFace = new TriangleTree.Hit();
 
     public SheetContact(DiaphragmPart part) {
-        Diaphragm diaphragm = part.diaphragm;
-        TriangleMesh mesh = diaphragm.sheet();
+        TriangleMesh mesh = part.diaphragm.sheet();
         first = part.firstNode;
-        isThoracic = new boolean[mesh.vertexCount()];
-        for (int v = 0; v < isThoracic.length; v++) {
-            isThoracic[v] = diaphragm.isThoracic(v);
-        }
-        atBorder = new boolean[mesh.vertexCount()];
         positions = mesh.positions().clone();
         sheet = new TriangleTree(mesh);
-        thoracicFace = face(mesh, true);
-        abdominalFace = face(mesh, false);
         topology = new MeshTopology(mesh);
-    }
-
-    /** The triangles all of whose corners lie on a face; the corners of those that lie on both are marked as border. */
-    private boolean[] face(TriangleMesh mesh, boolean above) {
-        boolean[] face = new boolean[mesh.triangleCount()];
-        for (int i = 0; i < face.length; i++) {
-            face[i] = isFace(mesh.triangles(), 3 * i, above);
-        }
-        return face;
-    }
-
-    private boolean isFace(int[] t, int offset, boolean above) {
-        int on = 0;
-        for (int corner = offset; corner < offset + 3; corner++) {
-            on += isThoracic[t[corner]] == above ? 1 : 0;
-        }
-        for (int corner = offset; corner < offset + 3 && on > 0 && on < 3; corner++) {
-            atBorder[t[corner]] = true;
-        }
-        return on == 3;
+        faces = new SheetFaces(part.diaphragm, topology);
     }
 
     /** @param nodes current positions of the whole scene, caller's order */
@@ -196,7 +163,7 @@ public final class SheetContact {
         private boolean isAtFace(double[] points, int k) {
             int triangle = nearest[k / 3];
             return triangle >= 0
-                    && (above ? thoracicFace : abdominalFace)[triangle]
+                    && faces.face(above)[triangle]
                     && sheet.squaredDistance(triangle, points[k], points[k + 1], points[k + 2], hit)
                             <= ALLOWED_MM * ALLOWED_MM;
         }
@@ -209,7 +176,7 @@ public final class SheetContact {
             if (!pushBack(points, k, CLUSTER_REACH_MM)) {
                 return CLUSTER_REACH_MM;
             }
-            return beyond || isOnBorder() ? 0 : Math.sqrt(hit.distanceSquared);
+            return beyond || faces.isOnBorder(hit) ? 0 : Math.sqrt(hit.distanceSquared);
         }
 
         /** Moves a point if it lies beyond; returns whether the sheet is within a distance, of which the hit tells. */
@@ -227,10 +194,10 @@ public final class SheetContact {
             System.arraycopy(points, k, searchedAt, k, 3);
             leastMm[k / 3] = travelMm + (found ? Math.sqrt(hit.distanceSquared) : reachMm + AHEAD_MM);
             beyond = near && isBeyond(points, k, above);
-            onSide[k / 3] = near && !beyond && !isOnBorder();
+            onSide[k / 3] = near && !beyond && !faces.isOnBorder(hit);
             if (beyond
                     && hit.distanceSquared <= REACH_MM * REACH_MM
-                    && sheet.closest(x, y, z, REACH_MM, -1, above ? thoracicFace : abdominalFace, onFace)) {
+                    && sheet.closest(x, y, z, REACH_MM, -1, faces.face(above), onFace)) {
                 yieldTo(points, k);
             }
             return near;
@@ -265,21 +232,7 @@ public final class SheetContact {
 
     /** Whether the last nearest point of the sheet is within the other face, or the point is between the faces. */
     private boolean isBeyond(double[] points, int k, boolean above) {
-        return !isOnBorder()
-                && (outside(points, k) < 0 || isThoracic[sheet.mesh().triangles()[3 * hit.triangle]] != above);
-    }
-
-    /** Whether the last nearest point lies on a triangle between the faces or on an edge of one. */
-    private boolean isOnBorder() {
-        int[] t = sheet.mesh().triangles();
-        int corner = 3 * hit.triangle;
-        boolean between = isThoracic[t[corner]] != isThoracic[t[corner + 1]]
-                || isThoracic[t[corner]] != isThoracic[t[corner + 2]];
-        double least = Math.min(hit.weightA, Math.min(hit.weightB, hit.weightC));
-        double inner = (atBorder[t[corner]] ? 0 : hit.weightA)
-                + (atBorder[t[corner + 1]] ? 0 : hit.weightB)
-                + (atBorder[t[corner + 2]] ? 0 : hit.weightC);
-        return between || Math.max(least, inner) < AT_BORDER;
+        return !faces.isOnBorder(hit) && (outside(points, k) < 0 || !faces.face(above)[hit.triangle]);
     }
 
     /** Positive outside the sheet, by the normal of the face, edge or vertex on which the last nearest point lies. */

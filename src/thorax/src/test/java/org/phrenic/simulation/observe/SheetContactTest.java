@@ -10,8 +10,8 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.DiaphragmSide;
 import org.phrenic.anatomy.StructureKind;
-import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.math.Triangles;
+import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.OrganSettings;
@@ -76,33 +76,72 @@ class SheetContactTest {
     /** The lowest row of the thoracic face, all of whose corners belong to triangles between the faces, has a side. */
     @Test
     void organsYieldBesideTheBorderAsWell() {
-        Scenario scenario =
-                Scenario.defaults().with("resolution=low").with("lungs=off").with("anatomy=virtual/adult-female");
-        Thorax remeshed = Runs.withRemeshedSheet(
-                SimulationRun.loadThorax(scenario),
-                OrganSettings.budget(scenario).diaphragmVertices());
-        try (Simulation female = Simulation.of(scenario, remeshed)) {
+        try (Simulation female = remeshedFemale()) {
             DiaphragmPart part = female.scene().diaphragm();
             double[] nodes = female.scene().restPositions();
             int[] t = part.diaphragm.sheet().triangles();
-            boolean[] atBorder = new boolean[part.diaphragm.sheet().vertexCount()];
-            for (int i = 0; i < t.length; i++) {
-                atBorder[t[i]] |= on(part, t, i - i % 3) % 3 != 0;
-            }
+            boolean[] atBorder = atBorder(part);
             SheetContact contact = new SheetContact(part);
             contact.update(nodes);
             int tried = 0;
             for (int i = 0; i < t.length; i += 3) {
                 if (on(part, t, i) == 3 && atBorder[t[i]] && atBorder[t[i + 1]] && atBorder[t[i + 2]]) {
-                    double[] p = outside(nodes, part.firstNode, t, i);
-                    double[] before = p.clone();
-                    contact.organ(p, false).pushBack(p);
-                    assertThat(Vectors.distance(p, before)).as("yield, mm").isGreaterThan(0.3);
+                    assertYields(contact, outside(nodes, part.firstNode, t, i, 1, 1, 1));
                     tried++;
                 }
             }
             assertThat(tried).isPositive();
         }
+    }
+
+    /**
+     * A triangle of the thoracic face with two sides on the border has a third that is not, though both of its ends
+     * are: an organ beside it has a side.
+     */
+    @Test
+    void organsYieldBesideASideWithinAFaceWithBothEndsOnTheBorder() {
+        try (Simulation female = remeshedFemale()) {
+            DiaphragmPart part = female.scene().diaphragm();
+            double[] nodes = female.scene().restPositions();
+            int[] t = part.diaphragm.sheet().triangles();
+            boolean[] atBorder = atBorder(part);
+            MeshTopology topology = new MeshTopology(part.diaphragm.sheet());
+            SheetContact contact = new SheetContact(part);
+            contact.update(nodes);
+            int tried = 0;
+            for (int i = 0; i < t.length; i++) {
+                int next = i % 3 == 2 ? i - 2 : i + 1;
+                int across = 3 * topology.otherFace(topology.edgeOfSide()[i], i / 3);
+                if (on(part, t, i - i % 3) == 3 && on(part, t, across) == 3 && atBorder[t[i]] && atBorder[t[next]]) {
+                    double[] weights = new double[3];
+                    weights[i % 3] = 1;
+                    weights[next % 3] = 1;
+                    assertYields(contact, outside(nodes, part.firstNode, t, i - i % 3, weights));
+                    tried++;
+                }
+            }
+            assertThat(tried).isPositive();
+        }
+    }
+
+    private static Simulation remeshedFemale() {
+        Scenario scenario =
+                Scenario.defaults().with("resolution=low").with("lungs=off").with("anatomy=virtual/adult-female");
+        return Simulation.of(
+                scenario,
+                Runs.withRemeshedSheet(
+                        SimulationRun.loadThorax(scenario),
+                        OrganSettings.budget(scenario).diaphragmVertices()));
+    }
+
+    /** The corners of triangles between the faces. */
+    private static boolean[] atBorder(DiaphragmPart part) {
+        int[] t = part.diaphragm.sheet().triangles();
+        boolean[] atBorder = new boolean[part.diaphragm.sheet().vertexCount()];
+        for (int i = 0; i < t.length; i++) {
+            atBorder[t[i]] |= on(part, t, i - i % 3) % 3 != 0;
+        }
+        return atBorder;
     }
 
     private static int on(DiaphragmPart part, int[] t, int i) {
@@ -113,19 +152,27 @@ class SheetContactTest {
         return on;
     }
 
-    /** The point 0.5 mm outside the middle of a triangle. */
-    private static double[] outside(double[] nodes, int first, int[] t, int i) {
+    /** The point 0.5 mm outside a place on a triangle, the mean of its corners with these weights. */
+    private static double[] outside(double[] nodes, int first, int[] t, int i, double... weights) {
         double[] normal = new double[3];
         Triangles.cross(nodes, 3 * (first + t[i]), 3 * (first + t[i + 1]), 3 * (first + t[i + 2]), normal);
         double length = Vectors.distance(normal, new double[3]);
+        double sum = weights[0] + weights[1] + weights[2];
         double[] p = new double[3];
         for (int axis = 0; axis < 3; axis++) {
             p[axis] = 0.5 * normal[axis] / length;
-            for (int corner = i; corner < i + 3; corner++) {
-                p[axis] += nodes[3 * (first + t[corner]) + axis] / 3;
+            for (int corner = 0; corner < 3; corner++) {
+                p[axis] += weights[corner] / sum * nodes[3 * (first + t[i + corner]) + axis];
             }
         }
         return p;
+    }
+
+    /** A point of an organ of the abdomen just above the thoracic face is moved down to the abdominal one. */
+    private static void assertYields(SheetContact contact, double[] p) {
+        double[] before = p.clone();
+        contact.organ(p, false).pushBack(p);
+        assertThat(Vectors.distance(p, before)).as("yield, mm").isGreaterThan(0.3);
     }
 
     /** Points all around the sheet, once as one organ and once each as an organ of its own. */
