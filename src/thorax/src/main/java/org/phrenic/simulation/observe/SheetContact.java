@@ -230,9 +230,17 @@ public final class SheetContact {
         }
     }
 
-    /** Whether the last nearest point of the sheet is within the other face, or the point is between the faces. */
+    /**
+     * Whether the last nearest point of the sheet is within the other face, or the point is between the faces: as near
+     * to its own as the sheet is thick, and inside. Where the sheet passes through itself, the normal at the nearest
+     * point says nothing of a point farther away.
+     */
     private boolean isBeyond(double[] points, int k, boolean above) {
-        return !faces.isOnBorder(hit) && (outside(points, k) < 0 || !faces.face(above)[hit.triangle]);
+        if (faces.isOnBorder(hit)) {
+            return false;
+        }
+        return !faces.face(above)[hit.triangle]
+                || (hit.distanceSquared <= FOLD_REACH_MM * FOLD_REACH_MM && outside(points, k) < 0);
     }
 
     /** Positive outside the sheet, by the normal of the face, edge or vertex on which the last nearest point lies. */

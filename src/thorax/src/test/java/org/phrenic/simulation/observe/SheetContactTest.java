@@ -12,7 +12,9 @@ import org.phrenic.anatomy.DiaphragmSide;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.engine.math.Triangles;
 import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
+import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.scenario.Scenario;
@@ -214,9 +216,55 @@ class SheetContactTest {
         assertYieldsAsAlone(contact, points, false);
     }
 
-    /** Pleats 14 mm wide and tilted, which pass through one another; points within 12 mm of them. */
+    /** Points within 12 mm of pleats. */
     @Test
     void pointsBesidePleatsYieldAsTheyDoAlone() {
+        SheetContact contact = new SheetContact(simulation.scene().diaphragm());
+        contact.update(pleated());
+        Random random = new Random(9);
+        double[] points = new double[3 * 3000];
+        for (int k = 0; k < points.length; k += 3) {
+            points[k] = -68 + 60 * (random.nextDouble() - 0.5);
+            points[k + 1] = -16 + 60 * (random.nextDouble() - 0.5);
+            points[k + 2] = 112 + 24 * (random.nextDouble() - 0.5);
+        }
+        assertYieldsAsAlone(contact, points, true);
+        assertYieldsAsAlone(contact, points, false);
+    }
+
+    /** What lies before its own face, farther from it than the sheet is thick, is not drawn to pleats. */
+    @Test
+    void pointsBeforeTheirFaceStayWherePleatsPassThroughOneAnother() {
+        DiaphragmPart part = simulation.scene().diaphragm();
+        TriangleMesh sheet = part.diaphragm.sheet();
+        double[] nodes = pleated();
+        int first = 3 * part.firstNode;
+        TriangleTree tree = new TriangleTree(
+                sheet.withPositions(Arrays.copyOfRange(nodes, first, first + sheet.positions().length)));
+        SheetContact contact = new SheetContact(part);
+        contact.update(nodes);
+        Random random = new Random(13);
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        int before = 0;
+        for (int i = 0; i < 10_000; i++) {
+            double[] p = {
+                -68 + 80 * (random.nextDouble() - 0.5),
+                -16 + 80 * (random.nextDouble() - 0.5),
+                100 + 40 * (random.nextDouble() - 0.5)
+            };
+            tree.closest(p[0], p[1], p[2], hit);
+            if (on(part, sheet.triangles(), 3 * hit.triangle) == 0 && hit.distanceSquared > 25) {
+                double[] now = p.clone();
+                contact.organ(now, false).pushBack(now);
+                assertThat(now).containsExactly(p);
+                before++;
+            }
+        }
+        assertThat(before).isGreaterThan(2000);
+    }
+
+    /** Pleats 14 mm wide and tilted, which pass through one another. */
+    private static double[] pleated() {
         DiaphragmPart part = simulation.scene().diaphragm();
         double[] pleated = simulation.scene().restPositions().clone();
         for (int v = 0; v < part.diaphragm.sheet().vertexCount(); v++) {
@@ -227,17 +275,7 @@ class SheetContactTest {
                 pleated[k + 2] += 7 * wave;
             }
         }
-        SheetContact contact = new SheetContact(part);
-        contact.update(pleated);
-        Random random = new Random(9);
-        double[] points = new double[3 * 3000];
-        for (int k = 0; k < points.length; k += 3) {
-            points[k] = -68 + 60 * (random.nextDouble() - 0.5);
-            points[k + 1] = -16 + 60 * (random.nextDouble() - 0.5);
-            points[k + 2] = 112 + 24 * (random.nextDouble() - 0.5);
-        }
-        assertYieldsAsAlone(contact, points, true);
-        assertYieldsAsAlone(contact, points, false);
+        return pleated;
     }
 
     /** The sheet goes down by 20 mm in 40 frames and is pleated meanwhile; points follow it by half. */
