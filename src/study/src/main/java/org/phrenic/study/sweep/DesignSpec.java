@@ -10,6 +10,7 @@ import java.util.Optional;
 import org.phrenic.document.CsvTable;
 import org.phrenic.document.Key;
 import org.phrenic.file.BadInputException;
+import org.phrenic.study.sweep.design.FactorLevels;
 import org.phrenic.study.sweep.design.FullGrid;
 import org.phrenic.study.sweep.design.LatinHypercube;
 import org.phrenic.study.sweep.design.MorrisDesign;
@@ -22,7 +23,7 @@ import org.phrenic.study.sweep.design.SweepDesign;
  * @param kind of design
  * @param samples points of a Latin hypercube, rows of matrix A of Saltelli's sampling, trajectories of Morris
  * @param seed of all random numbers
- * @param levels of a Morris grid
+ * @param levels of a factor that is not listed, on Morris trajectories
  * @param file CSV file of a list, one column a factor
  * @param columns factors of {@code points}
  * @param points of a list, in place of a file
@@ -112,12 +113,22 @@ public record DesignSpec(
             case LATIN_HYPERCUBE -> samples;
             case SOBOL -> (long) samples * SaltelliDesign.blockSize(factors.size());
             case MORRIS -> (long) samples * MorrisDesign.blockSize(factors.size());
-            case GRID -> factors.stream().mapToLong(DesignSpec::levels).reduce(1, (a, b) -> Math.min(a * b, 1L << 40));
+            case GRID ->
+                factors.stream().mapToLong(DesignSpec::gridLevels).reduce(1, (a, b) -> Math.min(a * b, 1L << 40));
         };
     }
 
-    private static int levels(Factor factor) {
-        return factor.isListed() ? factor.values().size() : factor.levels();
+    private static int gridLevels(Factor factor) {
+        return levels(factor, factor.levels()).count();
+    }
+
+    /** The levels of a factor; with listed values these. */
+    private static FactorLevels levels(Factor factor, int ofRange) {
+        if (factor.isListed()) {
+            return new FactorLevels(factor.values().size(), FactorLevels.Spacing.LISTED);
+        }
+        return new FactorLevels(
+                ofRange, factor.normal().isPresent() ? FactorLevels.Spacing.MIDDLES : FactorLevels.Spacing.ENDS);
     }
 
     /** The design in the unit cube; empty for a list. */
@@ -127,15 +138,12 @@ public record DesignSpec(
             case LIST -> Optional.empty();
             case LATIN_HYPERCUBE -> Optional.of(new LatinHypercube(k, samples, seed));
             case SOBOL -> Optional.of(new SaltelliDesign(k, samples, seed));
-            case MORRIS -> Optional.of(new MorrisDesign(k, samples, levels, seed));
-            case GRID -> {
-                boolean[] inner = new boolean[k];
-                for (int f = 0; f < k; f++) {
-                    inner[f] = factors.get(f).isListed();
-                }
-                yield Optional.of(new FullGrid(
-                        factors.stream().mapToInt(DesignSpec::levels).toArray(), inner));
-            }
+            case MORRIS ->
+                Optional.of(new MorrisDesign(
+                        factors.stream().map(f -> levels(f, levels)).toList(), samples, seed));
+            case GRID ->
+                Optional.of(new FullGrid(
+                        factors.stream().map(f -> levels(f, f.levels())).toList()));
         };
     }
 

@@ -1,5 +1,6 @@
 package org.phrenic.study.sweep;
 
+import java.util.DoubleSummaryStatistics;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -18,6 +19,9 @@ public final class FactorScale {
     private final double low;
     private final double high;
     private final boolean numeric;
+    /** Greatest less least listed number. */
+    private final double span;
+
     private final Map<String, Integer> places = new HashMap<>();
 
     private FactorScale(Factor factor, double low, double high) {
@@ -27,6 +31,9 @@ public final class FactorScale {
         factor.values().forEach(value -> places.putIfAbsent(value, places.size()));
         numeric = !factor.isListed()
                 || factor.values().stream().allMatch(v -> Numbers.parse(v).isPresent());
+        DoubleSummaryStatistics numbers =
+                factor.values().stream().mapToDouble(this::number).summaryStatistics();
+        span = numbers.getMax() - numbers.getMin();
     }
 
     /**
@@ -58,6 +65,11 @@ public final class FactorScale {
         return factor;
     }
 
+    /** Least and greatest value of a factor without listed values. */
+    public double[] range() {
+        return new double[] {low, high};
+    }
+
     /** Whether all values are numbers. */
     public boolean isNumeric() {
         return numeric;
@@ -87,6 +99,22 @@ public final class FactorScale {
             return low * StrictMath.pow(high / low, u);
         }
         return low + u * (high - low);
+    }
+
+    /**
+     * Change of the factor from one point to another: of listed names 1 towards a later one and -1 towards an earlier
+     * one, otherwise as a share of the range, that is of the listed numbers or of the coordinate.
+     *
+     * @param from value at the first point
+     * @param to value at the second point
+     * @param du change of the coordinate
+     */
+    double change(String from, String to, double du) {
+        if (!factor.isListed()) {
+            return du;
+        }
+        double change = number(to) - number(from);
+        return numeric ? change / span : Math.signum(change);
     }
 
     /** The value as a number for statistics: itself, or its place among the different listed values, from 0. */

@@ -1,7 +1,6 @@
 package org.phrenic.study.sweep;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
@@ -63,11 +62,23 @@ public final class SweepPlan {
         return scales;
     }
 
-    /** Coordinates of the points in the unit cube; empty for a list. */
-    public Optional<double[][]> cube() {
-        return cube.length == 0
-                ? Optional.empty()
-                : Optional.of(Arrays.stream(cube).map(double[]::clone).toArray(double[][]::new));
+    /**
+     * Changes of the factors from each point to the next as shares of their ranges, 1 or -1 between listed names; none
+     * at the first point. Empty for a list.
+     */
+    public Optional<double[][]> changes() {
+        if (cube.length == 0) {
+            return Optional.empty();
+        }
+        double[][] changes = new double[cube.length][scales.size()];
+        for (int p = 1; p < cube.length; p++) {
+            for (int f = 0; f < scales.size(); f++) {
+                String from = points.get(p - 1).values().get(f);
+                String to = points.get(p).values().get(f);
+                changes[p][f] = scales.get(f).change(from, to, cube[p][f] - cube[p - 1][f]);
+            }
+        }
+        return Optional.of(changes);
     }
 
     /** Values of a factor at all points, as numbers. */

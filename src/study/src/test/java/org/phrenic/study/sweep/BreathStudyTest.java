@@ -2,10 +2,12 @@ package org.phrenic.study.sweep;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -15,6 +17,9 @@ import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.SceneObserver;
 import org.phrenic.study.body.BodyVariation;
+import org.phrenic.study.sweep.index.Bootstrap;
+import org.phrenic.study.sweep.index.MorrisEffects;
+import org.phrenic.study.sweep.report.SweepReport;
 
 /** Breaths as runs of a study, and what its file is told when it is wrong. */
 class BreathStudyTest {
@@ -77,15 +82,53 @@ class BreathStudyTest {
                 "{kind: latin_hypercube, samples: 200}",
                 RESPONSE));
         double[] depth = plan.numbers(0);
-        assertThat(java.util.Arrays.stream(depth).boxed()).allMatch(v -> v >= 0.9 && v <= 1.2);
+        assertThat(Arrays.stream(depth).boxed()).allMatch(v -> v >= 0.9 && v <= 1.2);
         // Median of a normal distribution cut at -1 and 2 standard deviations.
-        assertThat(java.util.Arrays.stream(depth).sorted().toArray()[100]).isBetween(1.01, 1.03);
+        assertThat(Arrays.stream(depth).sorted().toArray()[100]).isBetween(1.01, 1.03);
         assertThat(plan.numbers(1))
-                .satisfies(v -> assertThat(java.util.Arrays.stream(v).sum()).isEqualTo(100));
-        assertThat(java.util.Arrays.stream(plan.numbers(2)).filter(v -> v < 1).count())
-                .isEqualTo(100);
+                .satisfies(v -> assertThat(Arrays.stream(v).sum()).isEqualTo(100));
+        assertThat(Arrays.stream(plan.numbers(2)).filter(v -> v < 1).count()).isEqualTo(100);
+        assertThat(new SweepReport(new SweepResults(plan, List.of()), 0, 1).html())
+                .contains("normal, mean 1.0, SD 0.1, cut at 0.9 and 1.2", "0.8 to 1.25, log");
         assertThat(SweepStudy.parse("study.yaml", plan.study().resolved()).resolved())
                 .isEqualTo(plan.study().resolved());
+    }
+
+    /** The effect of a factor whose range moves a response by 1 is 1, whatever its values are. */
+    @Test
+    void aMorrisEffectIsTheChangeOverTheRangeOrBetweenTwoNames() {
+        SweepPlan plan = SweepPlan.of(study(
+                "factors:\n  - {key: depth, range: [0.9, 1.2]}\n"
+                        + "  - {key: anatomy, values: [virtual/adult-male, virtual/adult-female]}\n"
+                        + "  - {key: body.scale, values: [0.9, 1, 1.1]}\n"
+                        + "  - {key: preset, values: [quiet, deep, sniff]}\n",
+                "{kind: morris, samples: 500}",
+                RESPONSE));
+        double[] expected = {1, 1, 1, 2 / 3.0};
+        double[][] changes = plan.changes().orElseThrow();
+        for (int f = 0; f < expected.length; f++) {
+            double[] numbers = plan.numbers(f);
+            double least = Arrays.stream(numbers).min().orElseThrow();
+            double range = Arrays.stream(numbers).max().orElseThrow() - least;
+            double[] response =
+                    Arrays.stream(numbers).map(v -> (v - least) / range).toArray();
+            MorrisEffects effects = MorrisEffects.of(changes, response, Bootstrap.USUAL);
+            assertThat(effects.muStar().get(f).value()).as("factor %d", f).isCloseTo(expected[f], within(0.03));
+            assertThat(effects.mu().get(f).value()).as("factor %d", f).isCloseTo(expected[f], within(0.03));
+        }
+    }
+
+    /** The ends of a normal distribution's coordinate are its cuts, which a parameter may not survive. */
+    @Test
+    void levelsOfANormalDistributionAreNotItsCuts() {
+        String factor = "factors:\n  - {key: rib_rotation, normal: [1, 0.15]}\n";
+        for (String design : List.of("{kind: grid}", "{kind: morris, samples: 50}")) {
+            SweepPlan plan = SweepPlan.of(study(factor, design, RESPONSE));
+            assertThat(plan.numbers(0)).hasSizeGreaterThan(4);
+            for (double value : plan.numbers(0)) {
+                assertThat(value).isBetween(1 - 2 * 0.15, 1 + 2 * 0.15);
+            }
+        }
     }
 
     /** Far beyond its bound a distribution lies at this bound, not at the other one. */

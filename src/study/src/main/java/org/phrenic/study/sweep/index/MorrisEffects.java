@@ -4,12 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Elementary effects of a response: its change along a step of a Morris trajectory over the change of the factor's
- * coordinate in the unit cube. The mean of the absolute effects (mu*, Campolongo et al. 2007, doi
- * 10.1016/j.envsoft.2006.10.004) ranks the factors. Their standard deviation (sigma) tells nonlinear or interacting
- * factors.
+ * Elementary effects of a response: its change along a step of a Morris trajectory over the change of the factor. The
+ * mean of the absolute effects (mu*, Campolongo et al. 2007, doi 10.1016/j.envsoft.2006.10.004) ranks the factors.
+ * Their standard deviation (sigma) tells nonlinear or interacting factors.
  *
- * @param mu mean effect of each factor, in units of the response per range of the factor
+ * @param mu mean effect of each factor, in units of the response per unit of the factor's change
  * @param muStar mean absolute effect of each factor
  * @param sigma standard deviation of the effects of each factor
  */
@@ -17,18 +16,18 @@ public record MorrisEffects(List<Estimate> mu, List<Estimate> muStar, List<Estim
     /**
      * Computes the effects. A step whose runs did not both succeed is left out.
      *
-     * @param points of the design, trajectory after trajectory
+     * @param changes of the factors from each point to the next, trajectory after trajectory
      * @param responses one per point; NaN for a run that failed or is missing
      */
-    public static MorrisEffects of(double[][] points, double[] responses, Bootstrap bootstrap) {
-        int factors = points.length == 0 ? 0 : points[0].length;
+    public static MorrisEffects of(double[][] changes, double[] responses, Bootstrap bootstrap) {
+        int factors = changes.length == 0 ? 0 : changes[0].length;
         List<List<Double>> effects = new ArrayList<>();
         for (int f = 0; f < factors; f++) {
             effects.add(new ArrayList<>());
         }
-        for (int p = 1; p < points.length; p++) {
+        for (int p = 1; p < changes.length; p++) {
             if (p % (factors + 1) != 0) {
-                addEffect(points, responses, p, effects);
+                addEffect(changes[p], responses[p] - responses[p - 1], effects);
             }
         }
         List<Estimate> mu = new ArrayList<>();
@@ -42,12 +41,10 @@ public record MorrisEffects(List<Estimate> mu, List<Estimate> muStar, List<Estim
         return new MorrisEffects(mu, muStar, sigma);
     }
 
-    private static void addEffect(double[][] points, double[] responses, int p, List<List<Double>> effects) {
-        double change = responses[p] - responses[p - 1];
+    private static void addEffect(double[] steps, double change, List<List<Double>> effects) {
         for (int f = 0; f < effects.size(); f++) {
-            double step = points[p][f] - points[p - 1][f];
-            if (step != 0 && Double.isFinite(change)) {
-                effects.get(f).add(change / step);
+            if (steps[f] != 0 && Double.isFinite(change)) {
+                effects.get(f).add(change / steps[f]);
             }
         }
     }

@@ -55,7 +55,7 @@ record ResponseAnalysis(
                         ? Optional.of(SobolIndices.of(values, factors, bootstrap))
                         : Optional.empty(),
                 kind == DesignSpec.Kind.MORRIS
-                        ? Optional.of(MorrisEffects.of(plan.cube().orElseThrow(), values, bootstrap))
+                        ? Optional.of(MorrisEffects.of(plan.changes().orElseThrow(), values, bootstrap))
                         : Optional.empty());
     }
 

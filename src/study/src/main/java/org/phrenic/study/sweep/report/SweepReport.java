@@ -227,11 +227,12 @@ public final class SweepReport {
         String values;
         if (factor.isListed()) {
             values = String.join(", ", factor.values());
-        } else if (factor.normal().isPresent()) {
-            values = "normal, mean " + factor.normal().get()[0] + ", SD "
-                    + factor.normal().get()[1];
         } else {
-            values = factor.range().get()[0] + " to " + factor.range().get()[1] + (factor.log() ? ", log" : "");
+            double low = scale.range()[0];
+            double high = scale.range()[1];
+            values = factor.normal()
+                    .map(n -> "normal, mean " + n[0] + ", SD " + n[1] + ", cut at " + low + " and " + high)
+                    .orElse(low + " to " + high + (factor.log() ? ", log" : ""));
         }
         return List.of(factor.key(), values);
     }
@@ -271,7 +272,7 @@ public final class SweepReport {
         a.morris()
                 .ifPresent(m -> page.figure(
                         "Mean absolute elementary effect mu* (blue) and standard deviation sigma (orange), in units of"
-                                + " the response per range of the factor.",
+                                + " the response per range of the factor, between two values if they are names.",
                         effects(a, m)));
     }
 

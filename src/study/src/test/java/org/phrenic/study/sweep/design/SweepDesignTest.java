@@ -4,15 +4,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.study.sweep.design.FactorLevels.Spacing;
 
 /** Each design has the property for which it is used. */
 class SweepDesignTest {
     @Test
     void aGridHasAllCombinationsWithTheLastFactorFastest() {
-        double[][] points = new FullGrid(new int[] {2, 3}, new boolean[] {true, false}).points();
+        double[][] points =
+                new FullGrid(List.of(new FactorLevels(2, Spacing.LISTED), new FactorLevels(3, Spacing.ENDS))).points();
         assertThat(points)
                 .isDeepEqualTo(new double[][] {{0.25, 0}, {0.25, 0.5}, {0.25, 1}, {0.75, 0}, {0.75, 0.5}, {0.75, 1}});
     }
@@ -79,10 +83,9 @@ class SweepDesignTest {
 
     @Test
     void aMorrisTrajectoryMovesEachFactorOnceByTheStepAndStaysOnTheGrid() {
-        MorrisDesign design = new MorrisDesign(6, 10, 4, 5);
-        double[][] points = design.points();
+        List<FactorLevels> four = Collections.nCopies(6, new FactorLevels(4, Spacing.ENDS));
+        double[][] points = new MorrisDesign(four, 10, 5).points();
         assertThat(points).hasDimensions(70, 6);
-        assertThat(design.step()).isEqualTo(2 / 3.0);
         for (int t = 0; t < 10; t++) {
             double[] moved = new double[6];
             for (int p = 1; p <= 6; p++) {
@@ -96,6 +99,28 @@ class SweepDesignTest {
                             new double[] {2 / 3.0, 2 / 3.0, 2 / 3.0, 2 / 3.0, 2 / 3.0, 2 / 3.0},
                             org.assertj.core.api.Assertions.within(1e-15));
         }
-        assertThatThrownBy(() -> new MorrisDesign(1, 1, 3, 0)).hasMessageContaining("an even number");
+        assertThatThrownBy(() -> new MorrisDesign(List.of(new FactorLevels(3, Spacing.ENDS)), 1, 0))
+                .hasMessageContaining("an even number");
+    }
+
+    /** Levels at the ends would be a distribution's limits, and three values between them would not be alike. */
+    @Test
+    void aMorrisTrajectoryReachesListedValuesAndMiddlesEquallyOften() {
+        List<FactorLevels> factors = List.of(new FactorLevels(4, Spacing.MIDDLES), new FactorLevels(3, Spacing.LISTED));
+        double[][] points = new MorrisDesign(factors, 4000, 5).points();
+        for (int f = 0; f < 2; f++) {
+            int factor = f;
+            int n = factors.get(f).count();
+            int[] times = new int[n];
+            Arrays.stream(points).forEach(u -> times[(int) (u[factor] * n)]++);
+            assertThat(Arrays.stream(times).boxed())
+                    .allSatisfy(t -> assertThat((double) t * n / points.length).isBetween(0.95, 1.05));
+            assertThat(Arrays.stream(points).map(u -> u[factor] * n - 0.5))
+                    .allSatisfy(level -> assertThat(level % 1).isZero());
+        }
+        for (int p = 0; p < points.length; p += 3) {
+            assertThat(points[p + 2][1]).isNotEqualTo(points[p][1]);
+            assertThat(Math.abs(points[p + 2][0] - points[p][0])).isEqualTo(0.5);
+        }
     }
 }

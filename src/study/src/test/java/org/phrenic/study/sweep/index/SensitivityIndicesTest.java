@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.phrenic.study.sweep.design.FactorLevels;
 import org.phrenic.study.sweep.design.LatinHypercube;
 import org.phrenic.study.sweep.design.MorrisDesign;
 import org.phrenic.study.sweep.design.SaltelliDesign;
@@ -62,11 +63,18 @@ class SensitivityIndicesTest {
     /** Elementary effects of a linear function are its coefficients, without scatter. */
     @Test
     void elementaryEffectsOfALinearFunctionAreItsCoefficients() {
-        double[][] points = new MorrisDesign(3, 8, 4, 9).points();
+        FactorLevels four = new FactorLevels(4, FactorLevels.Spacing.ENDS);
+        double[][] points = new MorrisDesign(List.of(four, four, four), 8, 9).points();
         double[] y =
                 Arrays.stream(points).mapToDouble(u -> 5 - 2 * u[0] + 4 * u[1]).toArray();
         y[2] = Double.NaN;
-        MorrisEffects effects = MorrisEffects.of(points, y, FEW);
+        double[][] changes = new double[points.length][3];
+        for (int p = 1; p < points.length; p++) {
+            for (int f = 0; f < 3; f++) {
+                changes[p][f] = points[p][f] - points[p - 1][f];
+            }
+        }
+        MorrisEffects effects = MorrisEffects.of(changes, y, FEW);
         double[] expected = {-2, 4, 0};
         for (int f = 0; f < 3; f++) {
             assertThat(effects.mu().get(f).value()).isCloseTo(expected[f], within(1e-12));
