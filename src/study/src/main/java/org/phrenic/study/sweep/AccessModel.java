@@ -121,6 +121,9 @@ final class AccessModel implements SweepModel {
             Needle needle = new Needle(Needle.standard().gauge(), value(point, NEEDLE));
             AccessMap map = AccessMap.of(anatomy, cycle, target, needle, NoGoZone.defaults(), workers);
             AccessMap.Counts counts = map.counts();
+            if (counts.inReach() == 0) {
+                throw new IllegalStateException("found no point of the skin in reach of the needle, expected some");
+            }
             double[] main = {
                 PERCENT * counts.free() / counts.inReach(),
                 PERCENT * counts.part() / counts.inReach(),

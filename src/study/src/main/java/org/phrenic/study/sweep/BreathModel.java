@@ -19,7 +19,7 @@ final class BreathModel implements SweepModel {
     static final String NAME = "breath";
 
     /** Sampling interval, s. End-inspiration moves with most parameters. */
-    private static final double SAMPLE_S = 0.02;
+    static final double SAMPLE_S = 0.02;
 
     private final SceneFactors factors;
     private final List<ResponseSpec> responses;
@@ -82,7 +82,7 @@ final class BreathModel implements SweepModel {
         try (Simulation simulation = Simulation.of(run, factors.body(point, run))) {
             BreathSeries breath = PresetRun.of(simulation, SAMPLE_S, needed);
             double[] values = responses.stream()
-                    .mapToDouble(response -> response.of(breath))
+                    .mapToDouble(response -> response.valueIn(breath))
                     .toArray();
             double[][] curves =
                     series.stream().map(name -> resampled(breath, name)).toArray(double[][]::new);

@@ -75,14 +75,20 @@ public record DesignSpec(
         }
     }
 
-    /** The design with the points of its file in place of the file. */
-    DesignSpec withPointsOf(Path folder) {
+    /** What a value means whose relative path is taken from a folder. */
+    interface ValueReader {
+        String read(String key, String value, Path folder);
+    }
+
+    /** The design with points in place of a file of them, whose relative paths are taken from where they are stated. */
+    DesignSpec withPoints(Path folder, ValueReader values) {
         if (file.isEmpty()) {
-            return this;
+            return read(columns, points, folder, values);
         }
-        CsvTable table = CsvTable.read(folder.resolve(file.get()));
+        Path csv = folder.resolve(file.get());
+        CsvTable table = CsvTable.read(csv);
         if (table.rowCount() == 0) {
-            throw new BadInputException(folder.resolve(file.get()) + ": found no row, expected a point a line");
+            throw new BadInputException(csv + ": found no row, expected a point a line");
         }
         List<String> names = List.copyOf(table.columnNames());
         List<List<String>> cells = names.stream().map(table::texts).toList();
@@ -91,7 +97,19 @@ public record DesignSpec(
             int row = r;
             rows.add(cells.stream().map(column -> column.get(row)).toList());
         }
-        return new DesignSpec(kind, samples, seed, levels, Optional.empty(), names, rows);
+        return read(names, rows, csv.toAbsolutePath().getParent(), values);
+    }
+
+    private DesignSpec read(List<String> names, List<List<String>> rows, Path folder, ValueReader values) {
+        List<List<String>> read = new ArrayList<>();
+        for (List<String> row : rows) {
+            List<String> cells = new ArrayList<>();
+            for (int c = 0; c < row.size(); c++) {
+                cells.add(values.read(names.get(c), row.get(c), folder));
+            }
+            read.add(cells);
+        }
+        return new DesignSpec(kind, samples, seed, levels, Optional.empty(), names, read);
     }
 
     /** Factors of a list: its columns with their values. */

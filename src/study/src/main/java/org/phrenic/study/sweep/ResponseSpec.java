@@ -54,8 +54,33 @@ public record ResponseSpec(
         return all;
     }
 
-    double of(BreathSeries series) {
-        return factor * reduction.of(series, series, observables, against, share);
+    /**
+     * The response of a breath.
+     *
+     * @throws IllegalStateException with one sentence, if the breath has no such number
+     */
+    double valueIn(BreathSeries breath) {
+        double value = factor * reduction.of(breath, breath, observables, against, share);
+        if (!Double.isFinite(value)) {
+            throw new IllegalStateException("response '" + name + "': found no number, " + whyAbsent(breath));
+        }
+        return value;
+    }
+
+    private String whyAbsent(BreathSeries breath) {
+        if (needsHold() && !breath.hasHold()) {
+            return "expected a breath with a hold";
+        }
+        return needed().stream()
+                .filter(observable -> Double.isNaN(breath.value(observable, 0)))
+                .findFirst()
+                .map(observable -> "expected a body that has " + observable)
+                .orElse("expected a breath with a " + reduction.label() + " of " + String.join(", ", observables));
+    }
+
+    /** Whether only a breath with a hold has the response. */
+    boolean needsHold() {
+        return reduction == Reduction.CREEP;
     }
 
     /** The response as in a study file. */

@@ -49,6 +49,8 @@ public record SweepStudy(
 
     private static final int MOST_POINTS = 1_000_000;
     private static final Set<String> PATHS = Set.of("anatomy", "trace");
+    /** Factors that may hold a breath. */
+    private static final Set<String> BREATHS = Set.of("preset", "trace", "hold");
 
     /** The cohort of a study file. */
     private record CohortSize(@Key(min = 1, max = 1_000_000) int persons, @Key(absent = "1") long seed) {}
@@ -79,7 +81,7 @@ public record SweepStudy(
         if (!MODELS.contains(model)) {
             throw yaml.bad("model", "found '" + model + "', expected " + String.join(", ", MODELS));
         }
-        DesignSpec design = yaml.map("design").bind(DesignSpec.class).withPointsOf(folder);
+        DesignSpec design = yaml.map("design").bind(DesignSpec.class).withPoints(folder, SweepStudy::resolved);
         SweepStudy study = new SweepStudy(
                 yaml.text("title", title),
                 model,
@@ -139,18 +141,20 @@ public record SweepStudy(
         return factors;
     }
 
-    /** The factor with absolute paths, if it lists files or folders. */
     private static Factor resolved(Factor factor, Path folder) {
-        return !PATHS.contains(factor.key()) || !factor.isListed()
+        return !factor.isListed()
                 ? factor
                 : Factor.listed(
                         factor.key(),
-                        factor.values().stream().map(v -> absolute(v, folder)).toList());
+                        factor.values().stream()
+                                .map(value -> resolved(factor.key(), value, folder))
+                                .toList());
     }
 
-    private static String absolute(String value, Path folder) {
-        Path path = folder.resolve(value).normalize();
-        return Files.exists(path) ? path.toString() : value;
+    /** The value of a factor, with an absolute path if it is a file or a folder. */
+    private static String resolved(String key, String value, Path folder) {
+        Path path = PATHS.contains(key) ? folder.resolve(value).normalize() : folder;
+        return PATHS.contains(key) && Files.exists(path) ? path.toString() : value;
     }
 
     private static boolean isNoColumn(String response) {
@@ -164,6 +168,10 @@ public record SweepStudy(
         } catch (IllegalArgumentException refused) {
             throw new BadInputException(
                     yaml.bad("responses", refused.getMessage()).getMessage(), refused);
+        }
+        boolean held = factors.stream().anyMatch(factor -> BREATHS.contains(factor.key()));
+        if (responses.stream().anyMatch(ResponseSpec::needsHold) && !held && !SceneFactors.hasHold(scenario)) {
+            throw yaml.bad("responses", "found creep, expected a breath with a hold, such as preset hold-inspiration");
         }
         if (factors.isEmpty()) {
             throw yaml.bad("factors", "found no factor, expected at least one");

@@ -8,18 +8,22 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.SceneObserver;
+import org.phrenic.study.BreathSeries;
 import org.phrenic.study.body.BodyVariation;
 import org.phrenic.study.sweep.index.Bootstrap;
 import org.phrenic.study.sweep.index.MorrisEffects;
 import org.phrenic.study.sweep.report.SweepReport;
+import org.phrenic.study.validation.Reduction;
 
 /** Breaths as runs of a study, and what its file is told when it is wrong. */
 class BreathStudyTest {
@@ -71,6 +75,42 @@ class BreathStudyTest {
         RunRow row = RunRow.of(plan.model(), new SweepPoint(0, List.of("depth"), List.of("1000")));
         assertThat(row.failure()).contains("key 'depth': found 1000, expected");
         assertThat(row.outcome().responses()).containsExactly(Double.NaN);
+    }
+
+    /** A table with an empty cell and no reason would pass for a complete study. */
+    @Test
+    void aResponseThatABreathLacksIsARefusalOrAFailedRun() {
+        String creep = RESPONSE.replace("size", "creep");
+        refused(
+                "",
+                "{kind: list, columns: [depth], points: [[1]]}",
+                creep,
+                "found creep, expected a breath with a hold");
+        SweepPlan held = SweepPlan.of(study("", "{kind: list, columns: [preset], points: [[quiet]]}", creep));
+        assertThat(RunRow.of(held.model(), held.points().get(0)).failure())
+                .isEqualTo("response 'descent': found no number, expected a breath with a hold");
+        List<String> columns = List.of("breath", "dome_right_mm", "dome_left_mm", "liver_top_mm");
+        List<double[]> rows = List.of(new double[] {0, 0, 0, Double.NaN}, new double[] {0, -1, -1, Double.NaN});
+        BreathSeries withoutLiver =
+                new BreathSeries(columns, rows, Collections.nCopies(2, RespiratoryPhase.INSPIRATION));
+        ResponseSpec top = new ResponseSpec("", "liver_top_mm", List.of(), Reduction.SIZE, "", 1, 1);
+        assertThatThrownBy(() -> top.valueIn(withoutLiver))
+                .hasMessage("response 'liver_top_mm_size': found no number, expected a body that has liver_top_mm");
+    }
+
+    @Test
+    void bodiesOfATableOfPointsAreTakenFromItsFolder() throws IOException {
+        Path tables = Files.createDirectories(folder.resolve("tables/bodies/one"))
+                .resolve("../..")
+                .normalize();
+        Files.writeString(tables.resolve("p.csv"), "anatomy,depth\nbodies/one,1\nvirtual/adult-male,1\n");
+        Path study =
+                Files.writeString(folder.resolve("s.yaml"), "design: {kind: list, file: tables/p.csv}\n" + RESPONSE);
+        String body = tables.resolve("bodies/one").toString();
+        SweepPlan plan = SweepPlan.of(SweepStudy.read(study));
+        assertThat(plan.points().get(0).values()).containsExactly(body, "1");
+        assertThat(plan.points().get(1).values()).containsExactly("virtual/adult-male", "1");
+        assertThat(plan.study().factors().get(0).values()).containsExactly(body, "virtual/adult-male");
     }
 
     @Test
