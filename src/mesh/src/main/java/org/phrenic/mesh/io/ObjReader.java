@@ -8,9 +8,9 @@ import org.phrenic.mesh.TriangleMesh;
 
 /**
  * Reader of Wavefront OBJ: vertices ({@code v}) and polygons ({@code f} with v, v/vt, v//vn or v/vt/vn). Negative
- * indices count back from the latest vertex, and a backslash joins lines. Groups, materials, normals, textures, points
- * and lines are ignored. Coordinates are read in double precision. All vertices keep their order and index, used or
- * not.
+ * indices count back from the latest vertex, and a backslash joins lines, but not within a comment. Groups, materials,
+ * normals, textures, points and lines are ignored. Coordinates are read in double precision. All vertices keep their
+ * order and index, used or not.
  */
 record ObjReader(ByteCursor cursor, PolygonSoup soup) {
 
@@ -22,10 +22,10 @@ record ObjReader(ByteCursor cursor, PolygonSoup soup) {
 
     private void readLines() {
         for (String line = cursor.lineOrNull(); line != null; line = cursor.lineOrNull()) {
-            String statement = line;
+            String statement = withoutComment(line);
             while (statement.endsWith("\\")) {
                 statement = statement.substring(0, statement.length() - 1) + " "
-                        + cursor.line("the rest of a line that ends with a backslash");
+                        + withoutComment(cursor.line("the rest of a line that ends with a backslash"));
             }
             String[] words = words(statement);
             switch (words.length == 0 ? "" : words[0]) {
@@ -38,9 +38,13 @@ record ObjReader(ByteCursor cursor, PolygonSoup soup) {
         }
     }
 
+    private static String withoutComment(String line) {
+        int comment = line.indexOf('#');
+        return comment < 0 ? line : line.substring(0, comment);
+    }
+
     private static String[] words(String statement) {
-        int comment = statement.indexOf('#');
-        StringTokenizer tokens = new StringTokenizer(comment < 0 ? statement : statement.substring(0, comment));
+        StringTokenizer tokens = new StringTokenizer(statement);
         String[] words = new String[tokens.countTokens()];
         Arrays.setAll(words, i -> tokens.nextToken());
         return words;

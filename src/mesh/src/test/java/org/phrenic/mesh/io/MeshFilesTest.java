@@ -145,6 +145,15 @@ class MeshFilesTest {
         assertThat(mesh.triangles()).containsExactly(0, 1, 2, 0, 2, 3, 0, 1, 4);
     }
 
+    /** A path of Windows may end a comment, and does not take the first vertex with it. */
+    @Test
+    void aBackslashThatEndsACommentOfObjJoinsNothing() {
+        String square = "v 0 0 0\nv 1 0 0 # in C:\\\nv 0 1 0\nf 1 2 \\\n3 # of C:\\\nf 3 2 1\n";
+        TriangleMesh mesh = MeshFiles.read(MeshSamples.write(folder, "c.obj", "# from C:\\models\\\n" + square));
+        assertThat(mesh.vertexCount()).isEqualTo(3);
+        assertThat(mesh.triangles()).containsExactly(0, 1, 2, 2, 1, 0);
+    }
+
     @Test
     void objCoordinatesKeepDoublePrecision() {
         Path file = MeshSamples.write(folder, "d.obj", "v 0.1 123.456789012345 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
