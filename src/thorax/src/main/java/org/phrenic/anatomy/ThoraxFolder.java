@@ -202,7 +202,8 @@ public final class ThoraxFolder {
                     name + ": found no triangle with an area, expected a surface of " + mesh.triangleCount());
         }
         boolean changed = result.mesh().triangleCount() != mesh.triangleCount()
-                || result.mesh().vertexCount() != mesh.vertexCount();
+                || result.mesh().vertexCount() != mesh.vertexCount()
+                || result.report().trianglesFlipped() > 0;
         return new Repaired(result.mesh(), changed ? Optional.of(name + ": " + result.report()) : Optional.empty());
     }
 

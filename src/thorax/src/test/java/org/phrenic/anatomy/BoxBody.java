@@ -6,14 +6,14 @@ import java.util.Locale;
 import org.phrenic.mesh.TriangleMesh;
 
 /** Boxes that stand where the structures of a thorax do: LPS, mm, 300 mm wide. */
-final class BoxBody {
+public final class BoxBody {
     private static final int[] BOX = {
         0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5
     };
 
     private BoxBody() {}
 
-    static List<Structure> structures() {
+    public static List<Structure> structures() {
         List<Structure> list = new ArrayList<>();
         for (int level = 1; level <= 12; level++) {
             double z = 300 - 20 * level;
@@ -31,7 +31,7 @@ final class BoxBody {
         list.add(new Structure(name, known.kind(), known.level(), known.side(), box(x, y, z, 10)));
     }
 
-    static TriangleMesh box(double x, double y, double z, double half) {
+    public static TriangleMesh box(double x, double y, double z, double half) {
         double[] positions = new double[24];
         for (int corner = 0; corner < 8; corner++) {
             positions[3 * corner] = x + ((corner & 1) == 0 ? -half : half);

@@ -90,6 +90,20 @@ class ThoraxFolderTest {
     }
 
     @Test
+    void facesThatAreTurnedAreCounted() {
+        write(BoxBody.structures());
+        TriangleMesh box = BoxBody.box(0, -90, 250, 10);
+        int[] inward = box.triangles().clone();
+        for (int i = 0; i < inward.length; i += 3) {
+            inward[i] = box.triangles()[i + 1];
+            inward[i + 1] = box.triangles()[i];
+        }
+        MeshFiles.write(folder.resolve("sternum_manubrium.ply"), new TriangleMesh(box.positions(), inward));
+        assertThat(ThoraxFolder.load(folder).notes())
+                .contains("sternum_manubrium: Repaired: " + inward.length / 3 + " triangles flipped.");
+    }
+
+    @Test
     void axesThatDoNotFitTheBodyAreTakenButDoubted() throws IOException {
         write(BoxBody.given(BoxBody.structures(), "LSA", 1));
         Path index = folder.resolve("thorax.yaml");

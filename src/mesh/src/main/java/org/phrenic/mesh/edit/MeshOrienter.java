@@ -1,16 +1,25 @@
 package org.phrenic.mesh.edit;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.TriangleMesh;
 
-/** Consistent orientation of a surface by breadth-first search across manifold edges; see {@link MeshRepair#orient}. */
+/**
+ * Consistent orientation of a surface by breadth-first search across manifold edges, and of closed components by which
+ * of them lie within others; see {@link MeshRepair#orient}.
+ */
 final class MeshOrienter {
     private final TriangleMesh mesh;
     private final EdgeTable edges;
     private final boolean[] done;
     private final boolean[] flip;
-    /** Triangles of the current component in breadth-first order. */
+    /** Triangles in breadth-first order, component after component. */
     private final int[] queue;
+
+    private int queued;
+    private final List<int[]> shells = new ArrayList<>();
 
     private MeshOrienter(TriangleMesh mesh, EdgeTable edges) {
         this.mesh = mesh;
@@ -28,46 +37,64 @@ final class MeshOrienter {
     }
 
     private MeshRepair.Result run() {
-        int flipped = 0;
         for (int seed = 0; seed < done.length; seed++) {
-            flipped += done[seed] ? 0 : orientPiece(seed);
+            if (!done[seed]) {
+                orientPiece(seed);
+            }
         }
-        if (flipped == 0) {
-            return new MeshRepair.Result(mesh, MeshRepair.Report.NONE);
+        if (shells.size() > 1) {
+            NestedShells.cavities(turned(), shells).forEach(this::turn);
         }
+        int flipped = 0;
+        for (boolean turned : flip) {
+            flipped += turned ? 1 : 0;
+        }
+        return new MeshRepair.Result(turned(), new MeshRepair.Report(0, 0, 0, 0, flipped));
+    }
+
+    /** The mesh with the triangles flipped that are to be; itself if there are none. */
+    private TriangleMesh turned() {
         int[] given = mesh.triangles();
-        int[] t = given.clone();
+        int[] t = given;
         for (int i = 0; i < flip.length; i++) {
             if (flip[i]) {
+                t = t == given ? given.clone() : t;
                 t[3 * i + 1] = given[3 * i + 2];
                 t[3 * i + 2] = given[3 * i + 1];
             }
         }
-        return new MeshRepair.Result(new TriangleMesh(mesh.positions(), t), new MeshRepair.Report(0, 0, 0, 0, flipped));
+        return t == given ? mesh : new TriangleMesh(mesh.positions(), t);
     }
 
-    /** Orients the component of one triangle; returns the number of flipped triangles. */
-    private int orientPiece(int seed) {
-        int length = 1;
-        queue[0] = seed;
+    /** Orients the component of one triangle. */
+    private void orientPiece(int seed) {
+        int start = queued;
+        queue[queued++] = seed;
         done[seed] = true;
         boolean closed = true;
         int flipped = 0;
-        for (int head = 0; head < length; head++) {
+        for (int head = start; head < queued; head++) {
             flipped += flip[queue[head]] ? 1 : 0;
             closed &= edges.isInteriorFace(queue[head]);
-            length = orientNeighbours(queue[head], length);
+            orientNeighbours(queue[head]);
         }
-        boolean inverted = closed ? volume(length) < 0 : 2 * flipped > length;
-        for (int k = 0; k < length; k++) {
-            flip[queue[k]] ^= inverted;
+        int[] piece = Arrays.copyOfRange(queue, start, queued);
+        if (closed ? volume(piece) < 0 : 2 * flipped > piece.length) {
+            turn(piece);
         }
-        return inverted ? length - flipped : flipped;
+        if (closed) {
+            shells.add(piece);
+        }
     }
 
-    /** Appends the unvisited neighbours of a triangle to the queue, oriented like it. Returns the new queue length. */
-    private int orientNeighbours(int triangle, int length) {
-        int end = length;
+    private void turn(int[] piece) {
+        for (int triangle : piece) {
+            flip[triangle] ^= true;
+        }
+    }
+
+    /** Appends the unvisited neighbours of a triangle to the queue, oriented like it. */
+    private void orientNeighbours(int triangle) {
         int[] t = mesh.triangles();
         for (int side = 3 * triangle; side < 3 * triangle + 3; side++) {
             int edge = edges.edgeOfSide()[side];
@@ -80,25 +107,24 @@ final class MeshOrienter {
             if (!done[other]) {
                 done[other] = true;
                 flip[other] = flip[triangle] ^ t[opposite] == t[side];
-                queue[end++] = other;
+                queue[queued++] = other;
             }
         }
-        return end;
     }
 
     /**
-     * Six times the signed volume of the closed component in the queue. It is computed relative to the first corner,
-     * which preserves precision far from the origin.
+     * Six times the signed volume of a closed component. It is computed relative to the first corner, which preserves
+     * precision far from the origin.
      */
-    private double volume(int length) {
+    private double volume(int[] piece) {
         int[] t = mesh.triangles();
         double[] p = mesh.positions();
-        int o = 3 * t[3 * queue[0]];
+        int o = 3 * t[3 * piece[0]];
         double sum = 0;
-        for (int k = 0; k < length; k++) {
-            int a = 3 * t[3 * queue[k]];
-            int b = 3 * t[3 * queue[k] + 1];
-            int c = 3 * t[3 * queue[k] + 2];
+        for (int triangle : piece) {
+            int a = 3 * t[3 * triangle];
+            int b = 3 * t[3 * triangle + 1];
+            int c = 3 * t[3 * triangle + 2];
             double bx = p[b] - p[o];
             double by = p[b + 1] - p[o + 1];
             double bz = p[b + 2] - p[o + 2];
@@ -108,7 +134,7 @@ final class MeshOrienter {
             double six = (p[a] - p[o]) * (by * cz - bz * cy)
                     + (p[a + 1] - p[o + 1]) * (bz * cx - bx * cz)
                     + (p[a + 2] - p[o + 2]) * (bx * cy - by * cx);
-            sum += flip[queue[k]] ? -six : six;
+            sum += flip[triangle] ? -six : six;
         }
         return sum;
     }

@@ -206,8 +206,8 @@ public final class MeshRepair {
 
     /**
      * Orients triangles consistently across every manifold edge. A closed component then faces outward (positive signed
-     * volume). An open component keeps the orientation of the majority of its triangles. A non-orientable surface keeps
-     * an inconsistent seam.
+     * volume), or inward within an odd number of other closed ones, as the shell of a cavity. An open component keeps
+     * the orientation of the majority of its triangles. A non-orientable surface keeps an inconsistent seam.
      */
     public static Result orient(TriangleMesh mesh) {
         return MeshOrienter.orient(mesh, new EdgeTable(mesh));

@@ -10,6 +10,8 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.Shapes;
@@ -70,6 +72,32 @@ class MeshRepairTest {
         MeshRepair.Result result = MeshRepair.orient(new TriangleMesh(sphere.positions(), t));
         assertThat(MeshMeasure.signedVolume(result.mesh())).isCloseTo(MeshMeasure.signedVolume(sphere), within(1e-6));
         assertThat(result.report().trianglesFlipped()).isEqualTo(scrambled);
+    }
+
+    /**
+     * A shell within a shell bounds a cavity, a third one a part within the cavity; beside each other all are parts.
+     */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void theShellOfACavityFacesInwardWhicheverWayItCame(boolean turned) {
+        TriangleMesh outer = Shapes.box(10, 10, 10);
+        TriangleMesh cavity = turned(Shapes.moved(Shapes.box(8, 8, 8), 1, 1, 1));
+        TriangleMesh part = Shapes.moved(Shapes.box(2, 2, 2), 4, 4, 4);
+        TriangleMesh nested = Shapes.join(Shapes.join(part, cavity), Shapes.moved(outer, 200, 0, 0));
+        TriangleMesh mesh = Shapes.join(nested, outer);
+        MeshRepair.Result result = MeshRepair.repair(turned ? turned(mesh) : mesh, 1e-3);
+        assertThat(MeshMeasure.signedVolume(result.mesh())).isCloseTo(2 * 1000 - 512 + 8, within(1e-6));
+        assertThat(result.report().trianglesFlipped()).isEqualTo(turned ? mesh.triangleCount() : 0);
+    }
+
+    private static TriangleMesh turned(TriangleMesh mesh) {
+        int[] t = mesh.triangles().clone();
+        for (int i = 0; i < t.length; i += 3) {
+            int b = t[i + 1];
+            t[i + 1] = t[i + 2];
+            t[i + 2] = b;
+        }
+        return new TriangleMesh(mesh.positions(), t);
     }
 
     @Test

@@ -102,7 +102,7 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
     /** Of several shells the closed one with most vertices is the sheet, as in a simulation. */
     private static TriangleMesh largestShell(TriangleMesh mesh) {
         return ConnectedComponents.of(mesh).stream()
-                .filter(shell -> new MeshTopology(shell).isClosed())
+                .filter(shell -> new MeshTopology(shell).isClosed() && MeshMeasure.signedVolume(shell) > 0)
                 .max(Comparator.comparingInt(TriangleMesh::vertexCount))
                 .orElse(mesh);
     }
