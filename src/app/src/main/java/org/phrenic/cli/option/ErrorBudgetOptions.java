@@ -20,7 +20,6 @@ import picocli.CommandLine.Option;
 
 /** Options of {@code phrenic bench error --whole}: which parts of the error budget to measure on which bodies. */
 public final class ErrorBudgetOptions {
-    private static final String TABLE = "budget.csv";
     private static final List<BudgetPlan.Body> VIRTUAL_BODIES = List.of(
             new BudgetPlan.Body("virtual man", RunSettings.VIRTUAL_MAN),
             new BudgetPlan.Body("virtual woman", RunSettings.VIRTUAL_WOMAN));
@@ -28,7 +27,8 @@ public final class ErrorBudgetOptions {
     @Option(
             names = "--whole",
             description = "The whole error of the defaults: in time, in space and against equilibrium, quiet and deep."
-                    + " DIR keeps what was measured (budget.csv), so that an interrupted run goes on.")
+                    + " DIR keeps what was measured (budget.csv) and of what (plan.yaml), so that an interrupted run"
+                    + " goes on.")
     private boolean whole;
 
     @Option(
@@ -73,7 +73,7 @@ public final class ErrorBudgetOptions {
                 .toList();
         BudgetPlan plan = quick ? BudgetPlan.quick(bodies) : BudgetPlan.full(bodies, meshes, variants());
         Set<BudgetPart> wanted = parts();
-        BudgetTable table = new BudgetTable(out == null ? null : out.resolve(TABLE));
+        BudgetTable table = out == null ? new BudgetTable() : new BudgetTable(out, plan);
         new BudgetStudy(plan, table, progress).run(wanted);
         return new BudgetReport(table);
     }

@@ -1,9 +1,18 @@
 package org.phrenic.study.error;
 
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.ThoraxFolder;
+import org.phrenic.document.YamlWriter;
+import org.phrenic.file.Hashes;
 import org.phrenic.model.material.Numerics;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.ReportNumbers;
 
@@ -112,6 +121,52 @@ public record BudgetPlan(
                 "liver=false",
                 "time_step_s=" + step,
                 "mass_scaling_s=" + scaled);
+    }
+
+    /**
+     * All that decides what is measured, as text: program version, bodies with their content, breaths, meshes, window,
+     * and every setting.
+     */
+    String identity() {
+        Map<String, Object> map = new LinkedHashMap<>();
+        String version = BudgetPlan.class.getPackage().getImplementationVersion();
+        map.put("program", version == null ? "not packaged" : version);
+        map.put("window_share", windowShare);
+        map.put("bodies", bodies.stream().map(BudgetPlan::contentOf).toList());
+        map.put("breaths", breaths);
+        map.put(
+                "meshes",
+                meshes.stream().map(m -> m.name() + ": " + m.settings()).toList());
+        map.put("sheet_vertices", sheetVertices);
+        map.put("settings", settings);
+        map.put("defaults", Scenario.defaults().toMap());
+        map.put("variants", variants.stream().map(Scenario::toMap).toList());
+        return YamlWriter.format(map);
+    }
+
+    /** A virtual body by its name, which the program decides, and a folder by its surfaces, wherever it is. */
+    private static String contentOf(Body body) {
+        if (RunSettings.VIRTUAL_BODIES.contains(body.anatomy())) {
+            return body.name() + ": " + body.anatomy();
+        }
+        StringBuilder text = new StringBuilder();
+        for (Structure structure : ThoraxFolder.load(Path.of(body.anatomy())).structures()) {
+            text.append(structure.name())
+                    .append(Hashes.sha256(structure.mesh().positions()))
+                    .append(Hashes.sha256(structure.mesh().triangles()));
+        }
+        return body.name() + ": " + Hashes.sha256(text.toString().getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** Whether a measurement is of a scene of this plan. */
+    boolean includes(BudgetRow row) {
+        boolean scene =
+                bodies.stream().anyMatch(body -> body.name().equals(row.body())) && breaths.contains(row.breath());
+        boolean mesh = row.part() == BudgetPart.SPACE
+                ? sheetVertices.stream().anyMatch(n -> row.mesh().equals(Integer.toString(n)))
+                : meshes.stream()
+                        .anyMatch(m -> row.mesh().equals(m.name()) || row.mesh().startsWith(m.name() + ", "));
+        return scene && mesh;
     }
 
     /** Simulated time, s. */

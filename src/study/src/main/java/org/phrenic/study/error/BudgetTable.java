@@ -7,25 +7,54 @@ import java.util.List;
 import java.util.Optional;
 import org.phrenic.document.CsvTable;
 import org.phrenic.document.CsvWriter;
+import org.phrenic.document.TextFile;
+import org.phrenic.file.AtomicFile;
+import org.phrenic.file.BadInputException;
 
 /**
- * Measurements of the error budget in a CSV file. The file is written after each measurement, so a study that was
- * interrupted goes on where it ended.
+ * Measurements of the error budget in a folder: {@code budget.csv}, and {@code plan.yaml}, which states what they are
+ * of. The table is written after each measurement, so a study that was interrupted goes on where it ended.
  */
 public final class BudgetTable {
+    private static final String TABLE = "budget.csv";
+    private static final String PLAN = "plan.yaml";
+
     private final Path file;
     private final List<BudgetRow> rows = new ArrayList<>();
 
+    /** A table that is kept in memory. */
+    public BudgetTable() {
+        file = null;
+    }
+
     /**
-     * Opens a table.
+     * Opens the table of a folder, or begins it.
      *
-     * @param file read if it exists; null to keep the rows in memory
-     * @throws org.phrenic.file.BadInputException with one sentence, if the file is not such a table
+     * @throws BadInputException with one sentence, if what is there is no such table or one of another plan
      */
-    public BudgetTable(Path file) {
-        this.file = file;
-        if (file != null && Files.exists(file)) {
-            rows.addAll(read(CsvTable.read(file)));
+    public BudgetTable(Path folder, BudgetPlan plan) {
+        file = folder.resolve(TABLE);
+        Path stated = folder.resolve(PLAN);
+        String identity = plan.identity();
+        if (!Files.exists(file)) {
+            AtomicFile.write(stated, identity);
+            return;
+        }
+        if (!Files.exists(stated)) {
+            throw new BadInputException(folder + ": found " + TABLE + " without " + PLAN
+                    + ", which states what it is of, expected both or another folder");
+        }
+        if (!TextFile.read(stated, "a plan").equals(identity)) {
+            throw new BadInputException(folder + ": found the measurements of another plan, body or program (" + PLAN
+                    + " differs), expected another folder");
+        }
+        CsvTable csv = CsvTable.read(file);
+        rows.addAll(read(csv));
+        for (int row = 0; row < rows.size(); row++) {
+            if (!plan.includes(rows.get(row))) {
+                throw csv.badCell(
+                        row, "mesh", "found a row of none of the scenes of " + PLAN + ", expected only those");
+            }
         }
     }
 

@@ -3,8 +3,10 @@ package org.phrenic.study.error;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
@@ -13,8 +15,11 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.anatomy.BoxBody;
+import org.phrenic.anatomy.Resolution;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.MeshFiles;
 
 /**
  * The quick budget of the virtual man's sheet: the start of a breath on a coarse mesh, with tissue that lets every
@@ -45,7 +50,7 @@ class BudgetStudyTest {
 
     @BeforeAll
     static void measure() {
-        table = new BudgetTable(folder.resolve("budget.csv"));
+        table = new BudgetTable(folder, PLAN);
         new BudgetStudy(PLAN, table, (done, total, what) -> {})
                 .run(EnumSet.of(BudgetPart.TIME, BudgetPart.SPACE, BudgetPart.ORDER));
     }
@@ -96,7 +101,7 @@ class BudgetStudyTest {
 
     @Test
     void aTableThatIsReadBackLacksNothing() {
-        BudgetTable again = new BudgetTable(folder.resolve("budget.csv"));
+        BudgetTable again = new BudgetTable(folder, PLAN);
         assertThat(again.rows()).hasSameSizeAs(table.rows());
         new BudgetStudy(PLAN, again, (done, total, what) -> {
                     throw new AssertionError("measured " + what + " again");
@@ -133,7 +138,7 @@ class BudgetStudyTest {
 
     @Test
     void distancesFromEquilibriumAreARowAScene() {
-        BudgetTable lags = new BudgetTable(null);
+        BudgetTable lags = new BudgetTable();
         double[] rms = {0.25, 0.5, 0.75, 0.1};
         for (int i = 0; i < rms.length; i++) {
             String phase = i + " s";
@@ -148,11 +153,52 @@ class BudgetStudyTest {
     }
 
     @Test
-    void anUnknownPartInATableIsRefused() throws Exception {
-        Path file = folder.resolve("wrong.csv");
-        Files.writeString(file, Files.readString(folder.resolve("budget.csv")).replaceFirst("\ntime,", "\nluck,"));
-        assertThatThrownBy(() -> new BudgetTable(file))
+    void anUnknownPartInATableIsRefused(@TempDir Path other) throws Exception {
+        copy(other, "\ntime,", "\nluck,");
+        refused(other, PLAN, "luck");
+    }
+
+    private static void copy(Path other, String replaced, String by) throws IOException {
+        Files.copy(folder.resolve("plan.yaml"), other.resolve("plan.yaml"), StandardCopyOption.REPLACE_EXISTING);
+        String rows = Files.readString(folder.resolve("budget.csv"));
+        assertThat(rows).containsPattern(replaced);
+        Files.writeString(other.resolve("budget.csv"), rows.replaceFirst(replaced, by));
+    }
+
+    private static void refused(Path other, BudgetPlan plan, String part) {
+        assertThatThrownBy(() -> new BudgetTable(other, plan))
                 .isInstanceOf(BadInputException.class)
-                .hasMessageContaining("luck");
+                .hasMessageStartingWith(other.toString())
+                .hasMessageContaining(part)
+                .message()
+                .doesNotContain("\n");
+    }
+
+    /** Excursions of another window, body or program would be extrapolated together with those of this one. */
+    @Test
+    void aTableOfAnotherPlanIsRefused(@TempDir Path other) throws Exception {
+        copy(other, "\nspace,", "\nspace,");
+        assertThat(new BudgetTable(other, PLAN).rows()).isNotEmpty();
+        refused(other, BudgetPlan.full(PLAN.bodies(), List.of(Resolution.LOW), List.of()), "plan.yaml differs");
+        refused(other, BudgetPlan.quick(PLAN.bodies()), "plan.yaml differs");
+        copy(other, "\nspace,virtual man,quiet,560,", "\nspace,virtual man,quiet,3870,");
+        refused(other, PLAN, "none of the scenes of plan.yaml");
+        Files.delete(other.resolve("plan.yaml"));
+        refused(other, PLAN, "found budget.csv without plan.yaml");
+    }
+
+    @Test
+    void aBodyIsKnownByItsSurfacesWhereverItIs(@TempDir Path one, @TempDir Path same) {
+        for (Path body : List.of(one, same)) {
+            BoxBody.structures().forEach(s -> MeshFiles.write(body.resolve(s.name() + ".ply"), s.mesh()));
+        }
+        String identity = planOf(one).identity();
+        assertThat(planOf(same).identity()).isEqualTo(identity);
+        MeshFiles.write(same.resolve("liver.ply"), BoxBody.box(0, 0, 0, 5));
+        assertThat(planOf(same).identity()).isNotEqualTo(identity);
+    }
+
+    private static BudgetPlan planOf(Path body) {
+        return BudgetPlan.quick(List.of(new BudgetPlan.Body("scanned man", body.toString())));
     }
 }
