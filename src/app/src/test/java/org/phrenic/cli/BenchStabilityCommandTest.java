@@ -34,6 +34,16 @@ class BenchStabilityCommandTest {
         assertThat(out.resolve("stability.json")).content().contains("\"passes\": true");
     }
 
+    /** Its settings are impossible, so that they are noticed is what the case asks for; nothing recovers. */
+    @Test
+    void linksThatContradictEachOtherAreNoticedAndEndTheRun() {
+        CommandLineRun run = CommandLineRun.of(
+                "bench", "stability", "--quick", "--only", "links-conflict", "--integrator", "verlet");
+        assertThat(run.exitCode()).as(run.err()).isZero();
+        assertThat(run.err()).contains("links-conflict, verlet: noticed, stopped (", "off its length by 33 %");
+        assertThat(run.out()).contains("0 recovered", "1 noticed, stopped").doesNotContain("ended before their time");
+    }
+
     @Test
     void badInputGivesExitCode2InOneLine() {
         for (String[] bad : new String[][] {

@@ -12,8 +12,8 @@ import org.phrenic.engine.integrator.IntegratorKind;
  * @param sentence description of a refusal, divergence or step refinement; empty if there was none
  * @param requestedS requested simulated time, s
  * @param simulatedS simulated time at the end, s
- * @param dtS time step, s; NaN if refused
- * @param substeps per step at the end; 0 if refused
+ * @param dtS time step, s; NaN if the scene was not made
+ * @param substeps per step at the end; 0 if the scene was not made
  * @param found values of the measures; measures that were not evaluated are missing
  */
 public record CaseResult(
@@ -36,6 +36,10 @@ public record CaseResult(
         NOT_RETURNED("DID NOT RETURN"),
         /** The scene was refused before the run, with a reason. */
         REFUSED("refused"),
+        /** The settings contradict each other on purpose; the engine noticed it and the run ended with its sentence. */
+        NOTICED("noticed, stopped"),
+        /** A fault was noticed that nothing could undo, so the run ended with a sentence. */
+        STOPPED("STOPPED"),
         /** A bound was violated without any report. This must not occur. */
         SILENT_FAILURE("FAILED SILENTLY");
 
@@ -51,8 +55,10 @@ public record CaseResult(
         }
     }
 
-    static CaseResult refused(String caseKey, IntegratorKind integrator, double requestedS, String sentence) {
-        return new CaseResult(caseKey, integrator, Outcome.REFUSED, sentence, requestedS, 0, Double.NaN, 0, Map.of());
+    /** The result of a case whose scene was not made. */
+    static CaseResult unmade(
+            String caseKey, IntegratorKind integrator, Outcome outcome, double requestedS, String sentence) {
+        return new CaseResult(caseKey, integrator, outcome, sentence, requestedS, 0, Double.NaN, 0, Map.of());
     }
 
     /** Whether the run ended early because its budget of force evaluations was spent. */
@@ -62,7 +68,7 @@ public record CaseResult(
 
     /** Whether the outcome is one that must not occur. */
     boolean fails() {
-        return outcome == Outcome.SILENT_FAILURE || outcome == Outcome.NOT_RETURNED;
+        return outcome == Outcome.SILENT_FAILURE || outcome == Outcome.NOT_RETURNED || outcome == Outcome.STOPPED;
     }
 
     /** Value of a measure; NaN if it was not evaluated. */

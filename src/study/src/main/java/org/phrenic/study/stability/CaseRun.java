@@ -50,6 +50,7 @@ final class CaseRun {
     private double endS;
     private String violation = "";
     private boolean notReturned;
+    private boolean stopped;
     private String divergence = "";
     private double divergenceTime = Double.NEGATIVE_INFINITY;
     private String refinement = "";
@@ -94,16 +95,26 @@ final class CaseRun {
             ReferenceSolution reference,
             double durationS,
             double nodeEvaluations) {
-        try (StabilityScene scene = stabilityCase.factory().create(integrator, 1, durationS)) {
+        StabilityScene scene;
+        try {
+            scene = stabilityCase.factory().create(integrator, 1, durationS);
+        } catch (IllegalArgumentException | DivergenceException unmade) {
+            Outcome outcome = unmade instanceof DivergenceException ? Outcome.STOPPED : Outcome.REFUSED;
+            return CaseResult.unmade(stabilityCase.key(), integrator, outcome, durationS, unmade.getMessage());
+        }
+        try (scene) {
             CaseRun run = new CaseRun(stabilityCase, integrator, reference, scene);
-            run.advance(durationS, nodeEvaluations);
+            try {
+                run.advance(durationS, nodeEvaluations);
+            } catch (IllegalArgumentException refusedChange) {
+                run.stop(refusedChange.getMessage());
+            }
+            run.finish(durationS);
             return run.result(durationS);
-        } catch (IllegalArgumentException refused) {
-            return CaseResult.refused(stabilityCase.key(), integrator, durationS, refused.getMessage());
         }
     }
 
-    /** @throws IllegalArgumentException if the scene is refused during the run */
+    /** @throws IllegalArgumentException if a change of the scene is refused */
     private void advance(double durationS, double nodeEvaluations) {
         Stepper stepper = scene.stepper();
         int evaluations = integrator == IntegratorKind.BACKWARD_EULER
@@ -123,7 +134,8 @@ final class CaseRun {
                     divergence = diverged.getMessage();
                     divergenceTime = stepper.time();
                     sample(stepper.time());
-                    over = ++divergences > MAX_DIVERGENCES || !scene.undoLastChange();
+                    stopped = ++divergences > MAX_DIVERGENCES || !scene.undoLastChange();
+                    over = stopped;
                 }
                 noteRefinement(stepper);
                 spent += costPerSubstep * stepper.substeps();
@@ -131,7 +143,12 @@ final class CaseRun {
             sample(stepper.time());
             over |= stepper.time() >= durationS - 1e-9 || spent > nodeEvaluations;
         }
-        finish(durationS);
+    }
+
+    /** Ends the run with a sentence. */
+    private void stop(String sentence) {
+        divergence = sentence;
+        stopped = true;
     }
 
     private void noteRefinement(Stepper stepper) {
@@ -204,12 +221,12 @@ final class CaseRun {
         endS = scene.stepper().time();
         double distance = NodeState.rmsDistance(nodes.positions(), start);
         found.put(StabilityMeasure.RETURN_MM, distance);
-        if (violation.isEmpty() && endS >= durationS - 1e-9) {
+        if (violation.isEmpty() && !stopped && endS >= durationS - 1e-9) {
             checkBound(StabilityMeasure.RETURN_MM, distance, 1, endS);
             // Whatever was undone on the way, the body must come back.
             notReturned = !violation.isEmpty() && !divergence.isEmpty();
         }
-        if (violation.isEmpty() && bounds.isBounded(StabilityMeasure.DRIFT_MM)) {
+        if (violation.isEmpty() && !stopped && bounds.isBounded(StabilityMeasure.DRIFT_MM)) {
             measureDrift();
         }
     }
@@ -224,7 +241,7 @@ final class CaseRun {
                 scene.step();
             }
         } catch (DivergenceException diverged) {
-            divergence = diverged.getMessage();
+            stop(diverged.getMessage());
             return;
         }
         double drift = NodeState.maxDistance(nodes.positions(), start);
@@ -248,6 +265,9 @@ final class CaseRun {
     private Outcome outcome(String reported) {
         if (!violation.isEmpty()) {
             return notReturned ? Outcome.NOT_RETURNED : Outcome.SILENT_FAILURE;
+        }
+        if (stopped) {
+            return bounds.impossible() ? Outcome.NOTICED : Outcome.STOPPED;
         }
         return reported.isEmpty() ? Outcome.STABLE : Outcome.RECOVERED;
     }

@@ -69,7 +69,7 @@ final class StabilityCases {
         DomeParameters fins = new DomeParameters(DomeMesh.nonManifold(rings));
         dome("non-manifold", "edges of four triangles", 40, 4, near, fins);
         String contradiction = "three rigid links a pair that contradict each other";
-        dome("links-conflict", contradiction, 20, 2, near, d -> d.conflictingLinks = true);
+        dome("links-conflict", contradiction, 20, 2, near.ofImpossible(), d -> d.conflictingLinks = true);
         String jump = "the rim thrown through its whole range in one step, and back";
         dome("rim-thrown", jump, 40, 8, JUMPING, d -> d.rimJumps = true);
         StabilityBounds far = FAST.with(REACH_MM, UNBOUNDED);

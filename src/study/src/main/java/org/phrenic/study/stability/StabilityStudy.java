@@ -129,7 +129,7 @@ public record StabilityStudy(Map<String, String> cases, List<IntegratorKind> int
                 + (cell.sentence().isEmpty() ? "" : " (" + cell.sentence() + ")");
     }
 
-    /** Whether no cell failed silently, and every body returned to where it began. */
+    /** Whether no cell failed silently or stopped, and every body returned to where it began. */
     public boolean passes() {
         return cells.stream().noneMatch(CaseResult::fails);
     }
