@@ -108,28 +108,42 @@ final class StructureSet {
         return own.grid();
     }
 
-    /** Corners in columns and rows, by slice; contours beyond the grid are left out. */
+    /** Corners in columns and rows, by slice; contours beyond the grid are left out with a note. */
     private Map<Integer, List<double[]>> bySlice(SliceGrid grid, int number, List<double[]> closed) {
         Map<Integer, List<double[]>> bySlice = new TreeMap<>();
+        int beyond = 0;
         for (double[] points : closed) {
             double[] corners = new double[points.length / 3 * 2];
             double slice = Math.rint(grid.index(2, points[0], points[1], points[2]));
+            boolean within = slice >= 0 && slice < grid.slices();
+            boolean whole = within;
             for (int c = 0; c < corners.length / 2; c++) {
                 double x = points[3 * c];
                 double y = points[3 * c + 1];
                 double z = points[3 * c + 2];
                 corners[2 * c] = grid.index(0, x, y, z);
                 corners[2 * c + 1] = grid.index(1, x, y, z);
+                whole &= isOn(corners[2 * c], grid.columns()) && isOn(corners[2 * c + 1], grid.rows());
                 if (!(Math.abs(grid.index(2, x, y, z) - slice) <= OFF)) {
                     throw new BadInputException(set.file() + ": found a contour of region " + number
                             + " that lies in none of the slices, expected planar ones along the series");
                 }
             }
-            if (slice >= 0 && slice < grid.slices()) {
+            if (within) {
                 bySlice.computeIfAbsent((int) slice, none -> new ArrayList<>()).add(corners);
             }
+            beyond += whole ? 0 : 1;
+        }
+        if (beyond > 0) {
+            notes.add(beyond + " contours of region " + number
+                    + " reach beyond the voxels of their series or lie beyond" + " them, where they were left out");
         }
         return bySlice;
+    }
+
+    /** Whether a coordinate lies among voxels, or within one of them. */
+    private static boolean isOn(double index, int count) {
+        return index >= -1 && index <= count;
     }
 
     private static void forEach(

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -97,6 +98,20 @@ class DicomVolumeTest {
         LabelVolume volume = LabelVolumeFiles.read(resource(name));
         assertIsTwin(volume, "regions_twin.nii.gz");
         assertThat(volume.names()).isEqualTo(Map.of(1, "liver", 2, "cyst", 5, "Milz ä"));
+    }
+
+    /** The liver is drawn on slices 0 to 4; without slice 0 in the folder its contour there has no voxels. */
+    @Test
+    void contoursBeyondTheSeriesAreLeftOutWithANote() throws IOException {
+        for (String above : List.of("IM1.dcm", "IM0.dcm", "IM5.dcm", "IM4.dcm", "IM3.dcm")) {
+            Files.copy(resource("ct/" + above), folder.resolve(above));
+        }
+        LabelVolume volume =
+                LabelVolumeFiles.read(Files.copy(resource("ct/contours.dcm"), folder.resolve("contours.dcm")));
+        assertThat(volume.grid().slices()).isEqualTo(5);
+        assertThat(volume.notes()).anyMatch(note -> note.contains("contours of region 1 reach beyond the voxels"));
+        assertThat(LabelVolumeFiles.read(resource("ct/contours.dcm")).notes())
+                .noneMatch(note -> note.contains("beyond"));
     }
 
     /**
