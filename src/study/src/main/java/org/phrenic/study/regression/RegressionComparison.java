@@ -61,6 +61,13 @@ public record RegressionComparison(
             String counts = "has " + computed.nodeCount() + " nodes, the references are of " + stored.nodeCount();
             return failed(scene, counts + " nodes");
         }
+        if (stored.frames().size() != computed.frames().size()) {
+            return failed(
+                    scene,
+                    format(
+                            "is compared at %d times, the references are of %d",
+                            computed.frames().size(), stored.frames().size()));
+        }
         Worst node = new Worst();
         Worst observable = new Worst();
         for (int f = 0; f < stored.frames().size(); f++) {

@@ -144,6 +144,23 @@ class RegressionTest {
         }
     }
 
+    /** A reference that ends early would hide what comes after it. */
+    @Test
+    void referencesOfOtherTimesDoNotPass() {
+        RegressionScene scene = small();
+        RegressionReference whole = of(folder, scene).compute(scene);
+        RegressionReference early = new RegressionReference(
+                whole.specification(),
+                whole.nodeCount(),
+                whole.nodes(),
+                whole.frames().subList(0, 1));
+        for (RegressionComparison comparison :
+                List.of(RegressionComparison.of(scene, early, whole), RegressionComparison.of(scene, whole, early))) {
+            assertThat(comparison.passes()).isFalse();
+            assertThat(comparison.sentence()).contains("times, the references are of");
+        }
+    }
+
     @Test
     void anObservableThatIsNoNumberIsCaught() {
         RegressionScene scene = small();
