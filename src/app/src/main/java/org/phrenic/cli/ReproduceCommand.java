@@ -120,7 +120,7 @@ final class ReproduceCommand implements Callable<Integer> {
         stdout.println(out.resolve("report.html"));
         stdout.println(Disclaimer.TEXT);
         stdout.flush();
-        if (!unusable.isEmpty()) {
+        if (!unusable.isEmpty() || !found.failures().isEmpty()) {
             return ExitCode.CHECK_FAILED;
         }
         return noPictures.isEmpty() ? ExitCode.SUCCESS : ExitCode.NO_GRAPHICS;

@@ -121,7 +121,8 @@ final class ValidateCommand extends ReportingCommand {
             out.write("sensitivity.json", effects.values());
         }
         print(validation, report, effects);
-        return validation.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
+        boolean passes = validation.passes() && (effects == null || effects.isComplete());
+        return passes ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
     /** Reports the motion of the liver and returns the exit code. */
@@ -129,7 +130,7 @@ final class ValidateCommand extends ReportingCommand {
         out.write("liver.md", MarkdownPage.format(motion.document(scenario, made.lines())));
         out.write("liver.json", motion.values());
         print(motion.values(), () -> withDisclaimer(TextTable.ofNumbers(motion.table())));
-        return motion.outOfRangeCount() == 0 ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
+        return motion.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
     private Scenario scenario() {
@@ -156,9 +157,16 @@ final class ValidateCommand extends ReportingCommand {
             if (effects != null) {
                 text.append(TextTable.ofNumbers(effects.cells())).append('\n');
             }
-            text.append(validation.passes() ? "passed" : "failed: a range of confidence S or R+ is missed");
+            text.append(verdict(validation));
             return withDisclaimer(text.toString());
         });
+    }
+
+    private static String verdict(Validation validation) {
+        int failed = validation.failures().size();
+        return validation.passes()
+                ? "passed"
+                : "failed: " + (failed > 0 ? failed + " breaths" : "a range of confidence S or R+ is missed");
     }
 
     private static String table(Validation.Body body) {

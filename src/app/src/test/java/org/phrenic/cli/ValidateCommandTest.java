@@ -186,6 +186,6 @@ class ValidateCommandTest {
     private static LiverMotion liver(double siMm, Optional<ReferenceRange> range) {
         List<Optional<ReferenceRange>> ranges = List.of(range, Optional.empty(), Optional.empty(), Optional.empty());
         return new LiverMotion(
-                List.of(new LiverMotion.Row("body", "quiet", siMm, 1, 1, siMm, siMm, siMm, 0, 0, ranges)));
+                List.of(new LiverMotion.Row("body", "quiet", siMm, 1, 1, siMm, siMm, siMm, 0, 0, ranges)), List.of());
     }
 }

@@ -23,9 +23,17 @@ import org.phrenic.simulation.SimulationRun;
  * @param observables whose change from end-expiration to end-inspiration is evaluated
  * @param reference these changes with unmodified parameters
  * @param rows one per parameter
+ * @param failures breaths that could not be computed, with their reasons
  */
-public record Sensitivity(String preset, String anatomy, List<String> observables, double[] reference, List<Row> rows) {
+public record Sensitivity(
+        String preset,
+        String anatomy,
+        List<String> observables,
+        double[] reference,
+        List<Row> rows,
+        List<String> failures) {
     private static final double STEP = 0.1;
+    private static final String UNALTERED = "nothing altered";
     /**
      * Sampling interval, s. It is shorter than for validation because most parameters shift end-inspiration slightly.
      */
@@ -44,7 +52,7 @@ public record Sensitivity(String preset, String anatomy, List<String> observable
      * @param from lower value
      * @param to higher value
      * @param effects per cent per per cent, one per observable; NaN where the observable does not change during the
-     *     breath
+     *     breath, or a breath failed
      */
     public record Row(Parameter parameter, double from, double to, double[] effects) {}
 
@@ -62,7 +70,7 @@ public record Sensitivity(String preset, String anatomy, List<String> observable
                 .toList();
         List<double[]> ends = new ArrayList<>();
         List<BatchRunner.Job<double[]>> jobs = new ArrayList<>();
-        jobs.add(new BatchRunner.Job<>("nothing altered", () -> breathChanges(single, thorax)));
+        jobs.add(new BatchRunner.Job<>(UNALTERED, () -> breathChanges(single, thorax)));
         for (Parameter parameter : parameters) {
             double value = single.get(parameter);
             double[] pair = {
@@ -71,20 +79,31 @@ public record Sensitivity(String preset, String anatomy, List<String> observable
             ends.add(pair);
             for (double end : pair) {
                 Scenario altered = single.with(parameter, end);
-                jobs.add(new BatchRunner.Job<>(
-                        format("%s %.4g", parameter.key(), end), () -> breathChanges(altered, thorax)));
+                jobs.add(new BatchRunner.Job<>(name(parameter, end), () -> breathChanges(altered, thorax)));
             }
         }
-        List<double[]> seen = BatchRunner.run(jobs, threads, progress);
-        double[] reference = seen.get(0);
+        Attempts<double[]> seen = Attempts.of(jobs, threads, progress);
+        double[] reference = changes(seen, UNALTERED);
         List<Row> rows = new ArrayList<>();
         for (int i = 0; i < parameters.size(); i++) {
             double[] pair = ends.get(i);
             double share = (pair[1] - pair[0]) / single.get(parameters.get(i));
-            double[] effects = effects(reference, seen.get(2 * i + 1), seen.get(2 * i + 2), share);
-            rows.add(new Row(parameters.get(i), pair[0], pair[1], effects));
+            double[] low = changes(seen, name(parameters.get(i), pair[0]));
+            double[] high = changes(seen, name(parameters.get(i), pair[1]));
+            rows.add(new Row(parameters.get(i), pair[0], pair[1], effects(reference, low, high, share)));
         }
-        return new Sensitivity(scenario.preset(), scenario.anatomy(), OBSERVABLES, reference, rows);
+        return new Sensitivity(scenario.preset(), scenario.anatomy(), OBSERVABLES, reference, rows, seen.failures());
+    }
+
+    private static String name(Parameter parameter, double value) {
+        return format("%s %.4g", parameter.key(), value);
+    }
+
+    /** What was observed in a breath; NaN if it failed. */
+    private static double[] changes(Attempts<double[]> seen, String name) {
+        return seen.result(name)
+                .orElseGet(() ->
+                        OBSERVABLES.stream().mapToDouble(none -> Double.NaN).toArray());
     }
 
     /** Sensitivities in per cent per per cent, for a parameter change of {@code share} of its value. */

@@ -34,6 +34,11 @@ public record SensitivityReport(Sensitivity sensitivity) {
         return text.endsWith("0.00") ? "0.00" : text;
     }
 
+    /** Whether every breath was computed. */
+    public boolean isComplete() {
+        return sensitivity.failures().isEmpty();
+    }
+
     /**
      * The table as a document.
      *
@@ -46,6 +51,7 @@ public record SensitivityReport(Sensitivity sensitivity) {
                         + " nine and eleven tenths of its value (or to the end of its range); preset "
                         + sensitivity.preset() + ", " + sensitivity.anatomy() + ".");
         report.points(provenance.toArray(String[]::new));
+        Attempts.addFailures(report, "Not computed", sensitivity.failures());
         List<List<String>> cells = cells();
         List<Column> columns =
                 new ArrayList<>(cells.get(0).stream().map(Column::number).toList());
@@ -59,6 +65,7 @@ public record SensitivityReport(Sensitivity sensitivity) {
         map.put("notice", Disclaimer.TEXT);
         map.put("preset", sensitivity.preset());
         map.put("anatomy", sensitivity.anatomy());
+        map.put("failures", sensitivity.failures());
         map.put("reference", named(sensitivity.reference()));
         Map<String, Object> rows = new LinkedHashMap<>();
         for (Sensitivity.Row row : sensitivity.rows()) {

@@ -6,6 +6,7 @@ import static org.phrenic.study.ReportNumbers.trimmed;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.model.assembly.TissueMaterial;
 import org.phrenic.model.material.ActionLines;
@@ -52,7 +53,7 @@ final class ModelSection {
             grouped(ours.diaphragmVertices()), grouped(ours.diaphragmTriangles()), grouped(ours.tendonVertices()),
             grouped(published.tendonVertices()), ours.eulerCharacteristic(), grouped(published.springs()),
             grouped(published.rigidLinks()), grouped(ours.rigidLinks()), trimmed(ratio, 4),
-            format("%.0e", worstLinkError()), trimmed(SternumPart.STIFFNESS, 4), trimmed(radius, 4)
+            worstLinkError(), trimmed(SternumPart.STIFFNESS, 4), trimmed(radius, 4)
         };
         report.table(
                 "The model. \"The paper's material\" is a setting of the program (material: paper).",
@@ -79,13 +80,18 @@ final class ModelSection {
         report.table("", PaperTexts.columns(5, headings), PaperTexts.rows("parameters", parameters));
     }
 
-    private double worstLinkError() {
-        PaperBreath breath = reproduction.breath(Reproduction.Run.PUBLISHED).orElseThrow();
+    /** The worst error in the published breath. */
+    private String worstLinkError() {
+        Optional<PaperBreath> published = reproduction.breath(Reproduction.Run.PUBLISHED);
+        if (published.isEmpty()) {
+            return "-";
+        }
+        PaperBreath breath = published.get();
         double worst = 0;
         for (int row = 0; row <= breath.series().lastRow(0); row++) {
             worst = Math.max(worst, breath.series().value("rigid_link_error", row));
         }
-        return worst;
+        return format("%.0e", worst);
     }
 
     private static String timeStep(String material) {

@@ -54,7 +54,7 @@ final class PaperTexts {
     /** A claim that is omitted in a short reproduction. */
     static Claim notMeasured(String key, Object... values) {
         ClaimText text = CLAIMS.get(key);
-        String reason = "Left out of a quick reproduction.";
+        String reason = "Its breath was left out of a quick reproduction, or failed.";
         return new Claim(text.statement, filled(text.published, values), "-", Verdict.NOT_MEASURED, reason);
     }
 

@@ -26,26 +26,35 @@ record PhysiologySection(Reproduction reproduction) {
     }
 
     List<Claim> claims() {
-        PaperBreath light = reproduction.breath(Run.LIGHT).orElseThrow();
-        double domes = light.domeDescentMm();
-        double centre = -light.change("central_tendon_mm");
         return List.of(
-                PaperTexts.claim(
-                        "light",
-                        Verdict.agrees(centre < MAX_CENTRE_SHARE * domes),
-                        "domes " + number(domes) + " mm, central tendon " + number(centre) + " mm"),
-                deep(domes),
+                light(),
+                deep(),
                 tendonLevel(),
-                level("right-dome", light.atEndExpiration("dome_right_rib"), FOURTH_SPACE),
-                level("left-dome", light.atEndExpiration("dome_left_rib"), FIFTH_RIB),
+                level("right-dome", "dome_right_rib", FOURTH_SPACE),
+                level("left-dome", "dome_left_rib", FIFTH_RIB),
                 dimensions());
     }
 
-    private Claim deep(double lightMm) {
+    private Claim light() {
+        Optional<PaperBreath> light = reproduction.breath(Run.LIGHT);
+        if (light.isEmpty()) {
+            return PaperTexts.notMeasured("light");
+        }
+        double domes = light.get().domeDescentMm();
+        double centre = -light.get().change("central_tendon_mm");
+        return PaperTexts.claim(
+                "light",
+                Verdict.agrees(centre < MAX_CENTRE_SHARE * domes),
+                "domes " + number(domes) + " mm, central tendon " + number(centre) + " mm");
+    }
+
+    private Claim deep() {
+        Optional<PaperBreath> light = reproduction.breath(Run.LIGHT);
         Optional<PaperBreath> deep = reproduction.breath(Run.DEEP);
-        if (deep.isEmpty()) {
+        if (light.isEmpty() || deep.isEmpty()) {
             return PaperTexts.notMeasured("deep");
         }
+        double lightMm = light.get().domeDescentMm();
         double deepMm = deep.get().domeDescentMm();
         String measured = number(deepMm) + " mm after " + number(lightMm) + " mm";
         return PaperTexts.claim("deep", Verdict.agrees(deepMm > lightMm), measured);
@@ -64,7 +73,12 @@ record PhysiologySection(Reproduction reproduction) {
                 format("T%.1f to T%.1f, by %.1f vertebrae", from, to, to - from));
     }
 
-    private static Claim level(String key, double found, double expected) {
+    private Claim level(String key, String level, double expected) {
+        Optional<PaperBreath> light = reproduction.breath(Run.LIGHT);
+        if (light.isEmpty()) {
+            return PaperTexts.notMeasured(key);
+        }
+        double found = light.get().atEndExpiration(level);
         return PaperTexts.claim(
                 key,
                 Verdict.agrees(Math.abs(found - expected) <= LEVEL_TOLERANCE),

@@ -11,6 +11,7 @@ import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
+import org.phrenic.study.Attempts;
 import org.phrenic.study.PaperScenarios;
 import org.phrenic.study.speed.SpeedCase;
 import org.phrenic.study.speed.SpeedTable;
@@ -26,7 +27,7 @@ import org.phrenic.study.speed.SpeedTrials;
  * @param speed table 1
  * @param realTimeFactor simulated time over processor time of the published model, with its scheme and step, at the
  *     finest measured resolution
- * @param breaths by run
+ * @param breaths by the labels of their runs
  */
 public record Reproduction(
         boolean quick,
@@ -35,7 +36,7 @@ public record Reproduction(
         ModelCounts publishedModel,
         SpeedTable speed,
         double realTimeFactor,
-        Map<Run, PaperBreath> breaths) {
+        Attempts<PaperBreath> breaths) {
 
     /** Simulated breaths. */
     public enum Run {
@@ -93,13 +94,22 @@ public record Reproduction(
     private static final int QUICK_TRIALS = 3;
     private static final double QUICK_TRIAL_S = 0.02;
 
-    public Reproduction {
-        breaths = Map.copyOf(breaths);
+    /**
+     * The breath of a run, if it was simulated. The ribs alone do not lower the domes, so deep breaths of the default
+     * model are compared at the end-inspiration of the complete one.
+     */
+    Optional<PaperBreath> breath(Run run) {
+        Optional<PaperBreath> breath = breaths.result(run.label());
+        Optional<PaperBreath> whole =
+                run == Run.DEEP_MUSCLE || run == Run.DEEP_RIBS ? breaths.result(Run.DEEP.label()) : Optional.empty();
+        return whole.isEmpty()
+                ? breath
+                : breath.map(part -> part.withEndInspirationRow(whole.get().endInspirationRow()));
     }
 
-    /** The breath of a run, if it was simulated. */
-    Optional<PaperBreath> breath(Run run) {
-        return Optional.ofNullable(breaths.get(run));
+    /** Breaths that could not be simulated, with their reasons. */
+    public List<String> failures() {
+        return breaths.failures();
     }
 
     /**
@@ -132,19 +142,9 @@ public record Reproduction(
                 .map(run -> new BatchRunner.Job<>(
                         run.label(), () -> PaperBreath.of(run.scenario(breathing), bodies.get(breathing))))
                 .toList();
-        List<PaperBreath> done =
-                BatchRunner.run(jobs, THREADS, (count, of, what) -> progress.done(total - of + count, total, what));
-        Map<Run, PaperBreath> breaths = new LinkedHashMap<>();
-        for (int i = 0; i < runs.size(); i++) {
-            breaths.put(runs.get(i), done.get(i));
-        }
-        if (!quick) {
-            // The ribs alone do not lower the domes, so all three runs are compared at the end-inspiration of the
-            // complete breath.
-            int row = breaths.get(Run.DEEP).endInspirationRow();
-            breaths.computeIfPresent(Run.DEEP_MUSCLE, (run, breath) -> breath.withEndInspirationRow(row));
-            breaths.computeIfPresent(Run.DEEP_RIBS, (run, breath) -> breath.withEndInspirationRow(row));
-        }
+        Attempts<PaperBreath> breaths =
+                Attempts.of(jobs, THREADS, (count, of, what) -> progress.done(total - of + count, total, what));
+        breaths.failures().forEach(progress::note);
         return new Reproduction(quick, breathing, own, asPublished, new SpeedTable(speed), realTime, breaths);
     }
 }

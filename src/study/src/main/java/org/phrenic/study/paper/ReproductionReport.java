@@ -10,6 +10,7 @@ import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.model.material.Materials;
 import org.phrenic.scenario.Settings;
+import org.phrenic.study.Attempts;
 import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.paper.Claim.Verdict;
 import org.phrenic.study.paper.Reproduction.Run;
@@ -38,6 +39,7 @@ public record ReproductionReport(
         PatientSection patient = new PatientSection(patients, pictures);
         addSummary(report, motion.claims(), speed.claims(), physiology.claims(), patient.claims());
         addSchemes(report);
+        Attempts.addFailures(report, "Not simulated", reproduction.failures());
         report.section("Fig. 1: anatomy and attachment points");
         addFigure(report, 1);
         model.addAttachments(report);

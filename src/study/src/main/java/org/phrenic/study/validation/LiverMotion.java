@@ -17,6 +17,7 @@ import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
+import org.phrenic.study.Attempts;
 import org.phrenic.study.BreathSeries;
 import org.phrenic.study.PresetRun;
 import org.phrenic.study.ReportNumbers;
@@ -27,8 +28,9 @@ import org.phrenic.study.ReportValues;
  * expiration, held at inspiration), with published ranges.
  *
  * @param rows one per body and preset
+ * @param failures bodies and presets whose breath could not be computed, with their reasons
  */
-public record LiverMotion(List<Row> rows) {
+public record LiverMotion(List<Row> rows, List<String> failures) {
     /** Breathing presets, in report order. */
     public static final List<String> PRESETS = List.of("quiet", "deep", "hold-expiration", "hold-inspiration");
 
@@ -83,6 +85,7 @@ public record LiverMotion(List<Row> rows) {
 
     public LiverMotion {
         rows = List.copyOf(rows);
+        failures = List.copyOf(failures);
     }
 
     /**
@@ -106,7 +109,8 @@ public record LiverMotion(List<Row> rows) {
                         () -> row(anatomy, preset, PresetRun.of(run, thorax, PresetRun.SAMPLE_S, MEASURED), table)));
             }
         }
-        return new LiverMotion(BatchRunner.run(jobs, threads, progress));
+        Attempts<Row> done = Attempts.of(jobs, threads, progress);
+        return new LiverMotion(done.results(), done.failures());
     }
 
     /** Evaluates one run. */
@@ -192,6 +196,7 @@ public record LiverMotion(List<Row> rows) {
                 "At " + ReportNumbers.label(settings.resolution()) + " resolution; values out of their range: "
                         + outOfRangeCount() + ".");
         page.points(provenance.toArray(String[]::new));
+        Attempts.addFailures(page, "Not computed", failures);
         page.section("Excursions");
         page.paragraph("From end-expiration to end-inspiration, of a hold at expiration in the breath before it, mm:"
                 + " SI down, AP forward, LR to the side, of all vertices; top and edge: descent of the highest and"
@@ -252,6 +257,12 @@ public record LiverMotion(List<Row> rows) {
     public Map<String, Object> values() {
         return new OrderedValues()
                 .with("rows", rows.stream().map(Row::values).toList())
-                .with("outside", outOfRangeCount());
+                .with("outside", outOfRangeCount())
+                .with("failures", failures);
+    }
+
+    /** Whether every breath was computed and no value is outside its range. */
+    public boolean passes() {
+        return failures.isEmpty() && outOfRangeCount() == 0;
     }
 }

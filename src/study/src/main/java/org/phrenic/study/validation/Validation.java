@@ -15,6 +15,7 @@ import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
+import org.phrenic.study.Attempts;
 import org.phrenic.study.BreathSeries;
 import org.phrenic.study.PresetRun;
 import org.phrenic.study.validation.Finding.Verdict;
@@ -26,8 +27,9 @@ import org.phrenic.study.validation.Finding.Verdict;
  * @param table the ranges
  * @param settings common to all runs, apart from preset and body
  * @param bodies in the order given
+ * @param failures breaths that could not be computed, with their reasons
  */
-public record Validation(PhysiologyTable table, Scenario settings, List<Body> bodies) {
+public record Validation(PhysiologyTable table, Scenario settings, List<Body> bodies, List<String> failures) {
 
     /**
      * Results of one body.
@@ -49,6 +51,7 @@ public record Validation(PhysiologyTable table, Scenario settings, List<Body> bo
 
     public Validation {
         bodies = List.copyOf(bodies);
+        failures = List.copyOf(failures);
     }
 
     /**
@@ -78,21 +81,25 @@ public record Validation(PhysiologyTable table, Scenario settings, List<Body> bo
             for (String preset : presets) {
                 Scenario run = on.with("preset=" + preset);
                 jobs.add(new BatchRunner.Job<>(
-                        anatomy + ", " + preset,
+                        name(anatomy, preset),
                         () -> PresetRun.of(run, thorax, PresetRun.SAMPLE_S, observables(table, preset))));
             }
         }
-        List<BreathSeries> series = BatchRunner.run(jobs, threads, progress);
+        Attempts<BreathSeries> series = Attempts.of(jobs, threads, progress);
         List<Body> bodies = new ArrayList<>();
         for (int b = 0; b < anatomies.size(); b++) {
             Map<String, BreathSeries> runs = new LinkedHashMap<>();
             for (String preset : presets) {
-                runs.put(preset, series.get(b * presets.size() + runs.size()));
+                runs.put(preset, series.result(name(anatomies.get(b), preset)).orElse(null));
             }
             Optional<String> sex = sex(thoraxes.get(b).name());
             bodies.add(new Body(anatomies.get(b), thoraxes.get(b).name(), sex, judge(table.ranges(), runs, sex)));
         }
-        return new Validation(table, settings, bodies);
+        return new Validation(table, settings, bodies, series.failures());
+    }
+
+    private static String name(String anatomy, String preset) {
+        return anatomy + ", " + preset;
     }
 
     private static Set<String> presets(PhysiologyTable table, Collection<String> only) {
@@ -134,7 +141,7 @@ public record Validation(PhysiologyTable table, Scenario settings, List<Body> bo
     /**
      * Evaluates each row.
      *
-     * @param runs by preset
+     * @param runs by preset; null for one that failed
      */
     static List<Finding> judge(List<ReferenceRange> rows, Map<String, BreathSeries> runs, Optional<String> sex) {
         return rows.stream().map(row -> judge(row, runs, sex)).toList();
@@ -151,10 +158,15 @@ public record Validation(PhysiologyTable table, Scenario settings, List<Body> bo
                             ? "the body's name says neither male nor female"
                             : "a range of " + (row.body().get().equals("male") ? "men" : "women"));
         }
-        BreathSeries series = runs.get(row.preset().get());
-        BreathSeries other = runs.get(row.againstPreset().orElse(row.preset().get()));
-        if (series == null || other == null) {
+        String preset = row.preset().get();
+        String second = row.againstPreset().orElse(preset);
+        if (!runs.containsKey(preset) || !runs.containsKey(second)) {
             return notMeasurable(row, "the preset was not asked for");
+        }
+        BreathSeries series = runs.get(preset);
+        BreathSeries other = runs.get(second);
+        if (series == null || other == null) {
+            return notMeasurable(row, "the breath could not be computed");
         }
         double value = row.factor() * row.reduction().of(series, other, row.observables(), row.against(), row.share());
         if (!Double.isFinite(value)) {
@@ -171,8 +183,9 @@ public record Validation(PhysiologyTable table, Scenario settings, List<Body> bo
         return new Finding(row, Verdict.NOT_MEASURABLE, Double.NaN, reason);
     }
 
-    /** Whether no binding range is missed. */
+    /** Whether every breath was computed and no binding range is missed. */
     public boolean passes() {
-        return bodies.stream().flatMap(b -> b.findings().stream()).noneMatch(Finding::isMiss);
+        return failures.isEmpty()
+                && bodies.stream().flatMap(b -> b.findings().stream()).noneMatch(Finding::isMiss);
     }
 }

@@ -10,6 +10,7 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.study.Attempts;
 import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.validation.Finding.Verdict;
 
@@ -72,6 +73,7 @@ public record ValidationReport(Validation validation) {
                         + (validation.passes() ? "passed" : "failed")
                         + " (a range of confidence S or R+ that is missed fails).");
         report.points(provenance.toArray(String[]::new));
+        Attempts.addFailures(report, "Not computed", validation.failures());
         List<Column> totals = Stream.concat(
                         Stream.of(Column.text("confidence")),
                         Arrays.stream(Verdict.values()).map(v -> Column.number(v.label())))
@@ -119,6 +121,7 @@ public record ValidationReport(Validation validation) {
                 .with("notice", Disclaimer.TEXT)
                 .with("table", validation.table().name())
                 .with("passes", validation.passes())
+                .with("failures", validation.failures())
                 .with("settings", validation.settings().toMap())
                 .with(
                         "bodies",

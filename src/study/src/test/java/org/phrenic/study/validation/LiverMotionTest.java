@@ -51,7 +51,7 @@ class LiverMotionTest {
         assertThat(row.topMm()).isEqualTo(row.domeMm());
         assertThat(row.edgeMm()).isEqualTo(0.65 * row.domeMm());
         assertThat(row.liverCreepMm()).isNaN();
-        LiverMotion motion = new LiverMotion(List.of(row));
+        LiverMotion motion = new LiverMotion(List.of(row), List.of());
         assertThat(motion.outOfRangeCount()).isZero();
         assertThat(motion.table().get(1)).contains("12.0 (5.1 - 17.3)", "3.60 (0.9 - 7.7)", "1.20 (0.4 - 4)");
     }
@@ -67,18 +67,29 @@ class LiverMotionTest {
         assertThat(row.comparedValues()).usingComparatorWithPrecision(1e-9).containsExactly(12, 3.6, 1.2, 9);
         // No creep is known at expiration; at inspiration 9 mm is more than in anybody.
         LiverMotion motion = new LiverMotion(
-                List.of(row, LiverMotion.row("a body", "hold-inspiration", series, PhysiologyTable.shipped())));
+                List.of(row, LiverMotion.row("a body", "hold-inspiration", series, PhysiologyTable.shipped())),
+                List.of());
         assertThat(row.referenceRanges().get(3)).isEmpty();
         assertThat(motion.table().get(2)).contains("9.00 (0 - 5.6) OUT");
         assertThat(motion.values()).containsEntry("outside", motion.outOfRangeCount());
+    }
+
+    @Test
+    void aBreathThatFailedIsNamedAndFailsTheStudy() {
+        LiverMotion.Row row = LiverMotion.row("a body", "quiet", breath(0, 0), PhysiologyTable.shipped());
+        LiverMotion motion = new LiverMotion(List.of(row), List.of("a body, deep: diverged"));
+        assertThat(motion.passes()).isFalse();
+        assertThat(motion.values()).containsEntry("failures", motion.failures());
+        assertThat(MarkdownPage.format(motion.document(Scenario.defaults(), List.of("Commit 1"))))
+                .contains("## Not computed", "- a body, deep: diverged.");
     }
 
     /** The liver goes forward by 0.3 of its descent, and its top as far down as the dome. */
     @Test
     void thePageStatesExcursionsSharesAndTheSourcesOfTheRanges() {
         LiverMotion.Row row = LiverMotion.row("a body", "quiet", breath(0, 0), PhysiologyTable.shipped());
-        String page =
-                MarkdownPage.format(new LiverMotion(List.of(row)).document(Scenario.defaults(), List.of("Commit 1")));
+        String page = MarkdownPage.format(
+                new LiverMotion(List.of(row), List.of()).document(Scenario.defaults(), List.of("Commit 1")));
         assertThat(page)
                 .contains("At medium resolution; values out of their range: 0.", "- Commit 1", Disclaimer.TEXT)
                 .contains("| a body | quiet | 0.30 | 1.00 |", "liver\\_si\\_quiet: 5.1 - 17.3 mm", "PMC5978939");

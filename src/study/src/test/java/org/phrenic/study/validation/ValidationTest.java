@@ -1,15 +1,24 @@
 package org.phrenic.study.validation;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.anatomy.BoxBody;
 import org.phrenic.anatomy.SharedThorax;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.validation.Finding.Verdict;
 
@@ -95,6 +104,53 @@ class ValidationTest {
                 .filteredOn(f -> f.range().body().filter("female"::equals).isEmpty())
                 .filteredOn(f -> f.range().againstPreset().isEmpty())
                 .allMatch(f -> f.verdict() != Verdict.NOT_MEASURABLE, "measured");
+    }
+
+    /** What was computed of the others is not lost, and nothing passes for what was not. */
+    @Test
+    void aBreathThatFailsIsReportedAndTheOthersGoOn(@TempDir Path folder) throws IOException {
+        BoxBody.structures().stream()
+                .filter(s -> s.kind() != StructureKind.RIB)
+                .forEach(s -> MeshFiles.write(folder.resolve(s.name() + ".ply"), s.mesh()));
+        Files.writeString(folder.resolve("thorax.yaml"), "axes: LPS\nunits: mm\n");
+        List<String> bodies = List.of("virtual/adult-male", folder.toString());
+        List<String> notes = new ArrayList<>();
+        ProgressListener progress = new ProgressListener() {
+            @Override
+            public void done(int count, int total, String what) {}
+
+            @Override
+            public void note(String sentence) {
+                notes.add(sentence);
+            }
+        };
+        Validation validation = Validation.of(PhysiologyTable.shipped(), FAST, bodies, List.of("quiet"), 1, progress);
+        assertThat(validation.failures()).singleElement().asString().startsWith(folder + ", quiet: ");
+        assertThat(notes).containsAll(validation.failures());
+        assertThat(new Validation(validation.table(), FAST, List.of(), validation.failures()).passes())
+                .isFalse();
+        assertThat(new Validation(validation.table(), FAST, List.of(), List.of()).passes())
+                .isTrue();
+        assertThat(validation.bodies().get(0).count(Verdict.WITHIN)).isPositive();
+        assertThat(validation.bodies().get(1).count(Verdict.WITHIN)).isZero();
+        assertThat(validation.bodies().get(1).findings())
+                .extracting(Finding::reason)
+                .contains("the breath could not be computed", "the preset was not asked for");
+        assertThat(markdown(validation)).contains("## Not computed", "- " + folder + ", quiet: ");
+        assertThat(new ValidationReport(validation).values()).containsEntry("failures", validation.failures());
+    }
+
+    @Test
+    void whereEveryBreathFailsTheFirstReasonIsThrown() {
+        Scenario refused = FAST.with("integrator=lagged", "damping_rate_per_s=0");
+        assertThatThrownBy(() -> Validation.of(
+                        PhysiologyTable.shipped(),
+                        refused,
+                        List.of("virtual/adult-male"),
+                        List.of("quiet"),
+                        1,
+                        (count, total, what) -> {}))
+                .hasMessageContaining("lagged grows at every step");
     }
 
     @Test
