@@ -1,6 +1,7 @@
 package org.phrenic.scene;
 
 import java.util.List;
+import java.util.Optional;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.scene.gl.Renderer;
@@ -33,10 +34,11 @@ public final class AccessMapField {
         renderer.setField(skin, freePercent);
     }
 
-    /** A style that shows the map: skin and the organs in front of the target become translucent. */
+    /** A style that shows the map on all of the skin: it and the organs in front of the target become translucent. */
     public SceneStyle applyTo(SceneStyle style) {
         ColourScale scale = new ColourScale(ColourMap.ACCESS, 0, 100, ColourField.ACCESS.unit());
-        return style.withField(ColourField.ACCESS, skin, scale)
+        return style.withClip(Optional.empty())
+                .withField(ColourField.ACCESS, skin, scale)
                 .withAppearances(surfaces, (s, usual) -> usual.withOpacity(opacity(s.kind(), usual)));
     }
 

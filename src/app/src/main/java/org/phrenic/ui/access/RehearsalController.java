@@ -257,7 +257,7 @@ public final class RehearsalController implements Session.Listener {
         fireState();
     }
 
-    /** Shows the body as the aids have it: see-through with its access map, or from outside. */
+    /** Shows the whole body as the aids have it: see-through with its access map, or from outside. */
     void showBody() {
         if (!pictures.isSeeThrough() && body.isPresent()) {
             List<Surface> surfaces = body.get().scene().surfaces();
@@ -265,7 +265,7 @@ public final class RehearsalController implements Session.Listener {
         } else {
             colours.ifPresentOrElse(
                     map -> appearance.overrideStyle(map::applyTo, colours),
-                    () -> appearance.overrideStyle(style -> style, Optional.empty()));
+                    () -> appearance.overrideStyle(style -> style.withClip(Optional.empty()), Optional.empty()));
         }
     }
 

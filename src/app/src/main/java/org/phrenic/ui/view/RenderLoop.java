@@ -154,10 +154,8 @@ public final class RenderLoop implements AutoCloseable {
             if (same && picker == null) {
                 picker = new Picker(scene.surfaces());
             }
-            done.accept(
-                    same
-                            ? picker.pick(frame, at.camera().ray(px, py, at.width(), at.height()), opacity)
-                            : Optional.empty());
+            double[] ray = same ? at.camera().ray(px, py, at.width(), at.height()) : new double[0];
+            done.accept(same ? picker.pick(frame, ray, at.style().clip(), opacity) : Optional.empty());
         });
     }
 

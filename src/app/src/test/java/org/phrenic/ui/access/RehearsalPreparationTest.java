@@ -17,6 +17,7 @@ import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.AccessMapField;
+import org.phrenic.scene.style.ClipPlane;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
@@ -59,10 +60,14 @@ class RehearsalPreparationTest {
             RehearsalController rehearsal = new RehearsalController(session, appearance, view);
             try {
                 rehearsal.colours = Optional.of(former);
+                appearance.changeStyle(style -> style.withClip(Optional.of(ClipPlane.axial(0))));
                 rehearsal.showBody();
+                assertThat(appearance.style().clip()).as("the whole skin").isEmpty();
                 assertThat(appearance.style().field()).isEqualTo(ColourField.ACCESS);
                 rehearsal.open(exercise);
                 assertThat(appearance.style().field()).isNotEqualTo(ColourField.ACCESS);
+                assertThat(appearance.style().clip()).as("the whole body").isEmpty();
+                assertThat(appearance.chosenStyle().clip()).as("for tuning").isPresent();
                 assertThat(rehearsal.study()).isEmpty();
             } finally {
                 rehearsal.shutdown();

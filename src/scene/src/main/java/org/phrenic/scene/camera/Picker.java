@@ -6,6 +6,7 @@ import java.util.function.ToDoubleFunction;
 import org.joml.Vector3d;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
+import org.phrenic.scene.style.ClipPlane;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
@@ -13,7 +14,7 @@ import org.phrenic.simulation.observe.Surface;
  * Ray picking on the CPU. For a rigid surface, the ray is transformed to the rest pose and intersected through a
  * bounding volume tree. For a deforming surface, every triangle is tested (Moeller and Trumbore 1997, doi
  * 10.1080/10867651.1997.10487468), which costs less than refitting a tree. A nearly transparent surface is picked only
- * if the ray hits no surface of higher opacity.
+ * if the ray hits no surface of higher opacity. What a clip plane removes is not hit.
  */
 public final class Picker {
     /** Surfaces with a lower opacity are picked only if no other surface is hit. */
@@ -29,18 +30,33 @@ public final class Picker {
                 .toArray(TriangleTree[]::new);
     }
 
-    /** A ray and the nearest hit so far: distance along the ray, surface, triangle, barycentric weights. */
+    /** The part of a ray that is not cut away, and the nearest hit so far: distance, surface, triangle, weights. */
     private static final class Search {
         private final Vector3d origin;
         private final Vector3d direction;
+        /** Of the nearest hit, before that of the end of the ray. */
         private double distance = Double.POSITIVE_INFINITY;
+
         private int surface = -1;
         private int triangle;
         private double[] weights;
 
-        Search(double[] ray) {
+        Search(double[] ray, Optional<ClipPlane> clip) {
             origin = new Vector3d(ray[0], ray[1], ray[2]);
             direction = new Vector3d(ray[3], ray[4], ray[5]);
+            clip.ifPresent(this::cut);
+        }
+
+        private void cut(ClipPlane plane) {
+            double beyond = plane.nx() * origin.x + plane.ny() * origin.y + plane.nz() * origin.z - plane.offsetMm();
+            double slope = plane.nx() * direction.x + plane.ny() * direction.y + plane.nz() * direction.z;
+            if (slope > 0) {
+                distance = -beyond / slope;
+            } else if (beyond > 0 && slope < 0) {
+                origin.fma(-beyond / slope, direction);
+            } else if (beyond > 0) {
+                distance = Double.NEGATIVE_INFINITY;
+            }
         }
 
         void hit(int surfaceHit, int triangleHit, double at, double... barycentric) {
@@ -56,11 +72,13 @@ public final class Picker {
      *
      * @param frame current positions and poses of the surfaces
      * @param ray origin and direction, as returned by {@link Camera#ray}
+     * @param clip plane that cuts surfaces away
      * @param opacity opacity of a surface; 0 if hidden
      */
-    public Optional<PickResult> pick(Frame frame, double[] ray, ToDoubleFunction<Surface> opacity) {
-        return nearest(frame, new Search(ray), opacity, MIN_SOLID_OPACITY)
-                .or(() -> nearest(frame, new Search(ray), opacity, Double.MIN_VALUE));
+    public Optional<PickResult> pick(
+            Frame frame, double[] ray, Optional<ClipPlane> clip, ToDoubleFunction<Surface> opacity) {
+        return nearest(frame, new Search(ray, clip), opacity, MIN_SOLID_OPACITY)
+                .or(() -> nearest(frame, new Search(ray, clip), opacity, Double.MIN_VALUE));
     }
 
     private Optional<PickResult> nearest(

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.ScenePlayer;
+import org.phrenic.scene.style.ClipPlane;
 import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.Frame;
@@ -73,6 +74,10 @@ class PickerTest {
         return moved;
     }
 
+    private static Optional<PickResult> pick(double[] ray, ToDoubleFunction<Surface> opacity) {
+        return picker.pick(frame, ray, Optional.empty(), opacity);
+    }
+
     private static double[] middleOfATriangle(int surface) {
         int[] triangles = player.surfaces().get(surface).rest().triangles();
         int first = triangles.length / 6 * 3;
@@ -103,7 +108,7 @@ class PickerTest {
             for (int k = 3; k < 6; k++) {
                 sight[k] /= Math.sqrt(length);
             }
-            Optional<PickResult> pick = picker.pick(frame, sight, other -> other == s ? 1 : 0);
+            Optional<PickResult> pick = pick(sight, other -> other == s ? 1 : 0);
             assertThat(pick).as(s.name()).isPresent();
             assertThat(pick.get().surface()).isSameAs(s);
             double along = (pick.get().x() - sight[0]) * sight[3]
@@ -134,8 +139,7 @@ class PickerTest {
     private static PickResult sweep(Camera camera, int from, int to) {
         int step = Integer.signum(to - from);
         for (int px = from; px != to; px += step) {
-            Optional<PickResult> pick =
-                    picker.pick(frame, camera.ray(px, HEIGHT / 2.0, WIDTH, HEIGHT), only(StructureKind.RIB));
+            Optional<PickResult> pick = pick(camera.ray(px, HEIGHT / 2.0, WIDTH, HEIGHT), only(StructureKind.RIB));
             if (pick.isPresent()) {
                 return pick.get();
             }
@@ -148,24 +152,51 @@ class PickerTest {
         Camera camera = Camera.of(AnatomicalView.ANTERIOR, SceneBounds.of(player.surfaces()), (double) WIDTH / HEIGHT);
         double[] middle = camera.ray(WIDTH / 2.0, HEIGHT / 2.0, WIDTH, HEIGHT);
         ToDoubleFunction<Surface> glassSkin = s -> s.kind() == StructureKind.SKIN ? 0.3 : 1;
-        assertThat(picker.pick(frame, middle, glassSkin).orElseThrow().surface().kind())
-                .isNotEqualTo(StructureKind.SKIN);
-        assertThat(picker.pick(frame, middle, s -> 1).orElseThrow().surface().kind())
-                .isEqualTo(StructureKind.SKIN);
-        assertThat(picker.pick(frame, middle, s -> s.kind() == StructureKind.SKIN ? 0.3 : 0)
+        assertThat(pick(middle, glassSkin).orElseThrow().surface().kind()).isNotEqualTo(StructureKind.SKIN);
+        assertThat(pick(middle, s -> 1).orElseThrow().surface().kind()).isEqualTo(StructureKind.SKIN);
+        assertThat(pick(middle, s -> s.kind() == StructureKind.SKIN ? 0.3 : 0)
                         .orElseThrow()
                         .displayName())
                 .isEqualTo("Skin");
-        assertThat(picker.pick(frame, middle, s -> 0)).isEmpty();
-        assertThat(picker.pick(frame, camera.ray(1, 1, WIDTH, HEIGHT), s -> 1)).isEmpty();
+        assertThat(pick(middle, s -> 0)).isEmpty();
+        assertThat(pick(camera.ray(1, 1, WIDTH, HEIGHT), s -> 1)).isEmpty();
+    }
+
+    @Test
+    void whatThePlaneCutsAwayIsNotPicked() {
+        double[] box = SceneBounds.of(player.surfaces());
+        Camera front = Camera.of(AnatomicalView.ANTERIOR, box, (double) WIDTH / HEIGHT);
+        double[] middle = front.ray(WIDTH / 2.0, HEIGHT / 2.0, WIDTH, HEIGHT);
+        ToDoubleFunction<Surface> skin = only(StructureKind.SKIN);
+        double nearest = pick(middle, skin).orElseThrow().y();
+        double coronal = 0.5 * (box[1] + box[4]);
+        Optional<ClipPlane> cut = Optional.of(ClipPlane.coronal(coronal));
+        PickResult behind = picker.pick(frame, middle, cut, skin).orElseThrow();
+        assertThat(nearest).isLessThan(coronal);
+        assertThat(behind.y()).isGreaterThan(coronal);
+
+        Camera back = Camera.of(AnatomicalView.POSTERIOR, box, (double) WIDTH / HEIGHT);
+        double[] fromBehind = back.ray(WIDTH / 2.0, HEIGHT / 2.0, WIDTH, HEIGHT);
+        assertThat(picker.pick(frame, fromBehind, cut, skin).orElseThrow().y()).isGreaterThan(coronal);
+        Optional<ClipPlane> all = Optional.of(ClipPlane.coronal(box[4] + 50));
+        assertThat(picker.pick(frame, fromBehind, all, s -> 1)).isEmpty();
+    }
+
+    @Test
+    void aRayAlongThePlaneHitsWhatIsBehindItAlone() {
+        double[] box = SceneBounds.of(player.surfaces());
+        double[] upwards = {0, 0.5 * (box[1] + box[4]), box[2] - 100, 0, 0, 1};
+        assertThat(picker.pick(frame, upwards, Optional.of(ClipPlane.coronal(upwards[1] - 1)), s -> 1))
+                .isPresent();
+        assertThat(picker.pick(frame, upwards, Optional.of(ClipPlane.coronal(upwards[1] + 1)), s -> 1))
+                .isEmpty();
     }
 
     @Test
     void aPickProjectsBackToItsPixel() {
         Camera camera = Camera.of(AnatomicalView.LEFT, SceneBounds.of(player.surfaces()), (double) WIDTH / HEIGHT);
         double[] xy = new double[2];
-        PickResult pick =
-                picker.pick(frame, camera.ray(300, 200, WIDTH, HEIGHT), s -> 1).orElseThrow();
+        PickResult pick = pick(camera.ray(300, 200, WIDTH, HEIGHT), s -> 1).orElseThrow();
         camera.project(pick.x(), pick.y(), pick.z(), WIDTH, HEIGHT, xy);
         assertThat(xy[0]).isCloseTo(300, within(FLOAT_MM));
         assertThat(xy[1]).isCloseTo(200, within(FLOAT_MM));
