@@ -2,7 +2,7 @@ package org.phrenic.ui.access;
 
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.function.Consumer;
+import java.util.function.Function;
 import org.phrenic.access.AbsentObstacles;
 import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.path.AccessMap;
@@ -21,8 +21,9 @@ public final class EntrySelection {
     private final Session session;
     private final RehearsalController rehearsal;
     private final BackgroundWorker work;
-    private Optional<Entry> entry = Optional.empty();
+    private volatile Optional<Entry> entry = Optional.empty();
     private volatile Optional<PathAdvice> advice = Optional.empty();
+    private boolean unknown;
 
     /**
      * An entry of the needle.
@@ -65,20 +66,36 @@ public final class EntrySelection {
                         .pose(body.frame(), ProbePose.Angles.ZERO)
                         .axial())));
         entry = Optional.of(chosen);
+        advice = Optional.empty();
+        unknown = false;
         rehearsal.needle().setEntry(chosen);
         TargetAccess about = rehearsal.study().orElseThrow();
         RehearsalPlan plan = rehearsal.plan().orElseThrow();
         Callable<PathOverBreath> analysis = () -> PathOverBreath.of(
                 body.planningScene(), about.map().cycle(), onSkinRest, about.target(), plan.needle(), plan.avoided());
-        Consumer<PathOverBreath> show = found -> {
+        Function<PathOverBreath, PathAdvice> advise = found -> {
             PathAdvice ofPath = PathAdvice.of(found);
-            advice = AbsentObstacles.sentence(
+            return AbsentObstacles.sentence(
                             body.scene().surfaces().stream().map(Surface::name).toList())
                     .map(ofPath::withRemark)
-                    .or(() -> Optional.of(ofPath));
-            rehearsal.fireState();
+                    .orElse(ofPath);
         };
-        work.run(analysis, show, session::refuse);
+        // The advice is on the entry, whatever becomes of the attempt.
+        work.runAlways(
+                analysis,
+                found -> ifStillChosen(chosen, () -> advice = Optional.of(advise.apply(found))),
+                sentence -> ifStillChosen(chosen, () -> {
+                    unknown = true;
+                    session.refuse(sentence);
+                }));
+        rehearsal.fireState();
+    }
+
+    private void ifStillChosen(Entry which, Runnable then) {
+        if (rehearsal.isActive() && entry.filter(which::equals).isPresent()) {
+            then.run();
+            rehearsal.fireState();
+        }
     }
 
     /** Selects the best entry of the map: over the breath, or at end-expiration. */
@@ -107,11 +124,20 @@ public final class EntrySelection {
         return advice;
     }
 
+    /** Why there is no advice on the path over the breath from the entry; empty if there is, or no entry. */
+    public Optional<String> unadvised() {
+        return entry.filter(e -> advice.isEmpty())
+                .map(e -> unknown
+                        ? "The path over the breath could not be computed"
+                        : "Computing the path over the breath");
+    }
+
     /** How the path is marked at present; on any thread. */
     public PathAdvice.Level levelNow(NeedleState state) {
         PathAdvice.Level present = presentLevel(state);
-        boolean partly = advice.filter(a -> a.level() != PathAdvice.Level.FREE).isPresent();
-        return present == PathAdvice.Level.FREE && partly ? PathAdvice.Level.CAREFUL : present;
+        boolean free = entry.isEmpty()
+                || advice.filter(a -> a.level() == PathAdvice.Level.FREE).isPresent();
+        return present == PathAdvice.Level.FREE && !free ? PathAdvice.Level.CAREFUL : present;
     }
 
     /** What is to be said of the path at one moment, whatever comes later in the breath. */

@@ -27,6 +27,7 @@ public final class AdvicePanel extends JPanel {
     private final WrappingLabel headline = WrappingLabel.emphasised("Verdict on the path");
     private final WrappingLabel body = WrappingLabel.normal("Reasons and margin");
     private PathAdvice.Level level = PathAdvice.Level.FREE;
+    private boolean unknown;
     private boolean plain;
 
     /** @param name what the advice is about, such as "Path at present" */
@@ -40,13 +41,26 @@ public final class AdvicePanel extends JPanel {
     }
 
     void setAdvice(PathAdvice.Level shown, String first, String rest) {
+        boolean sameColours = shown == level && !unknown;
+        level = shown;
+        unknown = false;
+        setTexts(first, rest);
+        if (!sameColours) {
+            applyColours();
+        }
+    }
+
+    /** Says in plain colours why there is no advice. */
+    void setUnknown(String sentence) {
+        unknown = true;
+        setTexts(sentence, "");
+        applyColours();
+    }
+
+    private void setTexts(String first, String rest) {
         headline.setTextIfChanged(first);
         body.setTextIfChanged(rest);
         body.setVisible(!rest.isEmpty());
-        if (shown != level) {
-            level = shown;
-            applyColours();
-        }
         getAccessibleContext().setAccessibleDescription(first + (rest.isEmpty() ? "" : ". " + rest));
     }
 
@@ -64,18 +78,22 @@ public final class AdvicePanel extends JPanel {
         return headline.getText() + "\n" + body.getText();
     }
 
+    private boolean isPlain() {
+        return plain || unknown;
+    }
+
     private void applyColours() {
-        setOpaque(!plain);
+        setOpaque(!isPlain());
         setBackground(BACKGROUNDS.get(level));
-        headline.setForeground(plain ? Theme.TEXT : TEXTS.get(level));
-        body.setForeground(plain ? Theme.TEXT : TEXTS.get(level));
+        headline.setForeground(isPlain() ? Theme.TEXT : TEXTS.get(level));
+        body.setForeground(isPlain() ? Theme.TEXT : TEXTS.get(level));
         repaint();
     }
 
     @Override
     protected void paintComponent(Graphics g) {
         super.paintComponent(g);
-        if (!plain) {
+        if (!isPlain()) {
             g.setColor(new Color(NeedleMarkers.rgb(level)));
             g.fillRect(0, 0, BAR_WIDTH, getHeight());
         }

@@ -71,7 +71,9 @@ final class EntryPanel extends AccessPanel {
 
     private void showAdvice() {
         Optional<PathAdvice> advice = rehearsal.entrySelection().advice();
-        breathAdvice.setVisible(advice.isPresent() && isAdvised());
+        Optional<String> none = rehearsal.entrySelection().unadvised();
+        breathAdvice.setVisible((advice.isPresent() || none.isPresent()) && isAdvised());
+        none.ifPresent(breathAdvice::setUnknown);
         advice.ifPresent(a -> {
             StringBuilder rest = new StringBuilder(a.way());
             a.reasons().forEach(reason -> rest.append("\n").append(Controls.capitalise(reason)));

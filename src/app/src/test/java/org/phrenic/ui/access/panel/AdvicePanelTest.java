@@ -58,4 +58,17 @@ class AdvicePanelTest {
             assertThat(marked(breath, PathAdvice.Level.CAREFUL)).isPositive();
         });
     }
+
+    @Test
+    void whatIsNotComputedYetHasNoColourOfAnEarlierVerdict() {
+        EventThread.run(() -> {
+            Theme.install(false);
+            breath.setAdvice(PathAdvice.Level.FREE, "Free over the whole breath", "Margin 6.0 mm from right lung");
+            breath.setUnknown("Computing the path over the breath");
+            assertThat(marked(breath, PathAdvice.Level.FREE)).isZero();
+            assertThat(breath.text()).doesNotContain("Free", "Margin");
+            breath.setAdvice(PathAdvice.Level.FREE, "Free over the whole breath", "");
+            assertThat(marked(breath, PathAdvice.Level.FREE)).isPositive();
+        });
+    }
 }

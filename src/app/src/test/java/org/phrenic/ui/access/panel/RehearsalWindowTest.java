@@ -191,6 +191,30 @@ class RehearsalWindowTest extends RehearsalProbeCases {
     }
 
     @Test
+    void theVerdictOnAnEntryIsNotThatOfTheFormerOne() throws Exception {
+        clinic.begin();
+        AdvicePanel breath = window.control(AdvicePanel.class, "Path over the breath");
+        WindowHarness.doOnEdt(() -> {
+            assertThat(breath.text()).contains("Margin");
+            var map = rehearsal().study().orElseThrow().map();
+            int barred = java.util.stream.IntStream.range(0, map.size())
+                    .filter(v -> map.isInReach(0, v) && map.freeMoments(v) == 0)
+                    .findFirst()
+                    .orElseThrow();
+            rehearsal().entrySelection().select(map.pointAtRest(barred));
+            assertThat(rehearsal().entrySelection().advice()).isEmpty();
+            assertThat(breath.text()).startsWith("Computing").doesNotContain("Margin");
+            assertThat(rehearsal().entrySelection().levelNow(state())).isNotEqualTo(PathAdvice.Level.FREE);
+            // A new attempt from the same entry keeps what is found of it.
+            rehearsal().retry();
+        });
+        until("the verdict", () -> rehearsal().entrySelection().advice().isPresent());
+        assertThat(WindowHarness.onEdt(() ->
+                        rehearsal().entrySelection().advice().orElseThrow().level()))
+                .isEqualTo(PathAdvice.Level.BARRED);
+    }
+
+    @Test
     void aBadPlanIsOneSentenceAndNothingIsLost() throws Exception {
         Path outside = Files.writeString(
                 folder.resolve("outside.yaml"),
