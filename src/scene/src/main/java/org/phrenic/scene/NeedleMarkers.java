@@ -135,7 +135,7 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level, boolean s
         double[] at = new double[2];
         double[] target = state.target();
         if (camera.project(target[0], target[1], target[2], width, height, at)) {
-            double r = state.targetRadiusMm() / camera.mmPerPixel(height);
+            double r = state.targetRadiusMm() / camera.mmPerPixelAt(target[0], target[1], target[2], height);
             line(g, new Ellipse2D.Double(at[0] - r, at[1] - r, 2 * r, 2 * r), TARGET_LINE, 2, false);
         }
         if (state.entry().isPresent()) {

@@ -248,15 +248,20 @@ public record Camera(
      * @return false for a point behind the eye, which leaves {@code xy} unchanged
      */
     public boolean project(double x, double y, double z, int width, int height, double[] xy) {
-        Vector3d at = rotation().transformPosition(new Vector3d(x, y, z).sub(target));
-        double depth = distance() - at.z;
-        if (!orthographic && !(depth > 0)) {
+        double mm = mmPerPixelAt(x, y, z, height);
+        if (!(mm > 0)) {
             return false;
         }
-        double pixelsPerMm = height / heightMm * (orthographic ? 1 : distance() / depth);
-        xy[0] = width / 2.0 + at.x * pixelsPerMm;
-        xy[1] = height / 2.0 - at.y * pixelsPerMm;
+        Vector3d at = rotation().transformPosition(new Vector3d(x, y, z).sub(target));
+        xy[0] = width / 2.0 + at.x / mm;
+        xy[1] = height / 2.0 - at.y / mm;
         return true;
+    }
+
+    /** Millimetres per pixel at the depth of a point; not positive for a point behind the eye. */
+    public double mmPerPixelAt(double x, double y, double z, int height) {
+        double depth = distance() - towardsViewer().dot(new Vector3d(x, y, z).sub(target));
+        return mmPerPixel(height) * (orthographic ? 1 : depth / distance());
     }
 
     /** Millimetres per pixel in the plane of the target; the same at every depth in parallel projection. */
