@@ -36,10 +36,14 @@ public final class AccessMapField {
 
     /** A style that shows the map on all of the skin: it and the organs in front of the target become translucent. */
     public SceneStyle applyTo(SceneStyle style) {
-        ColourScale scale = new ColourScale(ColourMap.ACCESS, 0, 100, ColourField.ACCESS.unit());
         return style.withClip(Optional.empty())
-                .withField(ColourField.ACCESS, skin, scale)
+                .withField(ColourField.ACCESS, skin, scale())
                 .withAppearances(surfaces, (s, usual) -> usual.withOpacity(opacity(s.kind(), usual)));
+    }
+
+    /** Colours of the share of a breath in which the path is free, in the window and in reports. */
+    static ColourScale scale() {
+        return new ColourScale(ColourMap.ACCESS, 0, 100, ColourField.ACCESS.unit());
     }
 
     private static float opacity(StructureKind kind, Appearance usual) {

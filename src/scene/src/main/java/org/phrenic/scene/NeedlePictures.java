@@ -22,7 +22,6 @@ import org.phrenic.scene.gl.Renderer;
 import org.phrenic.scene.style.Appearance;
 import org.phrenic.scene.style.ClipPlane;
 import org.phrenic.scene.style.ColourField;
-import org.phrenic.scene.style.ColourScale;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.style.StructureSelection;
 import org.phrenic.scene.style.SurfaceMaterial;
@@ -142,7 +141,7 @@ public final class NeedlePictures implements AutoCloseable {
         SceneStyle style = SceneStyle.atlas(body)
                 .withAppearances(Map.of(skin.name(), opaque))
                 .withSamples(SceneStyle.SMOOTH_SAMPLES)
-                .withField(ColourField.ACCESS, skin.name(), ColourScale.sequential(100, ColourField.ACCESS.unit()));
+                .withField(ColourField.ACCESS, skin.name(), AccessMapField.scale());
         Frame first = map.cycle().get(0).frame();
         Series series = new Series(folder, new Renderer(body, List.of()), first, "");
         series.renderer.setField(skin.name(), map.freePercent());
