@@ -51,7 +51,8 @@ public final class FileOpener {
                 + ": found a file of another kind, expected a scenario (.yaml), a thorax folder or a trace (.csv)");
     }
 
-    private static boolean isYaml(Path file) {
+    /** Whether a file is named as a scenario or a plan. */
+    public static boolean isYaml(Path file) {
         return hasSuffix(file, ".yaml") || hasSuffix(file, ".yml");
     }
 

@@ -32,6 +32,9 @@ public final class Session implements AutoCloseable {
         /** The body of the first scene is there; it can be shown at rest until the scene runs. */
         default void onBody(LiveScene atRest) {}
 
+        /** A file was read, and its scenario loads. */
+        default void onOpened(Path file, Scenario scenario) {}
+
         /** A new scene runs: other surfaces, other nodes, step 0. */
         default void onScene(LiveScene scene) {}
 
@@ -187,7 +190,10 @@ public final class Session implements AutoCloseable {
         Scenario present = scenario();
         BackgroundWorker.execute(
                 () -> FileOpener.readScenario(file, present),
-                scenario -> open("Open " + file.getFileName(), scenario),
+                scenario -> {
+                    open("Open " + file.getFileName(), scenario);
+                    fire(l -> l.onOpened(file, scenario));
+                },
                 this::reportRefusal);
     }
 
@@ -252,16 +258,12 @@ public final class Session implements AutoCloseable {
 
     /** Shows a sentence that is worth knowing. */
     public void note(String sentence) {
-        showMessage(Message.Kind.NOTE, sentence);
+        fire(l -> l.onMessage(new Message(Message.Kind.NOTE, sentence)));
     }
 
     /** Shows a sentence on why something is not done. */
     public void refuse(String sentence) {
-        showMessage(Message.Kind.REFUSED, sentence);
-    }
-
-    private void showMessage(Message.Kind kind, String sentence) {
-        fire(l -> l.onMessage(new Message(kind, sentence)));
+        fire(l -> l.onMessage(new Message(Message.Kind.REFUSED, sentence)));
     }
 
     /** Controls that show a value which is not taken go back to the scenario's. */
@@ -311,6 +313,7 @@ public final class Session implements AutoCloseable {
                 edited.endLoading();
                 lookingBack.end();
                 fire(l -> l.onScene(ready));
+                fire(Listener::onScrub);
                 fire(Listener::onChange);
             });
         }

@@ -2,8 +2,6 @@ package org.phrenic.ui.window;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
-import java.awt.GraphicsEnvironment;
-import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
@@ -37,7 +35,6 @@ import org.phrenic.ui.widget.ThemeUpdater;
 public final class PhrenicWindow {
     private static final int MAX_WIDTH = 1440;
     private static final int MAX_HEIGHT = 900;
-    private static final double SCREEN_SHARE = 0.94;
 
     private final JFrame frame = new JFrame("Phrenic");
     private final ScenarioTitle title = new ScenarioTitle();
@@ -133,24 +130,8 @@ public final class PhrenicWindow {
         commands.bindNumericKeypad(frame.getRootPane());
         frame.setIconImages(AppIcon.images());
         frame.setMinimumSize(new Dimension(790, 520));
-        restoreBounds();
+        preferences.restoreBounds(frame, new Dimension(MAX_WIDTH, MAX_HEIGHT));
         toolBar.refresh(session);
-    }
-
-    /** Restores the bounds of the last time if they are on a screen. */
-    private void restoreBounds() {
-        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        int w = Math.min(MAX_WIDTH, (int) (SCREEN_SHARE * screen.width));
-        int h = Math.min(MAX_HEIGHT, (int) (SCREEN_SHARE * screen.height));
-        Rectangle last = new Rectangle(
-                preferences.number("x", screen.x + (screen.width - w) / 2),
-                preferences.number("y", screen.y + (screen.height - h) / 2),
-                preferences.number("width", w),
-                preferences.number("height", h));
-        frame.setBounds(screen.intersects(last) ? last : new Rectangle(screen.x, screen.y, w, h));
-        if (preferences.flag("maximised", false)) {
-            frame.setExtendedState(JFrame.MAXIMIZED_BOTH);
-        }
     }
 
     public void show() {
@@ -217,14 +198,7 @@ public final class PhrenicWindow {
 
     /** Saves the preferences, disposes of the window and ends all threads. */
     public void close() {
-        boolean maximised = (frame.getExtendedState() & JFrame.MAXIMIZED_BOTH) == JFrame.MAXIMIZED_BOTH;
-        preferences.setFlag("maximised", maximised);
-        if (!maximised) {
-            preferences.setNumber("x", frame.getX());
-            preferences.setNumber("y", frame.getY());
-            preferences.setNumber("width", frame.getWidth());
-            preferences.setNumber("height", frame.getHeight());
-        }
+        preferences.saveBounds(frame);
         layout.saveSizes();
         frame.dispose();
         log.close();
@@ -305,8 +279,15 @@ public final class PhrenicWindow {
         }
 
         @Override
+        public void onOpened(Path file, Scenario scenario) {
+            if (FileOpener.isYaml(file)) {
+                title.read(scenario);
+            }
+        }
+
+        @Override
         public void onTick(RunStatus now) {
-            statusBar.show(now);
+            showMoment(now);
             toolBar.refreshHold();
             statusBar.showFrameRate(view.framesPerS());
             statusBar.showPace(
@@ -329,6 +310,15 @@ public final class PhrenicWindow {
         @Override
         public void onScrub() {
             toolBar.refresh(session);
+            showMoment(session.live().status());
+        }
+
+        private void showMoment(RunStatus now) {
+            session.historyFrame()
+                    .ifPresentOrElse(
+                            frame -> statusBar.showRecorded(
+                                    session.live().history().frameTime(frame)),
+                            () -> statusBar.show(now));
         }
 
         @Override

@@ -1,5 +1,6 @@
 package org.phrenic.ui.window;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -8,24 +9,33 @@ import org.phrenic.scenario.Scenario;
 
 /** The title of the window: the name of the scenario, with an asterisk once its values are others. */
 final class ScenarioTitle {
-    /** Values as opened or saved, by name; without a name, those of the preset that runs first. */
-    private final Map<String, Scenario> unchanged = new HashMap<>();
+    /** Scenarios as read or saved, by name; without a name, that of the preset that runs first. */
+    private final Map<String, List<Scenario>> unchanged = new HashMap<>();
 
-    /** A scenario was opened: its values belong to its name, unless the name has some. */
+    /** A scene was opened: its values belong to its name, unless the name has some. */
     void opened(Scenario scenario) {
-        unchanged.putIfAbsent(statedName(scenario), scenario);
+        unchanged.computeIfAbsent(statedName(scenario), name -> List.of(scenario));
+    }
+
+    /** A file was read: its values belong to its name, as do those of other files of the same name. */
+    void read(Scenario scenario) {
+        unchanged.merge(statedName(scenario), List.of(scenario), (before, one) -> {
+            List<Scenario> all = new ArrayList<>(before);
+            all.addAll(one);
+            return all;
+        });
     }
 
     /** A scenario was saved: its values belong to its name. */
     void saved(Scenario scenario) {
-        unchanged.put(statedName(scenario), scenario);
+        unchanged.put(statedName(scenario), List.of(scenario));
     }
 
     /** {@code quiet - Phrenic}, or {@code quiet* - Phrenic}. */
     String text(Scenario present) {
-        Scenario before = unchanged.getOrDefault(statedName(present), present);
-        boolean changed = !lasting(present).equals(lasting(before));
-        return before.name() + (changed ? "*" : "") + " - Phrenic";
+        List<Scenario> known = unchanged.getOrDefault(statedName(present), List.of(present));
+        boolean same = known.stream().anyMatch(one -> lasting(present).equals(lasting(one)));
+        return known.get(0).name() + (same ? "" : "*") + " - Phrenic";
     }
 
     private static String statedName(Scenario scenario) {

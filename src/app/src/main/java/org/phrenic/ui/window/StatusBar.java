@@ -93,7 +93,7 @@ final class StatusBar extends JPanel {
 
     void show(RunStatus s) {
         set("phase", s.phaseLabel() + (s.repeating() ? ", repeated" : ""));
-        set("time", String.format(Locale.ROOT, "t %.2f s", s.timeS()));
+        set("time", time(s.timeS()));
         set("step", "step " + withThousands(s.step()));
         set("dt", "dt " + trimmed(1000 * s.dtS()) + " ms" + (s.substeps() > 1 ? " / " + s.substeps() : ""));
         set("steps", s.playing() ? withThousands(Math.round(s.stepsPerS())) + " steps/s" : " ");
@@ -101,6 +101,19 @@ final class StatusBar extends JPanel {
         JLabel dt = fields.get("dt");
         dt.setToolTipText(s.stabilityMessage().isEmpty() ? "Time step" : s.stabilityMessage());
         dt.setForeground(s.stabilityMessage().isEmpty() ? Theme.SECONDARY_TEXT : Theme.WARNING_TEXT);
+    }
+
+    /** Shows that a recorded moment is looked at while the simulation is paused. */
+    void showRecorded(double timeS) {
+        set("phase", "recorded");
+        set("time", time(timeS));
+        set("step", " ");
+        set("steps", " ");
+        set("realtime", "paused");
+    }
+
+    private static String time(double s) {
+        return String.format(Locale.ROOT, "t %.2f s", s);
     }
 
     private static String idle(RunStatus s) {

@@ -41,4 +41,17 @@ class ScenarioTitleTest {
         title.opened(QUIET);
         assertThat(title.text(QUIET.with("hold=true", "repeat_breath=true"))).isEqualTo(plain);
     }
+
+    @Test
+    void aSecondFileOfTheSameNameIsAsUnchangedAsTheFirst() {
+        Scenario first = QUIET.with("name=mine", "depth=1.2");
+        Scenario second = QUIET.with("name=mine", "depth=0.8");
+        title.read(first);
+        title.opened(first);
+        title.read(second);
+        title.opened(second);
+        assertThat(title.text(second)).isEqualTo("mine - Phrenic");
+        assertThat(title.text(first)).as("after undo").isEqualTo("mine - Phrenic");
+        assertThat(title.text(second.with("depth=0.9"))).isEqualTo("mine* - Phrenic");
+    }
 }

@@ -46,6 +46,18 @@ class StatusBarTest {
         assertThat(text("time")).isEqualTo("t 1.00 s");
     }
 
+    @Test
+    void aRecordedMomentIsNotThePresent() {
+        bar.show(status(true));
+        bar.showRecorded(0.12);
+        assertThat(text("time")).isEqualTo("t 0.12 s");
+        assertThat(text("phase")).isEqualTo("recorded");
+        assertThat(text("realtime")).isEqualTo("paused");
+        assertThat(text("step")).isBlank();
+        bar.show(status(true));
+        assertThat(text("time")).isEqualTo("t 1.00 s");
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {500, 800, 1100, 1400})
     void noFieldIsPrintedOverAnother(int width) {
