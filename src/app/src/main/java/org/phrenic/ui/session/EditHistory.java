@@ -3,6 +3,7 @@ package org.phrenic.ui.session;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.LongSupplier;
 import javax.swing.undo.AbstractUndoableEdit;
 import javax.swing.undo.UndoManager;
@@ -22,6 +23,8 @@ public final class EditHistory {
     private final List<Runnable> listeners = new ArrayList<>();
     private final LongSupplier clockNs;
     private boolean mergeable;
+    private boolean undoneLast;
+    private boolean recording;
 
     /** @param clockNs a clock such as {@link System#nanoTime} */
     EditHistory(LongSupplier clockNs) {
@@ -40,19 +43,36 @@ public final class EditHistory {
      * @param keys that it sets, in any order; changes without keys never merge
      * @param undo restores what was before
      * @param redo makes the change again
-     * @return the change, for {@link #retract}
+     * @return the change, or that with which it is merged
      */
     UndoableEdit add(EditName name, List<String> keys, Runnable undo, Runnable redo) {
-        UndoableEdit edit = new ScenarioEdit(name, keys.stream().sorted().toList(), undo, redo);
-        edits.addEdit(edit);
+        edits.addEdit(new ScenarioEdit(name, keys.stream().sorted().toList(), undo, redo));
         mergeable = true;
+        undoneLast = false;
         fireChange();
-        return edit;
+        return edits.next().orElseThrow();
     }
 
-    /** Forgets a change that could not be made after all, if it is the one that would be undone next. */
+    /** Forgets a change that could not be made after all. */
     void retract(UndoableEdit edit) {
         edits.retract(edit);
+        mergeable = false;
+        fireChange();
+    }
+
+    /** Forgets the change made last if the run has undone it: if it is of these keys alone. */
+    void retractLast(Set<String> keys) {
+        edits.next()
+                .map(ScenarioEdit.class::cast)
+                .filter(last -> !undoneLast && !last.keys.isEmpty() && keys.containsAll(last.keys))
+                .ifPresent(this::retract);
+    }
+
+    /** Notes that a change which was undone or redone last stands as before: that could not be carried out. */
+    void revert(UndoableEdit edit) {
+        recording = true;
+        edits.revert(edit);
+        recording = false;
         mergeable = false;
         fireChange();
     }
@@ -66,6 +86,7 @@ public final class EditHistory {
     public void undo() {
         if (edits.canUndo()) {
             mergeable = false;
+            undoneLast = true;
             edits.undo();
             fireChange();
         }
@@ -75,6 +96,7 @@ public final class EditHistory {
     public void redo() {
         if (edits.canRedo()) {
             mergeable = false;
+            undoneLast = false;
             edits.redo();
             fireChange();
         }
@@ -95,10 +117,22 @@ public final class EditHistory {
     }
 
     private static final class RetractingUndoManager extends UndoManager {
+        Optional<UndoableEdit> next() {
+            return Optional.ofNullable(editToBeUndone());
+        }
+
         void retract(UndoableEdit edit) {
-            if (editToBeUndone() == edit) {
-                int at = edits.indexOf(edit);
+            int at = edits.indexOf(edit);
+            if (at >= 0) {
                 trimEdits(at, at);
+            }
+        }
+
+        void revert(UndoableEdit edit) {
+            if (edit.equals(editToBeRedone())) {
+                redo();
+            } else if (edit.equals(editToBeUndone())) {
+                undo();
             }
         }
     }
@@ -132,13 +166,17 @@ public final class EditHistory {
         @Override
         public void undo() {
             super.undo();
-            undo.run();
+            if (!recording) {
+                undo.run();
+            }
         }
 
         @Override
         public void redo() {
             super.redo();
-            redo.run();
+            if (!recording) {
+                redo.run();
+            }
         }
 
         @Override

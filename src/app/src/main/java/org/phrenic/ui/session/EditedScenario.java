@@ -1,7 +1,10 @@
 package org.phrenic.ui.session;
 
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Optional;
+import java.util.Map;
 import java.util.function.Supplier;
 import javax.swing.undo.UndoableEdit;
 import org.phrenic.scenario.Assignment;
@@ -10,18 +13,19 @@ import org.phrenic.simulation.live.LiveRun;
 
 /** The scenario as it is changed by hand; each change can be undone. */
 final class EditedScenario {
-    /** A change that loads a scene, and the values before it. */
-    private record Loading(UndoableEdit edit, Scenario before) {}
-
     private final LiveRun live;
     private final EditHistory edits;
     private final Supplier<Scenario> present;
     private Scenario requested;
-    private Optional<Loading> loading = Optional.empty();
+    /** Changes made, undone or redone whose scene loads, the oldest first, and what takes each back in the history. */
+    private final Map<UndoableEdit, Runnable> loading = new LinkedHashMap<>();
+    /** The values before these. */
+    private Scenario before;
 
     /** @param present gives the present values */
     EditedScenario(Scenario first, LiveRun live, EditHistory edits, Supplier<Scenario> present) {
         requested = first;
+        before = first;
         this.live = live;
         this.edits = edits;
         this.present = present;
@@ -38,15 +42,18 @@ final class EditedScenario {
      * @throws IllegalArgumentException if one is wrong; then nothing is changed
      */
     void change(EditName name, List<Assignment> assignments) {
-        Scenario before = present.get();
+        Scenario now = present.get();
         setValues(assignments);
         List<Assignment> inverse = assignments.stream()
-                .map(a -> new Assignment("undo", a.setting(), before.get(a.setting())))
+                .map(a -> new Assignment("undo", a.setting(), now.get(a.setting())))
                 .toList();
         List<String> keys = assignments.stream().map(Assignment::key).toList();
-        UndoableEdit edit = edits.add(name, keys, () -> setValues(inverse), () -> setValues(assignments));
-        if (!assignments.stream().allMatch(a -> a.setting().isLive())) {
-            loading = Optional.of(new Loading(edit, before));
+        Runnable undo = () -> setValues(inverse);
+        Runnable redo = () -> setValues(assignments);
+        if (assignments.stream().allMatch(a -> a.setting().isLive())) {
+            edits.add(name, keys, undo, redo);
+        } else {
+            addLoading(name, keys, now, undo, redo);
         }
     }
 
@@ -58,11 +65,10 @@ final class EditedScenario {
 
     /** Loads another scenario, instead of one that still loads. */
     void open(EditName name, Scenario scenario) {
-        Scenario before = loading.map(Loading::before).orElseGet(present);
+        Scenario previous = loading.isEmpty() ? present.get() : before;
         forgetLoading();
         load(scenario);
-        UndoableEdit edit = edits.add(name, List.of(), () -> load(before), () -> load(scenario));
-        loading = Optional.of(new Loading(edit, before));
+        addLoading(name, List.of(), previous, () -> load(previous), () -> load(scenario));
     }
 
     private void load(Scenario scenario) {
@@ -70,14 +76,44 @@ final class EditedScenario {
         live.load(scenario);
     }
 
-    /** The scene of the last change runs. */
-    void endLoading() {
-        loading = Optional.empty();
+    private void addLoading(EditName name, List<String> keys, Scenario previous, Runnable undo, Runnable redo) {
+        UndoableEdit[] edit = new UndoableEdit[1];
+        edit[0] = edits.add(name, keys, () -> turn(edit[0], undo), () -> turn(edit[0], redo));
+        awaitScene(edit[0], previous, () -> edits.retract(edit[0]));
     }
 
-    /** Forgets the change whose scene was to be loaded: that has failed, or is not wanted any more. */
+    private void awaitScene(UndoableEdit edit, Scenario previous, Runnable takeBack) {
+        before = loading.isEmpty() ? previous : before;
+        loading.putIfAbsent(edit, takeBack);
+    }
+
+    /** Undoes or redoes a change; where its own scene still loads, the scene that runs goes on. */
+    private void turn(UndoableEdit edit, Runnable action) {
+        boolean waits = loading.remove(edit) != null;
+        if (waits && loading.isEmpty() && live.cancelLoading()) {
+            requested = before;
+            return;
+        }
+        Scenario previous = present.get();
+        action.run();
+        if (!waits) {
+            awaitScene(edit, previous, () -> edits.revert(edit));
+        }
+    }
+
+    /** The scene of the last changes runs. */
+    void endLoading() {
+        if (!loading.isEmpty()) {
+            loading.clear();
+            edits.endMerging();
+        }
+    }
+
+    /** Forgets the changes whose scene was to be loaded: that has failed, or is not wanted any more. */
     void forgetLoading() {
-        loading.ifPresent(change -> edits.retract(change.edit()));
-        loading = Optional.empty();
+        List<Runnable> latestFirst = new ArrayList<>(loading.values());
+        Collections.reverse(latestFirst);
+        loading.clear();
+        latestFirst.forEach(Runnable::run);
     }
 }

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -179,8 +180,7 @@ public final class Session implements AutoCloseable {
 
     /** Keeps the scene that runs; without one, that which loads. */
     public void cancelLoading() {
-        live.cancelLoading();
-        if (scene != null) {
+        if (live.cancelLoading()) {
             edited.forgetLoading();
         }
     }
@@ -321,7 +321,9 @@ public final class Session implements AutoCloseable {
         @Override
         public void failed(String sentence) {
             SwingUtilities.invokeLater(() -> {
-                edited.forgetLoading();
+                if (!live.isLoading()) {
+                    edited.forgetLoading();
+                }
                 reportRefusal(sentence);
             });
         }
@@ -329,6 +331,11 @@ public final class Session implements AutoCloseable {
         @Override
         public void diverged(String sentence) {
             later(l -> l.onMessage(new Message(Message.Kind.DIVERGED, sentence)));
+        }
+
+        @Override
+        public void restored(Set<String> keys) {
+            SwingUtilities.invokeLater(() -> edits.retractLast(keys));
         }
 
         @Override

@@ -1,6 +1,8 @@
 package org.phrenic.ui.window;
 
 import java.awt.Color;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -13,7 +15,10 @@ import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Icons;
 import org.phrenic.ui.widget.Theme;
 
-/** A message over the view, perhaps with a button. It hides by itself, except for one of a divergence. */
+/**
+ * A message over the view, perhaps with a button. It hides by itself, except for one of a divergence, after which
+ * others wait their turn.
+ */
 public final class MessageBanner extends JPanel {
     private static final int NOTE_DURATION_MS = 6_000;
     private static final int REFUSED_DURATION_MS = 15_000;
@@ -26,8 +31,9 @@ public final class MessageBanner extends JPanel {
 
     private final JLabel text = new JLabel();
     private final JButton actionButton = new JButton("Help");
-    private final JButton close = Controls.iconButton(Icons.CLOSE, "Close this message", () -> setVisible(false));
-    private final Timer hideTimer = new Timer(NOTE_DURATION_MS, e -> setVisible(false));
+    private final JButton close = Controls.iconButton(Icons.CLOSE, "Close this message", this::showNext);
+    private final Timer hideTimer = new Timer(NOTE_DURATION_MS, e -> showNext());
+    private final transient Deque<Session.Message> waiting = new ArrayDeque<>();
     private Session.Message.Kind kind = Session.Message.Kind.NOTE;
     private transient Runnable action = () -> {};
     private String sentence = "";
@@ -41,8 +47,9 @@ public final class MessageBanner extends JPanel {
         actionButton.setName("banner.help");
         actionButton.setToolTipText("The action that the message offers");
         actionButton.addActionListener(e -> {
-            setVisible(false);
-            action.run();
+            Runnable offered = action;
+            showNext();
+            offered.run();
         });
         hideTimer.setRepeats(false);
         add(text, "wmin 0");
@@ -58,7 +65,8 @@ public final class MessageBanner extends JPanel {
 
     /** Shows a message with a button of this text that does {@code whenPressed}. */
     void show(Session.Message message, Optional<String> button, Runnable whenPressed) {
-        if (isVisible() && kind == Session.Message.Kind.DIVERGED && message.kind() == Session.Message.Kind.NOTE) {
+        if (showsDivergence() && message.kind() != Session.Message.Kind.DIVERGED) {
+            waiting.add(message);
             return;
         }
         kind = message.kind();
@@ -78,6 +86,26 @@ public final class MessageBanner extends JPanel {
         }
         revalidate();
         repaint();
+    }
+
+    private boolean showsDivergence() {
+        return isVisible() && kind == Session.Message.Kind.DIVERGED;
+    }
+
+    /** Hides the message of a divergence that is over, if it is shown. */
+    void endDivergence() {
+        if (showsDivergence()) {
+            showNext();
+        }
+    }
+
+    /** Hides the message, and shows the one that has waited longest. */
+    private void showNext() {
+        setVisible(false);
+        hideTimer.stop();
+        if (!waiting.isEmpty()) {
+            show(waiting.remove());
+        }
     }
 
     /** Wraps the message so that the banner is at most so wide, pixels. */

@@ -273,6 +273,7 @@ public final class PhrenicWindow {
         public void onScene(LiveScene scene) {
             statusBar.show(scene);
             loading.setVisible(false);
+            banner.endDivergence();
             title.opened(scene.scenario());
             frame.setTitle(title.text(session.scenario()));
             LogDialog.logNotes(scene.body());
@@ -288,6 +289,9 @@ public final class PhrenicWindow {
         @Override
         public void onTick(RunStatus now) {
             showMoment(now);
+            if (!session.live().isDiverged()) {
+                banner.endDivergence();
+            }
             toolBar.refreshHold();
             statusBar.showFrameRate(view.framesPerS());
             statusBar.showPace(
@@ -305,6 +309,7 @@ public final class PhrenicWindow {
         public void onChange() {
             toolBar.refresh(session);
             frame.setTitle(title.text(session.scenario()));
+            loading.setVisible(loading.isVisible() && session.live().isLoading());
         }
 
         @Override
@@ -326,10 +331,8 @@ public final class PhrenicWindow {
             LOG.log(System.Logger.Level.INFO, message.text());
             if (message.kind() == Session.Message.Kind.DIVERGED) {
                 toolBar.refresh(session);
-                banner.show(message, Optional.of("Back to the last good state"), () -> {
-                    session.live().restoreLastGood();
-                    session.live().play();
-                });
+                Runnable restore = session.live()::restoreLastGood;
+                banner.show(message, Optional.of("Back to the last good state"), restore);
             } else {
                 banner.show(message);
             }

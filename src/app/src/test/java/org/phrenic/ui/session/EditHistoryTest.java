@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
 import javax.swing.undo.UndoableEdit;
 import org.junit.jupiter.api.Test;
@@ -124,6 +125,55 @@ class EditHistoryTest {
         change(new EditName("Rib rotation", "1", "1.2"), "rib_rotation=1.2");
         history.retract(failed);
         assertThat(history.undoPresentationName()).hasValue("Undo Rib rotation 1 -> 1.2");
+    }
+
+    @Test
+    void aChangeThatCouldNotBeMadeIsForgottenBelowALaterOne() {
+        UndoableEdit failed = history.add(EditName.of("Open scan"), List.of(), () -> {}, () -> {});
+        change(new EditName("Rib rotation", "1", "1.2"), "rib_rotation=1.2");
+        history.retract(failed);
+        history.undo();
+        assertThat(scenario.get(RibRotation.RIB_ROTATION)).isEqualTo(1);
+        assertThat(history.undoPresentationName()).isEmpty();
+        assertThat(history.redoPresentationName()).hasValue("Redo Rib rotation 1 -> 1.2");
+    }
+
+    @Test
+    void aChangeThatIsMergedIsForgottenWhole() {
+        change(new EditName("Depth", "1", "1.1"), "depth=1.1");
+        UndoableEdit failed = history.add(new EditName("Depth", "1.1", "9"), List.of("depth"), () -> {}, () -> {});
+        history.retract(failed);
+        assertThat(history.undoPresentationName()).isEmpty();
+    }
+
+    @Test
+    void whatTheRunHasUndoneCannotBeUndoneAgain() {
+        change(new EditName("Depth", "1", "1.1"), "depth=1.1");
+        change(new EditName("Rib rotation", "1", "1.2"), "rib_rotation=1.2");
+        history.retractLast(Set.of("depth"));
+        assertThat(history.undoPresentationName()).hasValue("Undo Rib rotation 1 -> 1.2");
+        history.retractLast(Set.of("rib_rotation", "hold"));
+        assertThat(history.undoPresentationName()).hasValue("Undo Depth 1 -> 1.1");
+        change(new EditName("Depth", "1.1", "1.2"), "rate_per_min=22");
+        history.undo();
+        history.retractLast(Set.of("depth"));
+        assertThat(history.undoPresentationName())
+                .as("the run has undone an undo")
+                .hasValue("Undo Depth 1 -> 1.1");
+    }
+
+    @Test
+    void anUndoThatCouldNotBeMadeLeavesTheChange() {
+        change(new EditName("Depth", "1", "1.1"), "depth=1.1");
+        UndoableEdit loaded = history.add(EditName.of("Open scan"), List.of(), () -> {}, () -> {});
+        history.undo();
+        history.revert(loaded);
+        assertThat(history.undoPresentationName()).hasValue("Undo Open scan");
+        history.undo();
+        history.redo();
+        history.revert(loaded);
+        assertThat(history.redoPresentationName()).hasValue("Redo Open scan");
+        assertThat(scenario.get(Breathing.DEPTH)).as("nothing is carried out").isEqualTo(1.1);
     }
 
     @Test

@@ -9,6 +9,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.live.LiveScene;
 
@@ -47,6 +48,121 @@ class SessionTest {
             EventThread.until("a refusal", () -> !refused.get().isEmpty());
             EventThread.run(
                     () -> assertThat(session.edits().undoPresentationName()).isEmpty());
+        }
+    }
+
+    /** The scene that runs, and how far it is. */
+    private record Run(long scene, double timeS) {
+        static Run of(Session session) {
+            return EventThread.get(() -> new Run(
+                    session.scene().orElseThrow().id(), session.live().status().timeS()));
+        }
+
+        void assertGoesOn(Session session) {
+            Run now = of(session);
+            assertThat(now.scene()).isEqualTo(scene);
+            assertThat(now.timeS()).isGreaterThanOrEqualTo(timeS);
+        }
+    }
+
+    private static void change(Session session, String key, String value) {
+        session.change(EditName.of(key), Assignment.read("test", key, value));
+    }
+
+    private static Object value(Session session, String key) {
+        return session.scenario().toMap().get(key);
+    }
+
+    @Test
+    void nothingIsLeftToUndoOfLoadingsThatAreCancelled() {
+        try (Session session = running()) {
+            EventThread.run(() -> {
+                change(session, "resolution", "medium");
+                change(session, "depth", "1.5");
+                change(session, "anatomy", "virtual/adult-female");
+                assertThat(session.edits().undoPresentationName()).hasValue("Undo anatomy");
+                session.cancelLoading();
+                assertThat(session.edits().undoPresentationName()).hasValue("Undo depth");
+                session.edits().undo();
+                assertThat(session.edits().undoPresentationName()).isEmpty();
+            });
+            EventThread.until("the values", () -> "low".equals(value(session, "resolution")));
+        }
+    }
+
+    @Test
+    void anUndoWhileItsSceneLoadsLeavesTheRunAsItIs() {
+        try (Session session = running()) {
+            Run before = Run.of(session);
+            EventThread.run(() -> {
+                change(session, "resolution", "medium");
+                session.edits().undo();
+                assertThat(session.live().isLoading()).isFalse();
+                assertThat(session.edits().redoPresentationName()).hasValue("Redo resolution");
+            });
+            EventThread.until("the value", () -> "low".equals(value(session, "resolution")));
+            before.assertGoesOn(session);
+            EventThread.run(() -> {
+                session.open("Open a file", SMALL.with("anatomy=virtual/adult-female"));
+                session.edits().undo();
+                assertThat(session.live().isLoading()).isFalse();
+            });
+            before.assertGoesOn(session);
+            EventThread.run(session.edits()::redo);
+            EventThread.until("the scene", () -> session.scene().orElseThrow().id() != before.scene());
+        }
+    }
+
+    @Test
+    void anUndoOfOneOfTwoLoadingsLeavesTheOther() {
+        try (Session session = running()) {
+            long first = EventThread.get(() -> session.scene().orElseThrow().id());
+            EventThread.run(() -> {
+                change(session, "rib_rotation", "0.9");
+                change(session, "resolution", "medium");
+                change(session, "anatomy", "virtual/adult-female");
+                session.edits().undo();
+                assertThat(session.live().isLoading()).isTrue();
+            });
+            EventThread.until("the scene", () -> session.scene().orElseThrow().id() != first);
+            assertThat(EventThread.get(() -> value(session, "resolution"))).isEqualTo("medium");
+            assertThat(EventThread.get(() -> value(session, "anatomy"))).isEqualTo("virtual/adult-male");
+            assertThat(EventThread.get(() -> session.edits().undoPresentationName()))
+                    .hasValue("Undo resolution");
+        }
+    }
+
+    @Test
+    void anUndoWhoseSceneIsNotWantedIsNone() {
+        try (Session session = running()) {
+            long first = EventThread.get(() -> session.scene().orElseThrow().id());
+            EventThread.run(() -> change(session, "resolution", "medium"));
+            EventThread.until("the scene", () -> session.scene().orElseThrow().id() != first);
+            EventThread.run(() -> {
+                session.edits().undo();
+                assertThat(session.edits().undoPresentationName()).isEmpty();
+                session.cancelLoading();
+                assertThat(session.edits().undoPresentationName()).hasValue("Undo resolution");
+            });
+            EventThread.until("the value", () -> "medium".equals(value(session, "resolution")));
+        }
+    }
+
+    @Test
+    void whereThePastIsShownNoMoreIsSaid() {
+        try (Session session = running()) {
+            AtomicReference<String> shown = new AtomicReference<>("");
+            EventThread.run(() -> {
+                session.showHistoryFrame(0);
+                session.addListener(new Session.Listener() {
+                    @Override
+                    public void onScrub() {
+                        shown.set(session.historyFrame().isPresent() ? "recorded" : "present");
+                    }
+                });
+                session.open("Stiffer", SMALL.with("rib_rotation=0.5"));
+            });
+            EventThread.until("the present", () -> shown.get().equals("present"));
         }
     }
 

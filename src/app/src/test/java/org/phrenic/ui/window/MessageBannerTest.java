@@ -2,8 +2,11 @@ package org.phrenic.ui.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
 import java.util.Optional;
+import javax.swing.JButton;
 import javax.swing.JLabel;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.ui.session.EventThread;
@@ -29,6 +32,49 @@ class MessageBannerTest {
             JLabel text = WindowHarness.find(banner, JLabel.class, "Message").orElseThrow();
             assertThat(text.getWidth()).isGreaterThanOrEqualTo(text.getPreferredSize().width);
             assertThat(text.getHeight()).isGreaterThanOrEqualTo(text.getPreferredSize().height);
+        });
+    }
+
+    private static boolean hasButton(MessageBanner banner) {
+        return Arrays.stream(banner.getComponents())
+                .anyMatch(part -> "banner.help".equals(part.getName()) && part.isVisible());
+    }
+
+    @Test
+    void whatIsSaidAfterADivergenceWaitsUntilThatIsOver() {
+        EventThread.run(() -> {
+            Theme.install(false);
+            MessageBanner banner = new MessageBanner();
+            banner.show(LONG, Optional.of("Back to the last good state"), () -> {});
+            banner.show(new Session.Message(Session.Message.Kind.NOTE, "Saved a.png."));
+            banner.show(new Session.Message(Session.Message.Kind.REFUSED, "found 3, expected 1"));
+            assertThat(banner.message()).isEqualTo(LONG.text());
+            assertThat(hasButton(banner)).isTrue();
+            banner.endDivergence();
+            assertThat(banner.message()).isEqualTo("Saved a.png.");
+            assertThat(hasButton(banner)).isFalse();
+            banner.endDivergence();
+            assertThat(banner.message()).as("a note is no divergence").isEqualTo("Saved a.png.");
+            WindowHarness.find(banner, JButton.class, "Close this message")
+                    .orElseThrow()
+                    .doClick();
+            assertThat(banner.message()).isEqualTo("found 3, expected 1");
+        });
+    }
+
+    @Test
+    void theButtonOfADivergenceDoesWhatItOffersOnce() {
+        EventThread.run(() -> {
+            Theme.install(false);
+            int[] pressed = new int[1];
+            MessageBanner banner = new MessageBanner();
+            banner.show(LONG, Optional.of("Back to the last good state"), () -> pressed[0]++);
+            banner.show(new Session.Message(Session.Message.Kind.NOTE, "Saved a.png."));
+            Arrays.stream(banner.getComponents())
+                    .filter(part -> "banner.help".equals(part.getName()))
+                    .forEach(part -> ((JButton) part).doClick());
+            assertThat(pressed[0]).isEqualTo(1);
+            assertThat(banner.message()).isEqualTo("Saved a.png.");
         });
     }
 }

@@ -17,6 +17,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
@@ -476,11 +477,72 @@ class WindowTest {
                 "the frame in the view",
                 () -> WindowHarness.onEdt(() -> window.window().view().shownStep()) == first.step());
         assertThat(window.session().live().isPlaying()).isFalse();
+        JLabel time = window.control(JLabel.class, "Simulated time");
+        assertThat(WindowHarness.onEdt(time::getText))
+                .as("the foot, as the view")
+                .isEqualTo(String.format(Locale.ROOT, "t %.2f s", first.timeS()));
         WindowHarness.doOnEdt(() -> window.session().returnToLive());
         WindowHarness.await(
                 "the present",
                 () -> WindowHarness.onEdt(() -> window.window().view().shownStep()) > first.step() + 1);
         assertThat(window.session().live().isPlaying()).isTrue();
+    }
+
+    private static String said() {
+        return WindowHarness.onEdt(() -> window.window().banner().message());
+    }
+
+    /** Lets a breath diverge by what no body bears: the lightest sheet under the greatest pressure, undamped. */
+    private static void diverge() throws Exception {
+        long step = window.session().live().status().step();
+        WindowHarness.await("some steps", () -> window.session().live().status().step() > step + 100);
+        WindowHarness.doOnEdt(() -> window.session()
+                .change(
+                        "Too much",
+                        Assignment.parse("area_density_kg_per_m2=3"),
+                        Assignment.parse("greatest_pressure_kpa=20"),
+                        Assignment.parse("damping_rate_per_s=0"),
+                        Assignment.parse("muscle_stiffness_n_per_m=30")));
+        WindowHarness.await("the sentence", () -> said().contains("diverged"));
+    }
+
+    @Test
+    void aDivergenceIsSaidUntilTheRunGoesOnAndItsButtonUndoesItsCauseAlone() throws Exception {
+        long before = id();
+        WindowHarness.doOnEdt(() -> {
+            Scenario cough = Scenario.defaults()
+                    .with("resolution=low", "lungs=embedded", "sternum=kinematic", "threads=1", "preset=cough");
+            window.session().open("Cough", cough);
+            window.session().live().setSpeed(Double.POSITIVE_INFINITY);
+            window.session().live().play();
+        });
+        WindowHarness.await("the scene", () -> id() != before);
+        diverge();
+        window.command("Back to the start");
+        WindowHarness.await("nothing said", () -> !said().contains("diverged"));
+        WindowHarness.doOnEdt(() -> {
+            window.session().change("Back", Assignment.parse("damping_rate_per_s=5"));
+            window.session().edits().undo();
+            window.session().edits().undo();
+            window.session().live().play();
+        });
+        diverge();
+        WindowHarness.doOnEdt(() -> window.session().note("Saved a.png."));
+        assertThat(said()).contains("diverged");
+        window.screenshot("diverged");
+        WindowHarness.doOnEdt(() -> Stream.of(window.window().banner().getComponents())
+                .filter(part -> "banner.help".equals(part.getName()))
+                .forEach(part -> ((JButton) part).doClick()));
+        WindowHarness.await("the run", () -> window.session().live().isPlaying());
+        assertThat(said()).isEqualTo("Saved a.png.");
+        WindowHarness.await("the values", () -> !Double.valueOf(20).equals(window.set("greatest_pressure_kpa")));
+        WindowHarness.await(
+                "no change to undo again",
+                () -> WindowHarness.onEdt(() -> window.session()
+                        .edits()
+                        .undoPresentationName()
+                        .filter("Undo Cough"::equals)
+                        .isPresent()));
     }
 
     @Test

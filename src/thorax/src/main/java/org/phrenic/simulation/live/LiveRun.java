@@ -1,6 +1,7 @@
 package org.phrenic.simulation.live;
 
 import java.util.List;
+import java.util.Set;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Frame;
@@ -29,6 +30,9 @@ public final class LiveRun implements AutoCloseable {
 
         /** The run has diverged and is paused at its last valid state. See {@link LiveRun#restoreLastGood}. */
         void diverged(String sentence);
+
+        /** The changes of these keys were undone after a divergence. */
+        default void restored(Set<String> keys) {}
 
         /** Settings or the play state have changed. */
         void changed();
@@ -110,11 +114,7 @@ public final class LiveRun implements AutoCloseable {
     private void restart() {
         loop.applyPendingChanges();
         if (loop.running != null && !isLoading() && loop.running.simulation.restart()) {
-            loop.running.rewound();
-            loop.notifyStepListener(loop.running);
-            loop.synchronizeSettings();
-            loop.startPacing();
-            loop.notifyListener();
+            loop.beginAgain();
         } else {
             load(settings.current());
         }
@@ -217,11 +217,11 @@ public final class LiveRun implements AutoCloseable {
         return loading != null && !loading.isCancelled();
     }
 
-    /** Cancels a load in progress once a scene runs, and restores the settings of the running scene. */
-    public void cancelLoading() {
+    /** Cancels a load in progress beside a scene, and restores the settings of that; false if there is none. */
+    public boolean cancelLoading() {
         synchronized (this) {
             if (!isLoading() || loop.running == null) {
-                return;
+                return false;
             }
             loading.cancel();
             settings.endLoading();
@@ -230,19 +230,17 @@ public final class LiveRun implements AutoCloseable {
             loop.synchronizeSettings();
             loop.notifyListener();
         });
+        return true;
     }
 
-    /** After a divergence, continues from the last valid state without the last change. */
+    /** Whether the run has diverged and has neither gone on nor begun again since. */
+    public boolean isDiverged() {
+        return loop.divergence.isPresent();
+    }
+
+    /** While {@link #isDiverged}, continues from the last valid state without the last change, if none came since. */
     public void restoreLastGood() {
-        loop.commands.submit(() -> {
-            if (loop.running != null) {
-                loop.running.simulation.undoLastChange();
-                loop.synchronizeSettings();
-                loop.playing = true;
-                loop.startPacing();
-                loop.notifyListener();
-            }
-        });
+        loop.commands.submit(loop::restoreLastGood);
     }
 
     /** Current settings with all changes applied; {@link Scenario#changes} is empty. */

@@ -2,6 +2,8 @@ package org.phrenic.simulation.live;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
@@ -28,6 +30,9 @@ final class SimulationLoop implements Runnable {
     volatile boolean behindRealTime;
     volatile boolean flatOut;
     volatile RunStatus status = RunStatus.NOTHING;
+    /** The changes made before a divergence from which the run has not gone on yet. */
+    volatile Optional<List<ScheduledChange>> divergence = Optional.empty();
+
     private StepListener stepListener;
     private StepListener.Trigger trigger;
     private final RequestedSettings settings;
@@ -106,6 +111,7 @@ final class SimulationLoop implements Runnable {
 
     /** Steps until a number of steps is done, the next step is not yet due, or the time is up. */
     void advance(RunningScene now, long most, long untilNs) {
+        divergence = Optional.empty();
         try {
             for (long i = 0; i < most; i++) {
                 now.step();
@@ -118,6 +124,7 @@ final class SimulationLoop implements Runnable {
             playing = false;
             now.rewound();
             List<ScheduledChange> made = now.simulation.changes();
+            divergence = Optional.of(made);
             String last = made.isEmpty()
                     ? ""
                     : "; the last change was "
@@ -185,6 +192,7 @@ final class SimulationLoop implements Runnable {
         RunningScene old = running;
         settings.sceneStarted(made.simulation.settings());
         running = made;
+        divergence = Optional.empty();
         frameFailure = "";
         synchronizedSettings = made.simulation.settings();
         if (old != null) {
@@ -195,6 +203,37 @@ final class SimulationLoop implements Runnable {
         made.simulation.system().workers().useCallerOnly(true);
         updateStatus();
         listener.ready(made.scene);
+        notifyListener();
+    }
+
+    /** Goes on after the simulation was put back to its start. */
+    void beginAgain() {
+        running.rewound();
+        divergence = Optional.empty();
+        notifyStepListener(running);
+        synchronizeSettings();
+        startPacing();
+        notifyListener();
+    }
+
+    /** See {@link LiveRun#restoreLastGood}. */
+    void restoreLastGood() {
+        applyPendingChanges();
+        if (divergence.isEmpty()) {
+            return;
+        }
+        Simulation simulation = running.simulation;
+        if (simulation.changes().equals(divergence.get()) && simulation.undoLastChange()) {
+            List<ScheduledChange> made = simulation.changes();
+            long undone = made.get(made.size() - 1).step();
+            listener.restored(made.stream()
+                    .filter(change -> change.step() == undone)
+                    .map(change -> change.assignment().key())
+                    .collect(Collectors.toSet()));
+        }
+        synchronizeSettings();
+        playing = true;
+        startPacing();
         notifyListener();
     }
 

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -34,6 +35,7 @@ class LiveRunTest {
     private final BlockingQueue<LiveScene> scenes = new LinkedBlockingQueue<>();
     private final BlockingQueue<String> failures = new LinkedBlockingQueue<>();
     private final BlockingQueue<String> divergences = new LinkedBlockingQueue<>();
+    private final BlockingQueue<Set<String>> undone = new LinkedBlockingQueue<>();
     private final List<String> stages = Collections.synchronizedList(new ArrayList<>());
     private final BlockingQueue<LiveScene> bodies = new LinkedBlockingQueue<>();
     private LiveRun run;
@@ -63,6 +65,11 @@ class LiveRunTest {
             @Override
             public void diverged(String sentence) {
                 divergences.add(sentence);
+            }
+
+            @Override
+            public void restored(Set<String> keys) {
+                undone.add(keys);
             }
 
             @Override
@@ -314,6 +321,7 @@ class LiveRunTest {
         until(() -> run.copyNewestFrame(frame));
         assertThat(frame.isFinite()).isTrue();
         run.restoreLastGood();
+        assertThat(next(undone)).contains("greatest_pressure_kpa", "muscle_stiffness_n_per_m");
         steps(300);
         assertThat(run.scenario().toMap()).containsEntry("greatest_pressure_kpa", 1.8);
         run.pause();
@@ -328,6 +336,46 @@ class LiveRunTest {
         }
         until(() -> run.status().step() == recorded.steps());
         assertThat(run.commandHash()).isEqualTo(hash);
+    }
+
+    /** Runs until a change that no body bears has made the run diverge. */
+    private void diverge() throws InterruptedException {
+        start("preset=cough");
+        next(scenes);
+        run.setSpeed(Double.POSITIVE_INFINITY);
+        run.play();
+        steps(100);
+        change(
+                "area_density_kg_per_m2=3",
+                "greatest_pressure_kpa=20",
+                "damping_rate_per_s=0",
+                "muscle_stiffness_n_per_m=30");
+        next(divergences);
+        assertThat(run.isDiverged()).isTrue();
+    }
+
+    @Test
+    void afterADivergenceWhatIsChangedByHandIsKept() throws InterruptedException {
+        diverge();
+        change("area_density_kg_per_m2=300", "greatest_pressure_kpa=1.5", "damping_rate_per_s=5");
+        run.restoreLastGood();
+        steps(100);
+        assertThat(run.isDiverged()).isFalse();
+        assertThat(run.scenario().toMap()).containsEntry("greatest_pressure_kpa", 1.5);
+        assertThat(undone).isEmpty();
+    }
+
+    @Test
+    void aDivergenceIsOverOnceTheRunBeginsAgain() throws InterruptedException {
+        diverge();
+        run.reset();
+        until(() -> !run.isDiverged());
+        change("greatest_pressure_kpa=2", "area_density_kg_per_m2=300", "damping_rate_per_s=5");
+        run.restoreLastGood();
+        run.commandHash();
+        assertThat(run.isPlaying()).isFalse();
+        assertThat(run.scenario().toMap()).containsEntry("greatest_pressure_kpa", 2.0);
+        assertThat(undone).isEmpty();
     }
 
     private LiveRun start(Scenario scenario) {
