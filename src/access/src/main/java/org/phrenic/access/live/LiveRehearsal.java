@@ -62,6 +62,7 @@ public final class LiveRehearsal implements StepListener {
     private final HeldProbe probe;
     private final HandOnProbe hand;
     private final AskedAngles turns = new AskedAngles();
+    private final AskedMoves moves = new AskedMoves();
     private final Queue<Runnable> requests = new ConcurrentLinkedQueue<>();
     private final ManualStepRecorder steps = new ManualStepRecorder();
     private final HandOnNeedle grip;
@@ -189,6 +190,7 @@ public final class LiveRehearsal implements StepListener {
             describedNs = System.nanoTime();
             turns.are(observer.angles(needle, grip.planned()));
             state = observer.describe(needle, probe, grip.planned(), grip.aimedMm(), breathing.pending(), frame, phase);
+            moves.show();
         }
     }
 
@@ -260,10 +262,7 @@ public final class LiveRehearsal implements StepListener {
         turns.executed(asked);
     }
 
-    /**
-     * Requests a breath hold at the next event of a kind. A held breath is released first. An empty argument only
-     * releases.
-     */
+    /** Requests a breath hold at the next event of a kind, after the release of a held breath; empty only releases. */
     public void holdAt(Optional<BreathEvent.Kind> end) {
         breathing.ask(end);
     }
@@ -284,13 +283,13 @@ public final class LiveRehearsal implements StepListener {
      * @param speedMmPerS positive speed, mm/s
      */
     public void moveTo(double depthMm, double speedMmPerS) {
-        requests.add(() -> {
+        requests.add(moves.counted(() -> {
             if (!needle.shaft().isPlaced()) {
                 place();
             }
             needle.advance(depthMm, speedMmPerS);
             steps.add(timeS, new PlanStep.Advance("by hand, advance", Optional.of(depthMm), speedMmPerS, false));
-        });
+        }));
     }
 
     private void place() {
@@ -325,10 +324,7 @@ public final class LiveRehearsal implements StepListener {
         hand.ask(as);
     }
 
-    /**
-     * What an ultrasound image of the current frame is made of; empty without a probe. On the thread of
-     * {@link #onStep}.
-     */
+    /** What an ultrasound image of the current frame is made of, on the thread of {@link #onStep}; empty if none. */
     public Optional<ImageMoment> imageMoment() {
         return needle == null || frame == null ? Optional.empty() : probe.moment(needle);
     }
@@ -339,6 +335,11 @@ public final class LiveRehearsal implements StepListener {
             needle.sample();
             steps.add(timeS, new PlanStep.Sample("by hand, sample"));
         });
+    }
+
+    /** Whether all moves asked for are in a {@link #state()} that is asked for after this. */
+    public boolean showsMoves() {
+        return moves.areShown();
     }
 
     /** The current state; null before the first frame. */

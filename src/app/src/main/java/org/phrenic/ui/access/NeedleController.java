@@ -19,14 +19,11 @@ public final class NeedleController {
     private static final double MM_PER_NOTCH = 2;
     private static final double MM_PER_NOTCH_WITH_SHIFT = 10;
     private static final double DEFAULT_MM_PER_S = 50;
-    /** Time within which a command shows in the state of the needle, ns. */
-    private static final long COMMAND_NS = 300_000_000;
 
     private final Session session;
     private final RehearsalController rehearsal;
     private final SceneViewport view;
     private double commandedDepthMm;
-    private long commandedNs = System.nanoTime() - COMMAND_NS;
     private double speedMmPerS = DEFAULT_MM_PER_S;
 
     NeedleController(Session session, RehearsalController rehearsal, SceneViewport view) {
@@ -59,7 +56,6 @@ public final class NeedleController {
     public void moveTo(double depthMm) {
         if (canMove()) {
             double lengthMm = rehearsal.plan().orElseThrow().needle().lengthMm();
-            commandedNs = System.nanoTime();
             commandedDepthMm = Math.max(0, Math.min(lengthMm, depthMm));
             if (commandedDepthMm > 0
                     || rehearsal.state().filter(NeedleState::placed).isPresent()) {
@@ -70,13 +66,16 @@ public final class NeedleController {
         }
     }
 
-    /** Moves the tip from its depth, or from the one it moves to. */
+    /** Moves the tip from its depth, or in the same direction from the depth that it moves to. */
     public void moveBy(double mm) {
-        NeedleState now = rehearsal.state().orElse(null);
         // A command takes until the next frame to show; steps in quick succession go on from it.
-        boolean isUnderWay = System.nanoTime() - commandedNs < COMMAND_NS || (now != null && now.moving());
+        boolean shown =
+                rehearsal.usableNeedle().filter(LiveRehearsal::showsMoves).isPresent();
+        NeedleState now = rehearsal.state().orElse(null);
         double depthMm = now == null || !now.placed() ? 0 : now.depthMm();
-        moveTo((isUnderWay ? commandedDepthMm : depthMm) + mm);
+        boolean isUnderWay = !shown || (now != null && now.moving());
+        boolean goesOn = isUnderWay && (commandedDepthMm - depthMm) * mm >= 0;
+        moveTo((goesOn ? commandedDepthMm : depthMm) + mm);
     }
 
     /** Moves the needle by the wheel, with Shift in larger steps; false if it cannot be moved. */

@@ -5,7 +5,11 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import javax.swing.JComponent;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.Test;
@@ -14,10 +18,13 @@ import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RehearsalReport;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.document.JsonWriter;
+import org.phrenic.mesh.Vectors;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
+import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.session.Workspace;
 import org.phrenic.ui.window.WindowHarness;
@@ -89,6 +96,57 @@ class RehearsalWindowTest extends RehearsalProbeCases {
         until("the needle in", () -> state().placed() && state().depthMm() > 9.9);
         clinic.rest();
         assertThat(state().depthMm()).isCloseTo(10, within(0.1));
+    }
+
+    /** The skin nearest to the outermost place of a rib, whose bone the upright needle meets. */
+    private static double[] skinOverRib() {
+        return WindowHarness.onEdt(() -> {
+            List<Surface> surfaces = window.session().scene().orElseThrow().surfaces();
+            double[] rib = surfaces.stream()
+                    .filter(s -> s.name().equals("rib_08_R"))
+                    .findFirst()
+                    .orElseThrow()
+                    .rest()
+                    .positions();
+            double[] skin = surfaces.stream()
+                    .filter(s -> s.kind() == StructureKind.SKIN)
+                    .findFirst()
+                    .orElseThrow()
+                    .rest()
+                    .positions();
+            double[] outermost = least(rib, at -> at[0]);
+            return least(skin, at -> Vectors.distance(at, outermost));
+        });
+    }
+
+    private static double[] least(double[] positions, ToDoubleFunction<double[]> of) {
+        return IntStream.range(0, positions.length / 3)
+                .mapToObj(v -> Arrays.copyOfRange(positions, 3 * v, 3 * v + 3))
+                .min(Comparator.comparingDouble(of))
+                .orElseThrow();
+    }
+
+    @Test
+    void aNeedleThatBoneStopsIsWithdrawnAtOnceAndDoesNotLeapOn() throws Exception {
+        WindowHarness.doOnEdt(() -> rehearsal().retry());
+        clinic.ready();
+        WindowHarness.doOnEdt(() -> rehearsal().entrySelection().select(skinOverRib()));
+        until("a needle", () -> state().hasNeedle());
+        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(80));
+        until("bone", () -> !state().moving() && state().depthMm() > 1);
+        double stop = WindowHarness.onEdt(() -> state().depthMm());
+        assertThat(stop).as("bone is met").isLessThan(60);
+        // Pushed on at the bone, then withdrawn before anything of that is shown.
+        WindowHarness.doOnEdt(() -> {
+            for (int i = 0; i < 10; i++) {
+                rehearsal().needle().moveBy(2);
+            }
+            rehearsal().needle().moveBy(-2);
+            rehearsal().needle().moveBy(-2);
+        });
+        until("the needle back", () -> !state().moving() && state().depthMm() < stop - 3);
+        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(0));
+        until("out", () -> !state().placed());
     }
 
     @Test
