@@ -97,9 +97,10 @@ final class BreathPanel extends AccessPanel {
 
     @Override
     public void onChange() {
+        boolean recorded = session.scenario().trace().isPresent();
         String preset = session.scenario().preset();
-        quiet.setSelected(preset.equals("quiet"));
-        deep.setSelected(preset.equals("deep"));
+        quiet.setSelected(!recorded && preset.equals("quiet"));
+        deep.setSelected(!recorded && preset.equals("deep"));
         followHold();
         bar.setPattern(session.scenario());
     }

@@ -4,16 +4,22 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Container;
 import java.awt.Rectangle;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JSlider;
+import javax.swing.JToggleButton;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.session.EventThread;
@@ -53,6 +59,25 @@ class RehearsalDockTest {
             view.close();
             session.close();
         });
+    }
+
+    private static boolean isLit(String preset) {
+        return WindowHarness.find(dock, JToggleButton.class, preset)
+                .orElseThrow()
+                .isSelected();
+    }
+
+    @Test
+    void aRecordedBreathIsNeitherQuietNorDeep(@TempDir Path folder) throws IOException {
+        Path trace = Files.writeString(
+                folder.resolve("breath.csv"),
+                "time_s,amplitude\n0,0\n0.5,0.3\n1,0.8\n1.5,1\n2,0.9\n2.5,0.4\n3,0.1\n3.5,0\n4,0\n");
+        EventThread.run(() -> session.change("Deep", Assignment.parse("preset=deep")));
+        EventThread.until("the preset", () -> isLit("Breathe deeply"));
+        EventThread.run(() -> session.change("Trace", Assignment.read("test", "trace", trace.toString())));
+        EventThread.until("the trace", () -> !isLit("Breathe deeply"));
+        assertThat(EventThread.get(() -> session.scenario().trace())).isPresent();
+        assertThat(EventThread.get(() -> isLit("Breathe quietly"))).isFalse();
     }
 
     private static List<JComponent> needleControls() {
