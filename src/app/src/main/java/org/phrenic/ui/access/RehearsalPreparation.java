@@ -231,13 +231,13 @@ final class RehearsalPreparation {
         }
     }
 
-    /** Sets a target below a place of the liver's surface. */
+    /** Sets a target as large as the present one below a place of the liver's surface. */
     void setTargetBehind(PickResult pick) {
         if (rehearsal.stage != RehearsalStage.READY) {
             return;
         }
         RehearsalBody body = rehearsal.body.orElseThrow();
-        double size = diameterMm;
+        double size = rehearsal.study.orElseThrow().target().diameterMm();
         computeMap(() -> TargetLesion.behindSurface(
                 body.planningScene(), pick.restPosition(), pick.rayDirection(), DEPTH_BELOW_SURFACE_MM, size));
     }

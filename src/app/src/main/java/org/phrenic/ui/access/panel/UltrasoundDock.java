@@ -1,7 +1,12 @@
 package org.phrenic.ui.access.panel;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleConsumer;
+import java.util.function.DoubleFunction;
+import java.util.function.ToDoubleFunction;
+import java.util.function.UnaryOperator;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -9,13 +14,17 @@ import javax.swing.JSlider;
 import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.access.plan.Aids;
+import org.phrenic.access.plan.NeedleState;
+import org.phrenic.access.plan.ProbeHold;
 import org.phrenic.access.plan.ProbeState;
 import org.phrenic.access.ultrasound.ProbePose;
+import org.phrenic.access.ultrasound.UltrasoundSettings;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.ui.access.GuidanceSettings;
 import org.phrenic.ui.access.PickMode;
 import org.phrenic.ui.access.ProbeController;
 import org.phrenic.ui.access.RehearsalController;
+import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.access.UltrasoundShot;
 import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
@@ -42,6 +51,8 @@ public final class UltrasoundDock extends AccessPanel {
             probe::enterBeside);
     private final JToggleButton guide =
             toggle("Guide line", "Guide line", "The line along which the needle points", this::showGuide);
+    private final transient List<Setting> settings = new ArrayList<>();
+    private boolean updating;
     private final JButton turnLeft =
             button("\u21ba", "Rotate the probe anticlockwise by 5 degrees (comma)", () -> probe.turn(STEP_DEG, 0, 0));
     private final JButton turnRight =
@@ -64,35 +75,34 @@ public final class UltrasoundDock extends AccessPanel {
         controls.add(row(beside, guide), "span, growx");
         controls.add(angles, "span, growx, wmin 0");
         controls.add(seen, "span, growx, wmin 0");
-        addSlider(
+        addSetting(
                 controls,
-                "Depth",
-                "Depth of the image, mm",
-                "%.0f mm",
+                new String[] {"Depth", "Depth of the image, mm", "%.0f mm"},
                 new int[] {60, 240, 150},
                 1,
-                mm -> probe.changeSettings(s -> s.withDepth(mm)));
-        addSlider(
+                UltrasoundSettings::depthMm,
+                mm -> s -> s.withDepth(mm));
+        addSetting(
                 controls,
-                "Gain",
-                "Overall gain, dB",
-                "%.0f dB",
+                new String[] {"Gain", "Overall gain, dB", "%.0f dB"},
                 new int[] {-30, 30, 0},
                 1,
-                db -> probe.changeSettings(s -> s.withGain(db)));
-        addSlider(
+                UltrasoundSettings::gainDb,
+                db -> s -> s.withGain(db));
+        addSetting(
                 controls,
-                "Time gain",
-                "Time-gain compensation: the attenuation that it makes up for, dB/cm at 1 MHz",
-                "%.2f dB/cm",
+                new String[] {
+                    "Time gain",
+                    "Time-gain compensation: the attenuation that it makes up for, dB/cm at 1 MHz",
+                    "%.2f dB/cm"
+                },
                 new int[] {0, 30, 10},
                 0.05,
-                db -> probe.changeSettings(s -> s.withDepthGain(db)));
+                UltrasoundSettings::depthGainDbPerCmMhz,
+                db -> s -> s.withDepthGain(db));
         addSlider(
                 controls,
-                "Latency",
-                "Time from the moment of an image to its display, s",
-                "%.2f s",
+                new String[] {"Latency", "Time from the moment of an image to its display, s", "%.2f s"},
                 new int[] {0, 20, (int) Math.round(GuidanceSettings.DEFAULT_LATENCY_S / LATENCY_STEP_S)},
                 LATENCY_STEP_S,
                 rehearsal.pictures()::setLatencyS);
@@ -103,9 +113,39 @@ public final class UltrasoundDock extends AccessPanel {
 
     private static final double LATENCY_STEP_S = 0.025;
 
-    /** @param range least, greatest and first position */
-    private static void addSlider(
-            JPanel panel, String name, String tip, String format, int[] range, double perStep, DoubleConsumer set) {
+    /** A slider of the scanner, and the value that it shows. */
+    private record Setting(JSlider slider, double perStep, ToDoubleFunction<UltrasoundSettings> value) {
+        void show(UltrasoundSettings shown) {
+            slider.setValue((int) Math.round(value.applyAsDouble(shown) / perStep));
+        }
+    }
+
+    /** Adds a slider of the scanner; see {@link #addSlider}. */
+    private void addSetting(
+            JPanel panel,
+            String[] texts,
+            int[] range,
+            double perStep,
+            ToDoubleFunction<UltrasoundSettings> value,
+            DoubleFunction<UnaryOperator<UltrasoundSettings>> change) {
+        JSlider slider = addSlider(panel, texts, range, perStep, to -> {
+            if (!updating) {
+                probe.changeSettings(change.apply(to));
+            }
+        });
+        settings.add(new Setting(slider, perStep, value));
+    }
+
+    /**
+     * Adds a slider.
+     *
+     * @param texts name, tooltip and format of its value
+     * @param range least, greatest and first position
+     */
+    private static JSlider addSlider(JPanel panel, String[] texts, int[] range, double perStep, DoubleConsumer set) {
+        String name = texts[0];
+        String tip = texts[1];
+        String format = texts[2];
         JSlider slider = Controls.describe(Controls.slider(range[0], range[1], range[2]), name, tip);
         JLabel value = new JLabel(NumberFormats.text(format, perStep * range[2]));
         slider.addChangeListener(e -> {
@@ -115,6 +155,7 @@ public final class UltrasoundDock extends AccessPanel {
         panel.add(new JLabel(name));
         panel.add(slider, "wmin 0");
         panel.add(value, "wmin 0");
+        return slider;
     }
 
     private void showGuide() {
@@ -131,11 +172,16 @@ public final class UltrasoundDock extends AccessPanel {
         put.setSelected(rehearsal.pickMode().mode() == PickMode.Kind.PROBE);
         setEnabled(isReady(), put);
         setEnabled(isReady() && held, lift, beside, turnLeft, turnRight);
+        settings.forEach(setting -> setEnabled(!isPlayed(), setting.slider()));
         view.setOutlined(rehearsal.pictures().aids() != Aids.PICTURES);
         if (!held && isReady()) {
             view.show(Optional.empty(), NO_PROBE);
         }
-        showAngles();
+        showProbe();
+    }
+
+    private boolean isPlayed() {
+        return rehearsal.stage() == RehearsalStage.PLAYING;
     }
 
     @Override
@@ -146,15 +192,25 @@ public final class UltrasoundDock extends AccessPanel {
     @Override
     public void onTick(RunStatus status) {
         if (isShowing()) {
-            showAngles();
+            showProbe();
         }
     }
 
-    private void showAngles() {
-        ProbePose.Angles a = probe.angles();
+    /** Shows how the probe is held: by hand, or by the plan that is played. */
+    private void showProbe() {
+        Optional<ProbeHold> played = rehearsal
+                .state()
+                .flatMap(NeedleState::probe)
+                .map(ProbeState::hold)
+                .filter(hold -> isPlayed());
+        ProbePose.Angles a = played.map(ProbeHold::angles).orElseGet(probe::angles);
+        updating = true;
+        UltrasoundSettings shown = played.map(ProbeHold::settings).orElseGet(probe::settings);
+        settings.forEach(setting -> setting.show(shown));
+        updating = false;
         angles.setText(NumberFormats.text(
                 "Rotated %.0f\u00b0, tilted %.0f\u00b0, rocked %.0f\u00b0", a.rotationDeg(), a.tiltDeg(), a.rockDeg()));
-        Optional<ProbeState> state = rehearsal.state().flatMap(s -> s.probe());
+        Optional<ProbeState> state = rehearsal.state().flatMap(NeedleState::probe);
         boolean inside =
                 rehearsal.state().filter(s -> s.placed() && s.depthMm() > 0).isPresent();
         boolean told = rehearsal.pictures().aids() != Aids.PICTURES;

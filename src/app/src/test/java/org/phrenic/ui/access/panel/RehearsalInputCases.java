@@ -113,7 +113,7 @@ abstract class RehearsalInputCases {
         return new double[] {0.75 * box[0] + 0.25 * box[3], 0.5 * (box[1] + box[4]), 0.5 * (box[2] + box[5])};
     }
 
-    private static TargetLesion target() {
+    static TargetLesion target() {
         return WindowHarness.onEdt(
                 () -> rehearsal().study().map(TargetAccess::target).orElseThrow());
     }

@@ -6,21 +6,30 @@ import static org.assertj.core.api.Assertions.within;
 import java.awt.event.MouseEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JSlider;
+import javax.swing.JSpinner;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.Test;
+import org.phrenic.access.TargetLesion;
 import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.ProbeState;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.mesh.Vectors;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.scene.NeedleMarkers;
 import org.phrenic.ui.access.AttemptHistory;
 import org.phrenic.ui.access.PickMode;
+import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.access.UltrasoundShot;
 import org.phrenic.ui.view.RenderedFrame;
 import org.phrenic.ui.view.SceneViewport;
@@ -192,6 +201,78 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
         List<String> lines = Files.readAllLines(folder.resolve("copy.csv"));
         assertThat(lines).hasSize(3).allMatch(line -> line.split(",", -1).length == 19);
         assertThat(lines.get(2)).startsWith("other,").contains(",see-through,");
+    }
+
+    /** Steps that show the liver with settings of their own, and then wait. */
+    private static final String PROBE_PLAN =
+            """
+            title: Probe shown
+            set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, lungs: embedded, sternum: kinematic, threads: 1}
+            target: {rest_mm: [%s], diameter_mm: 14}
+            steps:
+              - probe: {skin: right-subcostal, rotate_deg: 90, tilt_deg: 20, depth_mm: 200, gain_db: 10}
+              - wait: 600
+            """;
+
+    @Test
+    void ofAPlayedProbeTheDockTellsHowThatIsHeldAndTheNextTargetIsAsLargeAsIsShown() throws Exception {
+        String middle = Arrays.stream(middleOfTheLiver())
+                .mapToObj(mm -> String.format(Locale.ROOT, "%.1f", mm))
+                .collect(Collectors.joining(", "));
+        Path plan = Files.writeString(folder.resolve("probe.yaml"), String.format(Locale.ROOT, PROBE_PLAN, middle));
+        WindowHarness.doOnEdt(() -> window.window().files().open(plan));
+        clinic.until("the plan", () -> rehearsal().exercise().isPresent());
+        clinic.ready();
+        double byHand = WindowHarness.onEdt(() -> rehearsal().probe().settings().depthMm());
+        WindowHarness.doOnEdt(() -> rehearsal().playExample());
+        clinic.until(
+                "the probe",
+                () -> rehearsal().state().flatMap(NeedleState::probe).isPresent());
+        JSlider depth = WindowHarness.onEdt(
+                () -> WindowHarness.find(ultrasound(), JSlider.class, "Depth").orElseThrow());
+        JLabel angles = WindowHarness.onEdt(() -> labelOf(ultrasound(), "Rotated"));
+        clinic.until("the angles", () -> angles.getText().startsWith("Rotated 90\u00b0, tilted 20\u00b0"));
+        assertThat(WindowHarness.onEdt(depth::getValue)).isEqualTo(200);
+        window.screenshot("rehearse-played-probe");
+        assertThat(WindowHarness.onEdt(() -> rehearsal().probe().settings().depthMm()))
+                .as("what the hand has chosen stays")
+                .isEqualTo(byHand);
+        WindowHarness.doOnEdt(() -> rehearsal().retry());
+        clinic.ready();
+        clinic.until("the hand's depth", () -> depth.getValue() == (int) byHand);
+
+        // With other breathing the target of the exercise stays, for practice.
+        WindowHarness.doOnEdt(() -> window.session().change("Rate", Assignment.parse("rate_per_min=69")));
+        clinic.until("practice", () -> rehearsal().exercise().isEmpty());
+        clinic.ready();
+        JSpinner size = window.control(JSpinner.class, "Diameter of the target");
+        assertThat(WindowHarness.onEdt(size::getValue)).isEqualTo(14);
+        TargetLesion before = target();
+        double[] onLiver = pixel(middleOfTheLiver());
+        window.key("T");
+        clickView(onLiver);
+        clinic.until("another target", () -> rehearsal()
+                .study()
+                .filter(study -> study.target() != before)
+                .isPresent());
+        clinic.ready();
+        assertThat(target().diameterMm()).isEqualTo(14);
+        WindowHarness.doOnEdt(() -> window.session().change("Rate", Assignment.parse("rate_per_min=70")));
+        clinic.until("the rate", () -> rehearsal().stage() != RehearsalStage.READY);
+        clinic.ready();
+    }
+
+    private static JLabel labelOf(java.awt.Container at, String beginning) {
+        for (java.awt.Component child : at.getComponents()) {
+            if (child instanceof JLabel label && label.getText().startsWith(beginning)) {
+                return label;
+            }
+            JLabel found = child instanceof java.awt.Container deeper ? labelOf(deeper, beginning) : null;
+            if (found != null) {
+                return found;
+            }
+        }
+        return null;
     }
 
     private static boolean seesThrough() {
