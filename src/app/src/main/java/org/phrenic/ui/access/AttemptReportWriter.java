@@ -19,7 +19,7 @@ import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.scene.NeedlePictures;
 import org.phrenic.scene.UltrasoundPicture;
-import org.phrenic.ui.session.BackgroundWorker;
+import org.phrenic.ui.session.FileWrites;
 import org.phrenic.ui.view.SceneViewport;
 
 /**
@@ -42,7 +42,8 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize) {
      * @param done gets the reason of a failure, or an empty text, on the event dispatch thread
      */
     public void save(Rehearsal rehearsal, Path folder, Consumer<String> done) {
-        BackgroundWorker.execute(Executors.callable(() -> write(rehearsal, folder), ""), done, done);
+        FileWrites.execute(
+                "the report in " + folder, Executors.callable(() -> write(rehearsal, folder), ""), done, done);
     }
 
     private void write(Rehearsal rehearsal, Path folder) {

@@ -17,6 +17,7 @@ import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.ui.session.BackgroundWorker;
+import org.phrenic.ui.session.FileWrites;
 import org.phrenic.ui.session.Session;
 
 /**
@@ -121,13 +122,22 @@ public final class ScanImporter {
                     Optional.empty());
             ImportResult result = ImportPipeline.run(request, progress);
             progress.stage("writing the thorax folder");
-            result.write(choice.folder());
-            choice.labels().writeIfEdited(choice.folder().resolve(LABELS_FILE));
+            write(result, choice);
             return Optional.of(result);
         } catch (CancellationException cancelled) {
             return Optional.empty();
         } finally {
             Files.deleteIfExists(table);
+        }
+    }
+
+    private static void write(ImportResult result, ScanImportDialog.Choice choice) {
+        FileWrites writing = FileWrites.begin(choice.folder().toString());
+        try {
+            result.write(choice.folder());
+            choice.labels().writeIfEdited(choice.folder().resolve(LABELS_FILE));
+        } finally {
+            writing.end();
         }
     }
 

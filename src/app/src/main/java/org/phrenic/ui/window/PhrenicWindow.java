@@ -20,6 +20,7 @@ import org.phrenic.ui.access.AttemptHistory;
 import org.phrenic.ui.dock.ParameterDock;
 import org.phrenic.ui.scan.ScanImporter;
 import org.phrenic.ui.session.FileOpener;
+import org.phrenic.ui.session.QuitAfterWrites;
 import org.phrenic.ui.session.ScenarioStore;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.WindowPreferences;
@@ -56,6 +57,7 @@ public final class PhrenicWindow {
     private final NeedleKeys needleKeys;
     private final MainToolBar toolBar;
     private final CountDownLatch closed = new CountDownLatch(1);
+    private final QuitAfterWrites quit;
 
     /**
      * Opens the window and returns when it is closed.
@@ -97,6 +99,7 @@ public final class PhrenicWindow {
         SwingUtilities.updateComponentTreeUI(banner);
         SwingUtilities.updateComponentTreeUI(statusBar);
         SwingUtilities.updateComponentTreeUI(frame);
+        quit = new QuitAfterWrites(session::note, this::end);
         view = new SceneViewport(session, appearance);
         loading = new LoadingPanel("loading", "Keep the present scene", session::cancelLoading);
         importing = new LoadingPanel("importing", "Import nothing", this::cancelImport);
@@ -196,8 +199,13 @@ public final class PhrenicWindow {
         toolBar.refresh(session);
     }
 
-    /** Saves the preferences, disposes of the window and ends all threads. */
+    /** Closes the window once what is being written is whole; asked again meanwhile, at once. */
     public void close() {
+        quit.quit();
+    }
+
+    /** Saves the preferences, disposes of the window and ends all threads. */
+    private void end() {
         preferences.saveBounds(frame);
         layout.saveSizes();
         frame.dispose();

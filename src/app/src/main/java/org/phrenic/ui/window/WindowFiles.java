@@ -14,6 +14,7 @@ import org.phrenic.scene.export.PngFile;
 import org.phrenic.ui.scan.ScanImporter;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.FileOpener;
+import org.phrenic.ui.session.FileWrites;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.WindowPreferences;
 import org.phrenic.ui.view.SceneViewport;
@@ -92,11 +93,17 @@ public final class WindowFiles {
             session.refuse("There is no picture to save.");
             return;
         }
-        FileDialogs.save(frame, "Save picture", "phrenic.png")
-                .ifPresent(file -> view.snapshot(
-                        PICTURE_SCALE * view.getWidth(),
-                        PICTURE_SCALE * view.getHeight(),
-                        image -> SwingUtilities.invokeLater(() -> savePicture(file, image))));
+        FileDialogs.save(frame, "Save picture", "phrenic.png").ifPresent(this::savePicture);
+    }
+
+    private void savePicture(Path file) {
+        FileWrites drawing = FileWrites.begin(file.toString());
+        view.snapshot(
+                PICTURE_SCALE * view.getWidth(),
+                PICTURE_SCALE * view.getHeight(),
+                image -> SwingUtilities.invokeLater(() -> savePicture(file, image)));
+        // Comes after the picture, whatever becomes of that.
+        view.runTask(gl -> SwingUtilities.invokeLater(drawing::end));
     }
 
     private void savePicture(Path file, BufferedImage image) {
@@ -104,7 +111,8 @@ public final class WindowFiles {
     }
 
     private void save(Path file, Runnable write, Runnable saved) {
-        BackgroundWorker.execute(
+        FileWrites.execute(
+                file.toString(),
                 Executors.callable(write),
                 done -> {
                     session.note("Saved " + file + ".");
