@@ -2,6 +2,7 @@ package org.phrenic.scene.gl;
 
 import com.jogamp.opengl.GL3;
 import java.util.List;
+import java.util.Optional;
 import org.phrenic.scene.camera.BoundingBox;
 import org.phrenic.scene.camera.ViewTransform;
 import org.phrenic.scene.style.ClipPlane;
@@ -10,15 +11,14 @@ import org.phrenic.scene.style.SceneStyle;
 /**
  * Draws the cut faces of bodies that the clip plane cuts open (stencil capping). The stencil buffer counts the faces
  * behind the plane at each pixel: back faces +1, front faces -1. The count is not zero where the line of sight enters
- * the body through the plane; the cap is drawn there.
+ * the body through the plane; the cap is drawn there. Both are confined to the rectangle of the picture that holds the
+ * section of the body.
  */
 final class CapPass {
     /** Fraction of white mixed into the colour of a cut face. */
     private static final float LIGHTENING = 0.10f;
 
     private static final int QUAD_CORNERS = 4;
-    /** Polygon offset between successive caps, in smallest resolvable depth steps. */
-    private static final float DEPTH_OFFSET_UNITS = 4;
 
     private final GlResources resources;
     private final ShaderProgram program;
@@ -31,25 +31,33 @@ final class CapPass {
     }
 
     /**
-     * Draws the cut faces.
+     * Draws the cut faces. All are parts of one square, so that they have the same depth where they overlap, and the
+     * later of two bodies (a target in the liver) is drawn over the earlier one.
      *
      * @param bodies opaque surfaces; open surfaces, and surfaces that the plane does not cut, get no cap
      */
     void draw(GL3 gl, List<SurfaceBuffers> bodies, SurfacePass faces, ViewTransform transform, SceneStyle style) {
         ClipPlane plane = style.clip().orElseThrow();
-        gl.glEnable(GL3.GL_STENCIL_TEST);
-        gl.glEnable(GL3.GL_POLYGON_OFFSET_FILL);
-        for (int i = 0; i < bodies.size(); i++) {
-            SurfaceBuffers body = bodies.get(i);
-            BoundingBox box = BoundingBox.of(body.surface().rest());
-            if (body.isClosed() && box.mayIntersect(plane)) {
-                countFaces(gl, body, faces, transform, style);
-                // All caps lie in one plane. The offset draws later bodies (a target in the liver) over earlier ones.
-                gl.glPolygonOffset(0, -DEPTH_OFFSET_UNITS * i);
-                drawCap(gl, body, box.sectionQuad(plane, transform), transform, style);
-            }
+        List<SurfaceBuffers> closed =
+                bodies.stream().filter(SurfaceBuffers::isClosed).toList();
+        Optional<BoundingBox> around =
+                closed.stream().map(b -> b.box().moved(b.pose())).reduce(BoundingBox::with);
+        if (around.isEmpty()) {
+            return;
         }
-        gl.glDisable(GL3.GL_POLYGON_OFFSET_FILL);
+        float[] quad = around.get().sectionQuad(plane, transform);
+        gl.glEnable(GL3.GL_STENCIL_TEST);
+        gl.glEnable(GL3.GL_SCISSOR_TEST);
+        gl.glDepthFunc(GL3.GL_LEQUAL);
+        for (SurfaceBuffers body : closed) {
+            body.box().sectionRectangle(body.pose(), plane, transform).ifPresent(part -> {
+                gl.glScissor(part[0], part[1], part[2], part[3]);
+                countFaces(gl, body, faces, transform, style);
+                drawCap(gl, body, quad, transform, style);
+            });
+        }
+        gl.glDepthFunc(GL3.GL_LESS);
+        gl.glDisable(GL3.GL_SCISSOR_TEST);
         gl.glDisable(GL3.GL_STENCIL_TEST);
     }
 

@@ -4,11 +4,13 @@ import com.jogamp.common.nio.Buffers;
 import com.jogamp.opengl.GL3;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.joml.Matrix4d;
 import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.scene.camera.BoundingBox;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.surface.AmbientOcclusion;
 import org.phrenic.scene.surface.CoarseTriangles;
@@ -50,6 +52,7 @@ final class SurfaceBuffers {
     private int edgeBuffer;
     private int fieldBuffer;
     private FieldValues values;
+    private Optional<BoundingBox> box = Optional.empty();
 
     /**
      * @param index index of the surface in a frame
@@ -121,6 +124,7 @@ final class SurfaceBuffers {
             setPose(frame.pose(index));
         } else if (surface.motion() == Surface.Motion.DEFORMING) {
             positions.put(0, frame.positions(index));
+            box = Optional.empty();
             normals.compute(frame.positions(index), packedNormals);
             resources.stream(gl, positionBuffer, positions);
             resources.stream(gl, normalBuffer, packedNormals);
@@ -167,6 +171,14 @@ final class SurfaceBuffers {
     Matrix4d pose() {
         float[] r = poseRows;
         return new Matrix4d(r[0], r[4], r[8], 0, r[1], r[5], r[9], 0, r[2], r[6], r[10], 0, r[3], r[7], r[11], 1);
+    }
+
+    /** The box of the present positions in the coordinates that {@link #pose} moves. */
+    BoundingBox box() {
+        if (box.isEmpty()) {
+            box = Optional.of(BoundingBox.of(positions));
+        }
+        return box.get();
     }
 
     Surface surface() {
