@@ -27,9 +27,9 @@ import org.phrenic.scene.style.Transparency;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * An OpenGL context without a window. On Linux it uses the X server if one is reachable, and surfaceless EGL otherwise
- * or if the system property {@code phrenic.opengl} is {@code egl}. On macOS and Windows it uses the window system. Not
- * thread-safe.
+ * An OpenGL context without a window. On Linux it uses the X server if one with GLX is reachable, and surfaceless EGL
+ * otherwise or if the system property {@code phrenic.opengl} is {@code egl}. On macOS and Windows it uses the window
+ * system. Not thread-safe.
  */
 public final class OffscreenContext implements AutoCloseable {
     /** Maximum time to start the driver, which usually takes well under a second. */
@@ -47,6 +47,9 @@ public final class OffscreenContext implements AutoCloseable {
     private static final VersionNumber NEEDED = new VersionNumber(3, 3, 0);
 
     private static final String OLD_DRIVER = "No pictures can be made here: the graphics driver has no OpenGL 3.3";
+
+    private static final String NOT_STARTED = "No pictures can be made here: OpenGL 3.3 could not be started";
+    private static final String OTHER_WAY = "; java -Dphrenic.opengl=egl may draw without the display";
 
     /** The context that {@link #prepare} has begun to open. */
     private static final AtomicReference<FutureTask<OffscreenContext>> PREPARED = new AtomicReference<>();
@@ -120,18 +123,17 @@ public final class OffscreenContext implements AutoCloseable {
             Throwable cause = e.getCause();
             throw cause instanceof NoGraphicsException known
                     ? known
-                    : new NoGraphicsException("No pictures can be made here: " + reason(cause), cause);
+                    : new NoGraphicsException(NOT_STARTED + (isEglWanted() ? "" : OTHER_WAY), cause);
         }
     }
 
-    private static String reason(Throwable cause) {
-        String text = String.valueOf(cause.getMessage()).strip();
-        return "OpenGL 3.3 could not be started (" + text.split("\n", 2)[0] + ")";
+    private static boolean isEglWanted() {
+        return System.getProperty(WAY_PROPERTY, "").equals("egl");
     }
 
     private static OffscreenContext start() throws NoGraphicsException {
-        boolean egl = System.getProperty(WAY_PROPERTY, "").equals("egl");
-        boolean display = DisplayServer.isNotNeeded() || (!egl && DisplayServer.isReachable(System.getenv("DISPLAY")));
+        boolean display =
+                DisplayServer.isNotNeeded() || (!isEglWanted() && DisplayServer.hasGlx(System.getenv("DISPLAY")));
         try {
             if (display) {
                 // Asks the event dispatch thread once.

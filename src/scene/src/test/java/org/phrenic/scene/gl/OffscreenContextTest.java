@@ -1,8 +1,17 @@
 package org.phrenic.scene.gl;
 
+import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.jogamp.common.util.VersionNumber;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.net.BindException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.phrenic.scene.SceneFixture;
 
@@ -47,5 +56,62 @@ class OffscreenContextTest {
         assertThat(DisplayServer.isReachable(":54321"))
                 .as("no server has this number")
                 .isFalse();
+    }
+
+    /** A server that says that it lacks GLX is not used; one that says nothing may have it. */
+    @Test
+    void onlyADisplayWithGlxDraws() throws Exception {
+        assertThat(DisplayServer.hasGlx(null)).isFalse();
+        assertThat(DisplayServer.hasGlx(":54321")).isFalse();
+        assertThat(hasGlx(Optional.of(true))).isTrue();
+        assertThat(hasGlx(Optional.of(false))).isFalse();
+        assertThat(hasGlx(Optional.empty())).isTrue();
+    }
+
+    /** @param answer what a server says when it is asked for GLX; empty for one that refuses the session */
+    private static boolean hasGlx(Optional<Boolean> answer) throws IOException, InterruptedException {
+        try (ServerSocket server = displayPort()) {
+            Thread serving = new Thread(() -> serve(server, answer), "display");
+            serving.start();
+            boolean has = DisplayServer.hasGlx("localhost:" + (server.getLocalPort() - 6000) + ".0");
+            serving.join();
+            return has;
+        }
+    }
+
+    private static ServerSocket displayPort() throws IOException {
+        for (int number = 700; ; number++) {
+            try {
+                return new ServerSocket(6000 + number, 5, InetAddress.getByName("localhost"));
+            } catch (BindException e) {
+                // Another program listens there.
+            }
+        }
+    }
+
+    private static void serve(ServerSocket server, Optional<Boolean> answer) {
+        try {
+            server.accept().close();
+            try (Socket client = server.accept()) {
+                InputStream in = client.getInputStream();
+                byte[] setup = in.readNBytes(12);
+                boolean big = setup[0] == 'B';
+                int key = big ? 1 : 0;
+                in.readNBytes((setup[6 + key] + 3) / 4 * 4 + (setup[8 + key] + 3) / 4 * 4);
+                byte[] session = new byte[8 + 4];
+                session[0] = (byte) (answer.isPresent() ? 1 : 0);
+                session[6 + key] = 1;
+                client.getOutputStream().write(session);
+                if (answer.isPresent()) {
+                    byte[] query = in.readNBytes(12);
+                    byte[] reply = new byte[32];
+                    reply[0] = 1;
+                    reply[8] = (byte) (answer.get() && new String(query, 8, 3, US_ASCII).equals("GLX") ? 1 : 0);
+                    client.getOutputStream().write(reply);
+                }
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 }
