@@ -99,6 +99,7 @@ public final class RenderLoop implements AutoCloseable {
     private Frame frame;
     private final DistanceColours distances = new DistanceColours();
     private Optional<NeedleMarkers> shownMarks = Optional.empty();
+    private String shownTime = "";
     private Optional<AccessMapField> shownAccess = Optional.empty();
     private int historyFrame = -1;
     private long drawnVersion;
@@ -136,12 +137,17 @@ public final class RenderLoop implements AutoCloseable {
         update(() -> tasks.add(what));
     }
 
+    /** Gets a picture of the frame that is shown, with its time and its needle. */
+    interface SnapshotListener {
+        void drawn(BufferedImage image, String timeText, Optional<NeedleMarkers> marks);
+    }
+
     /** Draws the present frame at any size; {@code done} gets it on the render thread. */
-    void snapshot(Camera camera, SceneStyle style, int width, int height, Consumer<BufferedImage> done) {
+    void snapshot(Camera camera, SceneStyle style, int width, int height, SnapshotListener done) {
         runTask(gl -> {
             if (renderer != null) {
                 SceneStyle marked = NeedleMarkers.apply(shownMarks, renderer, style);
-                done.accept(gl.render(renderer, frame, camera, marked, width, height));
+                done.drawn(gl.render(renderer, frame, camera, marked, width, height), shownTime, shownMarks);
             }
         });
     }
@@ -317,9 +323,9 @@ public final class RenderLoop implements AutoCloseable {
             renderer.readPixels(context, canvas);
         });
         String phase = historyFrame < 0 ? live.status().phaseLabel() : "recorded";
-        String time = scene.id() == LiveScene.AT_REST ? "" : Annotations.timestamp(frame.timeS(), phase);
-        listener.onFrame(
-                new RenderedFrame(canvas, wanted, frame.step(), time, shownMarks, renderer.statistics(), resolution));
+        shownTime = scene.id() == LiveScene.AT_REST ? "" : Annotations.timestamp(frame.timeS(), phase);
+        listener.onFrame(new RenderedFrame(
+                canvas, wanted, frame.step(), shownTime, shownMarks, renderer.statistics(), resolution));
         return true;
     }
 

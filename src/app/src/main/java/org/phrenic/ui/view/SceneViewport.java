@@ -117,13 +117,13 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         cameraListener = listener;
     }
 
-    /** Goes back to the initial camera. */
+    /** Goes back to the initial camera; the kind of projection stays. */
     public void resetCamera() {
         if (scene != null && getHeight() > 0) {
             homeCamera = Camera.of(
                     AnatomicalView.ANTERIOR, SceneBounds.of(scene.surfaces()), (double) getWidth() / getHeight());
         }
-        setCamera(homeCamera);
+        setCamera(homeCamera.withProjection(camera.orthographic()));
     }
 
     /** Sets what gets the name and the place of a picked structure. */
@@ -226,12 +226,15 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         });
     }
 
-    /** Draws an image with annotations; {@code done} gets it on the render thread. */
-    public void snapshot(int width, int height, Consumer<BufferedImage> done) {
+    /** Draws an image of all that the view shows, enlarged; {@code done} gets it on the render thread. */
+    public void snapshot(int enlargement, Consumer<BufferedImage> done) {
         Camera now = camera;
-        Annotations marks = annotationsFor("");
-        renderLoop.snapshot(now, appearance.style(), width, height, image -> {
-            marks.draw(image, now);
+        Annotations annotations = annotationsFor("");
+        int width = enlargement * getWidth();
+        int height = enlargement * getHeight();
+        renderLoop.snapshot(now, appearance.style(), width, height, (image, time, needle) -> {
+            needle.ifPresent(marks -> ViewportPainter.outlines(image, marks, now, enlargement));
+            annotations.withTimestamp(time).draw(image, now);
             done.accept(image);
         });
     }

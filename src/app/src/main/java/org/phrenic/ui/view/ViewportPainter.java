@@ -9,6 +9,7 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JComponent;
+import org.phrenic.scene.NeedleMarkers;
 import org.phrenic.scene.annotate.Annotations;
 import org.phrenic.scene.camera.Camera;
 import org.phrenic.ui.widget.Theme;
@@ -46,6 +47,14 @@ final class ViewportPainter {
             g.drawImage(image, place, null);
         }
         paintAnnotations(g, annotations, camera);
+    }
+
+    /** Draws the outlines of the needle over an image that is so many times as large as the view. */
+    static void outlines(BufferedImage image, NeedleMarkers marks, Camera camera, int enlargement) {
+        Graphics2D g = image.createGraphics();
+        g.scale(enlargement, enlargement);
+        marks.drawOutlines(g, camera, image.getWidth() / enlargement, image.getHeight() / enlargement);
+        g.dispose();
     }
 
     /** Draws the annotations from an image that is kept while the camera stays, and the time over it. */

@@ -2,14 +2,20 @@ package org.phrenic.ui.access.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
+import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.function.IntPredicate;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
 import javax.swing.JComponent;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.Test;
@@ -27,6 +33,7 @@ import org.phrenic.scenario.Assignment;
 import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.session.Workspace;
+import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.window.WindowHarness;
 
 /**
@@ -36,6 +43,8 @@ import org.phrenic.ui.window.WindowHarness;
 class RehearsalWindowTest extends RehearsalProbeCases {
     /** Longest that an event may keep the window, ms of processor time. */
     private static final double LONGEST_EVENT_MS = 50;
+
+    private static final int TARGET_LINE_RGB = 0xb38f00;
 
     private static AttemptsDock attempts() {
         return clinic.attempts();
@@ -82,6 +91,36 @@ class RehearsalWindowTest extends RehearsalProbeCases {
         assertThat(JsonWriter.format(new RehearsalReport(again).values()))
                 .isEqualTo(Files.readString(report.resolve("report.json")));
         clinic.goOn();
+    }
+
+    @Test
+    void aSavedPictureShowsTimeAndNeedleAsTheViewDoes() throws Exception {
+        clinic.begin();
+        clinic.rest();
+        SceneViewport view = window.window().view();
+        assumeThat(view.isUnavailable()).isFalse();
+        until(
+                "the needle in the view",
+                () -> view.frame().orElseThrow().needleMarks().isPresent());
+        CompletableFuture<BufferedImage> drawn = new CompletableFuture<>();
+        WindowHarness.doOnEdt(() -> view.snapshot(2, drawn::complete));
+        BufferedImage picture = drawn.get(60, TimeUnit.SECONDS);
+        ImageIO.write(
+                picture, "png", Path.of("target", "screenshots", "saved.png").toFile());
+        assertThat(picture.getWidth()).isEqualTo(2 * view.getWidth());
+        assertThat(pixels(picture, picture.getWidth(), picture.getHeight(), rgb -> rgb == TARGET_LINE_RGB))
+                .as("pixels of the outline of the target")
+                .isGreaterThan(100);
+        assertThat(pixels(picture, picture.getWidth() / 3, 60, rgb -> (rgb >> 8 & 0xff) < 70))
+                .as("dark pixels of the time, at the top left")
+                .isGreaterThan(100);
+        clinic.goOn();
+    }
+
+    /** Number of pixels in the top left part of a picture. */
+    private static long pixels(BufferedImage picture, int width, int height, IntPredicate counted) {
+        int[] rgb = picture.getRGB(0, 0, width, height, null, 0, width);
+        return Arrays.stream(rgb).map(p -> p & 0xffffff).filter(counted).count();
     }
 
     /** Five steps of 2 mm before the first shows in a frame. */
