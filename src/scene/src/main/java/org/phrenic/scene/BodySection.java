@@ -41,10 +41,11 @@ public record BodySection(
     public record Part(StructureKind kind, Path2D outline, int rgb) {}
 
     /** Painting order of the kinds of structures. */
-    private static final List<StructureKind> PAINTING_ORDER = List.of(
+    static final List<StructureKind> PAINTING_ORDER = List.of(
             StructureKind.SKIN,
             StructureKind.MUSCLE,
             StructureKind.OTHER,
+            StructureKind.PLEURA,
             StructureKind.LUNG,
             StructureKind.LIVER,
             StructureKind.ORGAN,

@@ -29,6 +29,7 @@ public final class AppearanceModel {
         SPINE("Spine", StructureKind.VERTEBRA, StructureKind.DISC),
         DIAPHRAGM("Diaphragm", StructureKind.DIAPHRAGM),
         LUNGS("Lungs", StructureKind.LUNG),
+        PLEURA("Pleura", StructureKind.PLEURA),
         LIVER("Liver", StructureKind.LIVER),
         ORGANS("Organs", StructureKind.ORGAN, StructureKind.LESION),
         VESSELS("Vessels", StructureKind.VESSEL),

@@ -117,7 +117,7 @@ public final class SectionView extends JPanel {
 
     private static Color fillColour(StructureKind kind, Color colour) {
         return switch (kind) {
-            case SKIN -> Theme.withAlpha(colour, Theme.isDark() ? 46 : 60);
+            case SKIN, PLEURA -> Theme.withAlpha(colour, Theme.isDark() ? 46 : 60);
             case LUNG -> Theme.withAlpha(colour, 130);
             default -> Theme.withAlpha(colour, 225);
         };
