@@ -7,6 +7,7 @@ import javax.swing.JComboBox;
 import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.widget.Controls;
+import org.phrenic.ui.widget.ListKeys;
 
 /** A choice among options. */
 final class ChoiceRow extends SettingRow {
@@ -24,6 +25,7 @@ final class ChoiceRow extends SettingRow {
         this.choice = choice;
         comboBox.setModel(new DefaultComboBoxModel<>(options.toArray(String[]::new)));
         comboBox.setRenderer(Controls.renderer(option -> displayName(String.valueOf(option))));
+        ListKeys.chooseByEnter(comboBox);
         comboBox.setPrototypeDisplayValue("backward-euler");
         comboBox.addActionListener(e -> {
             String now = (String) comboBox.getSelectedItem();

@@ -70,6 +70,7 @@ public final class Theme {
         } else {
             FlatLightLaf.setup();
         }
+        UIManager.put("ComboBox.noActionOnKeyNavigation", true);
         UIManager.put("SplitPane.dividerSize", 5);
         UIManager.put("SplitPaneDivider.style", "plain");
         UIManager.put("TabbedPane.tabHeight", 28);

@@ -13,6 +13,7 @@ import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
+import org.phrenic.ui.widget.ListKeys;
 
 /** Chooses free practice or an exercise with goals. */
 final class ExercisePanel extends AccessPanel {
@@ -32,6 +33,7 @@ final class ExercisePanel extends AccessPanel {
 
     ExercisePanel(Session session, RehearsalController rehearsal) {
         super(rehearsal);
+        ListKeys.chooseByEnter(exercise);
         exercise.addItem("Practice: a target of your own");
         exercises.forEach(this::addExercise);
         exercise.addActionListener(e -> onSelection());
