@@ -45,6 +45,9 @@ final class MainMenuBar extends JMenuBar {
         addMenu("Needle", 'N', actions.needle);
         addMenu("Probe", 'P', actions.probe);
         JMenu view = addMenu("View", 'V', actions.views);
+        JMenu camera = new JMenu("Move the camera");
+        actions.camera.forEach(camera::add);
+        view.add(camera);
         view.addSeparator();
         actions.docks.forEach(view::add);
         view.addSeparator();

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
@@ -14,6 +15,7 @@ import javax.swing.KeyStroke;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scene.camera.AnatomicalView;
+import org.phrenic.scene.camera.Camera;
 import org.phrenic.scene.camera.PickResult;
 import org.phrenic.ui.access.NeedleController;
 import org.phrenic.ui.access.PickMode;
@@ -31,6 +33,9 @@ final class MenuActions {
     private static final double SLIDE_MM = 2;
     private static final double TILT_DEG = 2;
     private static final double ROTATE_DEG = 5;
+    private static final double ORBIT_DEG = 5;
+    private static final double PAN_PIXELS = 24;
+    private static final double ZOOM = 1.15;
 
     final MenuAction play;
     final MenuAction step;
@@ -48,6 +53,7 @@ final class MenuActions {
     final MenuAction copy;
     final MenuAction quit;
     final List<MenuAction> views = new ArrayList<>();
+    final List<MenuAction> camera = new ArrayList<>();
     final List<MenuAction> needle = new ArrayList<>();
     final List<MenuAction> probe = new ArrayList<>();
     final List<MenuAction> docks = new ArrayList<>();
@@ -88,6 +94,7 @@ final class MenuActions {
         theme = action("Light or dark", "Change between a light and a dark window", "menu L", window::toggleTheme)
                 .withIcon(Icons.THEME);
         addViews(window.view());
+        addCameraMoves(window.view());
         addNeedleActions();
         addProbeActions();
         addDock(DockLayout.Place.LEFT, "Organs", "menu 1");
@@ -117,6 +124,40 @@ final class MenuActions {
                 () -> view.setCamera(view.camera().withProjection(!view.camera().orthographic()))));
         views.add(action("Whole thorax", "The initial view", "0", view::resetCamera));
         views.add(action("Plot this point", "Plot how the point last clicked moves", "P", this::plotPickedPoint));
+    }
+
+    private void addCameraMoves(SceneViewport view) {
+        String[] directions = {"Left", "Right", "Up", "Down"};
+        for (int i = 0; i < directions.length; i++) {
+            int x = i < 2 ? 2 * i - 1 : 0;
+            int y = i < 2 ? 0 : 2 * i - 5;
+            String where = directions[i].toLowerCase(Locale.ROOT);
+            String key = directions[i].toUpperCase(Locale.ROOT);
+            addCameraMove(
+                    view,
+                    "Turn view " + where,
+                    "Turn what is seen, as dragging " + where + " does",
+                    "alt " + key,
+                    c -> c.orbit(-ORBIT_DEG * x, ORBIT_DEG * y));
+            addCameraMove(
+                    view,
+                    "Move view " + where,
+                    "Move what is seen " + where,
+                    "alt shift " + key,
+                    c -> c.pan(PAN_PIXELS * x, PAN_PIXELS * y, view.getHeight()));
+        }
+        addCameraMove(view, "Enlarge", "Enlarge the middle of the view", "PLUS", c -> zoomed(c, ZOOM));
+        addCameraMove(view, "Reduce", "Show more about the middle of the view", "MINUS", c -> zoomed(c, 1 / ZOOM));
+    }
+
+    private Camera zoomed(Camera camera, double factor) {
+        int width = window.view().getWidth();
+        int height = window.view().getHeight();
+        return camera.zoom(factor, width / 2.0, height / 2.0, width, height);
+    }
+
+    private void addCameraMove(SceneViewport view, String name, String tip, String key, UnaryOperator<Camera> move) {
+        camera.add(action(name, tip, key, () -> view.setCamera(move.apply(view.camera()))));
     }
 
     private void addView(AnatomicalView from, String name, String key) {
@@ -270,24 +311,38 @@ final class MenuActions {
                         .orElse("Click on a structure first, then plot that point."));
     }
 
-    /** Lets the digits of the numeric keypad do what the digits of the keyboard do. */
+    /**
+     * Lets the digits, plus and minus of the numeric keypad do what those of the keyboard do, and the key that has the
+     * plus beside the equals sign what plus does.
+     */
     void bindNumericKeypad(JRootPane root) {
+        bind(root, KeyStroke.getKeyStroke("ADD"), cameraMove("Enlarge"));
+        bind(root, KeyStroke.getKeyStroke("EQUALS"), cameraMove("Enlarge"));
+        bind(root, KeyStroke.getKeyStroke("shift EQUALS"), cameraMove("Enlarge"));
+        bind(root, KeyStroke.getKeyStroke("SUBTRACT"), cameraMove("Reduce"));
         for (MenuAction action : views) {
             KeyStroke key = action.accelerator();
             if (key != null && key.getKeyCode() >= KeyEvent.VK_0 && key.getKeyCode() <= KeyEvent.VK_9) {
                 int keypad = KeyEvent.VK_NUMPAD0 + key.getKeyCode() - KeyEvent.VK_0;
-                root.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW)
-                        .put(KeyStroke.getKeyStroke(keypad, key.getModifiers()), action.name());
-                root.getActionMap().put(action.name(), action);
+                bind(root, KeyStroke.getKeyStroke(keypad, key.getModifiers()), action);
             }
         }
+    }
+
+    private MenuAction cameraMove(String name) {
+        return camera.stream().filter(a -> a.name().equals(name)).findFirst().orElseThrow();
+    }
+
+    private static void bind(JRootPane root, KeyStroke key, MenuAction action) {
+        root.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(key, action.name());
+        root.getActionMap().put(action.name(), action);
     }
 
     /** All of them, in the order of the menus. */
     List<MenuAction> all() {
         List<MenuAction> first =
                 List.of(open, importScan, save, picture, copy, quit, undo, redo, play, step, reset, quiet, deep, hold);
-        return Stream.of(first, needle, probe, views, docks, List.of(theme), help)
+        return Stream.of(first, needle, probe, views, camera, docks, List.of(theme), help)
                 .flatMap(List::stream)
                 .toList();
     }

@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.awt.Component;
+import java.awt.KeyboardFocusManager;
 import java.awt.Window;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
+import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.io.File;
@@ -46,6 +48,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.patient.ScanSamples;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.scene.camera.Camera;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.widget.Theme;
@@ -273,6 +276,97 @@ class WindowTest {
             JComponent root = window.window().frame().getRootPane();
             return root.getTransferHandler().importData(new TransferHandler.TransferSupport(root, files));
         });
+    }
+
+    @Test
+    void theWholeThoraxIsShownInTheProjectionThatWasChosen() {
+        SceneViewport view = window.window().view();
+        boolean before = WindowHarness.onEdt(() -> view.camera().orthographic());
+        window.key("5");
+        window.key("0");
+        assertThat(WindowHarness.onEdt(() -> view.camera().orthographic())).isNotEqualTo(before);
+        window.key("5");
+        window.key("0");
+        assertThat(WindowHarness.onEdt(() -> view.camera().orthographic())).isEqualTo(before);
+    }
+
+    /** With the keyboard alone. */
+    @Test
+    void theCameraTurnsMovesAndZoomsByKeys() {
+        SceneViewport view = window.window().view();
+        window.key("1");
+        window.key("0");
+        Camera first = WindowHarness.onEdt(view::camera);
+        for (String[] pair : new String[][] {
+            {"alt LEFT", "alt RIGHT"},
+            {"alt UP", "alt DOWN"},
+            {"alt shift LEFT", "alt shift RIGHT"},
+            {"alt shift UP", "alt shift DOWN"},
+            {"PLUS", "MINUS"},
+            {"EQUALS", "MINUS"},
+            {"ADD", "SUBTRACT"}
+        }) {
+            window.key(pair[0]);
+            Camera moved = WindowHarness.onEdt(view::camera);
+            assertThat(apart(first, moved, view)).as(pair[0]).isGreaterThan(3);
+            window.key(pair[1]);
+            assertThat(apart(first, WindowHarness.onEdt(view::camera), view))
+                    .as("%s after %s", pair[1], pair[0])
+                    .isLessThan(1e-6);
+        }
+        window.key("alt shift UP");
+        double[] up = new double[2];
+        double[] before = new double[2];
+        first.project(40, 0, 1000, view.getWidth(), view.getHeight(), before);
+        WindowHarness.onEdt(view::camera).project(40, 0, 1000, view.getWidth(), view.getHeight(), up);
+        assertThat(up[1]).as("height of a point, pixels from the top").isLessThan(before[1]);
+        window.key("0");
+    }
+
+    /** How far some points move in the picture, pixels. */
+    private static double apart(Camera a, Camera b, SceneViewport view) {
+        double most = 0;
+        for (double[] p : new double[][] {{-100, -80, 900}, {120, 60, 1200}}) {
+            double[] inA = new double[2];
+            double[] inB = new double[2];
+            a.project(p[0], p[1], p[2], view.getWidth(), view.getHeight(), inA);
+            b.project(p[0], p[1], p[2], view.getWidth(), view.getHeight(), inB);
+            most = Math.max(most, Math.hypot(inA[0] - inB[0], inA[1] - inB[1]));
+        }
+        return most;
+    }
+
+    private static void press(Component part, int code) {
+        WindowHarness.doOnEdt(() -> {
+            for (int id : new int[] {KeyEvent.KEY_PRESSED, KeyEvent.KEY_RELEASED}) {
+                KeyboardFocusManager.getCurrentKeyboardFocusManager()
+                        .redispatchEvent(
+                                part,
+                                new KeyEvent(part, id, System.currentTimeMillis(), 0, code, KeyEvent.CHAR_UNDEFINED));
+            }
+        });
+    }
+
+    /** Going through a list by keys loads nothing before one of it is chosen. */
+    @Test
+    void aListIsGoneThroughByKeysBeforeOneOfItIsChosen() throws Exception {
+        asAtFirst();
+        JComboBox<?> box = window.control(JComboBox.class, "Resolution");
+        WindowHarness.doOnEdt(() -> box.scrollRectToVisible(box.getBounds()));
+        for (int key : new int[] {KeyEvent.VK_DOWN, KeyEvent.VK_END, KeyEvent.VK_PAGE_DOWN, KeyEvent.VK_DOWN}) {
+            press(box, key);
+            assertThat(window.set("resolution")).isEqualTo("low");
+            assertThat(WindowHarness.onEdt(box::isPopupVisible)).isTrue();
+        }
+        press(box, KeyEvent.VK_ESCAPE);
+        assertThat(WindowHarness.onEdt(box::isPopupVisible)).isFalse();
+        assertThat(WindowHarness.onEdt(box::getSelectedItem)).isEqualTo("low");
+        long before = id();
+        press(box, KeyEvent.VK_DOWN);
+        press(box, KeyEvent.VK_DOWN);
+        press(box, KeyEvent.VK_ENTER);
+        reloaded("medium", before);
+        asAtFirst();
     }
 
     @Test
