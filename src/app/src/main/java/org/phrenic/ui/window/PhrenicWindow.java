@@ -1,7 +1,6 @@
 package org.phrenic.ui.window;
 
 import java.awt.BorderLayout;
-import java.awt.Dimension;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
@@ -34,9 +33,6 @@ import org.phrenic.ui.widget.ThemeUpdater;
 
 /** The window: the 3D view, menus, tool bar, docks and status bar. Made and used on the event dispatch thread. */
 public final class PhrenicWindow {
-    private static final int MAX_WIDTH = 1440;
-    private static final int MAX_HEIGHT = 900;
-
     private final JFrame frame = new JFrame("Phrenic");
     private final ScenarioTitle title = new ScenarioTitle();
     private final WindowPreferences preferences;
@@ -132,8 +128,7 @@ public final class PhrenicWindow {
         frame.getRootPane().setTransferHandler(new FileDropHandler(files::open, session::refuse));
         commands.bindNumericKeypad(frame.getRootPane());
         frame.setIconImages(AppIcon.images());
-        frame.setMinimumSize(new Dimension(790, 520));
-        preferences.restoreBounds(frame, new Dimension(MAX_WIDTH, MAX_HEIGHT));
+        WindowBounds.restore(frame, preferences);
         toolBar.refresh(session);
     }
 
@@ -206,7 +201,7 @@ public final class PhrenicWindow {
 
     /** Saves the preferences, disposes of the window and ends all threads. */
     private void end() {
-        preferences.saveBounds(frame);
+        WindowBounds.save(frame, preferences);
         layout.saveSizes();
         frame.dispose();
         log.close();
