@@ -79,6 +79,7 @@ final class RenderCommand extends ReportingCommand {
     private StyleOptions styleOptions;
 
     private final List<OrderedValues> written = new ArrayList<>();
+    private MovieWriter movieWriter;
 
     @Override
     public Integer call() throws NoGraphicsException {
@@ -90,6 +91,11 @@ final class RenderCommand extends ReportingCommand {
             throw new BadInputException("--movie: found " + shots + " views, expected one");
         }
         ConsoleProgress progress = progress();
+        Optional<Path> ffmpeg = timeOptions.isMp4() ? FfmpegMovieWriter.find() : Optional.empty();
+        if (timeOptions.isMp4() && ffmpeg.isEmpty()) {
+            useGif(progress);
+        }
+        movieWriter = ffmpeg.<MovieWriter>map(FfmpegMovieWriter::new).orElseGet(GifMovieWriter::new);
         try {
             if (!Annotations.hasFonts()) {
                 progress.note("This Java has no fonts: the pictures have no letters.");
@@ -105,6 +111,16 @@ final class RenderCommand extends ReportingCommand {
         return ExitCode.SUCCESS;
     }
 
+    /** Before the times of the frames are computed, which depend on how many a second there are. */
+    private void useGif(ConsoleProgress progress) {
+        Path wanted = timeOptions.movie();
+        timeOptions.useGif();
+        ReportFolder.requireWritableFile("--movie", timeOptions.movie());
+        progress.note("--movie " + wanted + ": found no ffmpeg on the path, writing the animated GIF "
+                + timeOptions.movie() + " instead, with at most " + Math.round(GifMovieWriter.MAX_FRAMES_PER_S)
+                + " frames a second.");
+    }
+
     private void drawings(Scenario scenario, List<PictureSettings> settings, ConsoleProgress progress)
             throws NoGraphicsException {
         Optional<TriangleMesh> reference = styleOptions.reference();
@@ -114,7 +130,7 @@ final class RenderCommand extends ReportingCommand {
             List<NamedShot> shots = settings.stream()
                     .map(s -> new NamedShot(s.view().label(), s.view().label(), s, studio.shot(s, style)))
                     .toList();
-            write(shots, studio.durationS(), progress);
+            write(shots, studio.durationS());
             progress.end();
             report(Optional.of(studio.graphicsInfo()));
         }
@@ -131,7 +147,7 @@ final class RenderCommand extends ReportingCommand {
                 String file = RadiographOptions.fileName(view);
                 shots.add(new NamedShot(file, view.label(), settings, studio.shot(view, title)));
             }
-            write(shots, studio.durationS(), progress);
+            write(shots, studio.durationS());
             progress.end();
             report(Optional.empty());
         }
@@ -174,10 +190,10 @@ final class RenderCommand extends ReportingCommand {
      */
     private record NamedShot(String file, String view, PictureSettings settings, Shot shot) {}
 
-    private void write(List<NamedShot> shots, double durationS, ConsoleProgress progress) {
+    private void write(List<NamedShot> shots, double durationS) {
         double[] times = timeOptions.times(durationS);
         if (timeOptions.movie() != null) {
-            movie(shots.get(0), times, timeOptions.framesPerS(times.length, durationS), progress);
+            movie(shots.get(0), times, timeOptions.framesPerS(times.length, durationS));
             return;
         }
         for (int i = 0; i < times.length; i++) {
@@ -196,19 +212,10 @@ final class RenderCommand extends ReportingCommand {
         return out.resolve(shot.file() + suffix + ".png");
     }
 
-    private void movie(NamedShot shot, double[] times, double wantedFramesPerS, ConsoleProgress progress) {
-        double framesPerS = wantedFramesPerS;
-        Path file = timeOptions.movie();
-        Optional<Path> ffmpeg = timeOptions.isMp4() ? FfmpegMovieWriter.find() : Optional.empty();
-        if (timeOptions.isMp4() && ffmpeg.isEmpty()) {
-            file = file.resolveSibling(file.getFileName().toString().replaceFirst("(?i)mp4$", "gif"));
-            progress.note("--movie " + timeOptions.movie() + ": found no ffmpeg on the path, writing the animated GIF "
-                    + file + " instead.");
-            framesPerS = Math.min(framesPerS, GifMovieWriter.MAX_FRAMES_PER_S);
-        }
-        MovieWriter writer = ffmpeg.isPresent() ? new FfmpegMovieWriter(ffmpeg.get()) : new GifMovieWriter();
+    private void movie(NamedShot shot, double[] times, double framesPerS) {
         Optional<IntFunction<Path>> single = Optional.ofNullable(out).map(folder -> i -> picture(shot, i, times));
-        shot.shot().writeMovie(file, writer, framesPerS, times, single);
+        Path file = timeOptions.movie();
+        shot.shot().writeMovie(file, movieWriter, framesPerS, times, single);
         list(file, shot, times[0], times.length);
     }
 

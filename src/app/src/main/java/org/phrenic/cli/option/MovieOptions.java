@@ -42,6 +42,11 @@ public final class MovieOptions extends TimeOptions {
         return movie;
     }
 
+    /** Makes an animated GIF beside the place of an MP4, with no more frames a second than a GIF can play. */
+    public void useGif() {
+        movie = movie.resolveSibling(movie.getFileName().toString().replaceFirst("(?i)mp4$", "gif"));
+    }
+
     boolean isGif() {
         return ends(".gif");
     }
@@ -65,7 +70,7 @@ public final class MovieOptions extends TimeOptions {
     }
 
     private double frameRate() {
-        return fps == null ? DEFAULT_FPS : OptionValues.number("--fps", fps);
+        return fps == null ? DEFAULT_FPS : Math.min(OptionValues.number("--fps", fps), mostFramesPerS());
     }
 
     /** Frame rate of the movie, 1/s; by default the movie plays in real time. */
