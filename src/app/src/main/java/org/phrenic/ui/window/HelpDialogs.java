@@ -21,7 +21,7 @@ final class HelpDialogs {
                     + " Kinematics. In: Recent Advances in the 3D Physiological Human. Springer, 2009."
                     + " doi 10.1007/978-1-84882-565-9_6";
 
-    private static final String[][] LIBRARIES = {
+    static final String[][] LIBRARIES = {
         {"JOGL, GlueGen", "drawing with OpenGL", "BSD 2-clause"},
         {"FlatLaf", "look and feel of the window", "Apache-2.0"},
         {"MigLayout", "layout of the window", "BSD 3-clause"},
@@ -29,6 +29,7 @@ final class HelpDialogs {
         {"EJML", "small dense algebra", "Apache-2.0"},
         {"Apache Commons Math", "splines, statistics, fits", "Apache-2.0"},
         {"Apache Commons CSV, IO, Codec", "tables", "Apache-2.0"},
+        {"Apache Commons Compress, Lang", "unpacking of scans and meshes", "Apache-2.0"},
         {"picocli", "command line", "Apache-2.0"},
         {"Jackson, SnakeYAML", "scenarios, JSON", "Apache-2.0"},
         {"JOML", "cameras", "MIT"},

@@ -1,0 +1,49 @@
+package org.phrenic.ui.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+
+/** What the window says of itself. */
+class HelpDialogsTest {
+    private static final Pattern ARTIFACT = Pattern.compile("`([a-z0-9-]+)`( \\||.[0-9.]+(?: |,))");
+
+    /** The library of each artifact that the program comes with, by one row of the list in Help > About. */
+    @Test
+    void aboutNamesEveryLibraryWithItsLicence() throws Exception {
+        String page = Files.readString(Path.of("docs", "dependencies.md"));
+        String shipped = page.substring(page.indexOf("## With the program"), page.indexOf("## For studies"));
+        Matcher artifact = ARTIFACT.matcher(shipped);
+        int found = 0;
+        while (artifact.find()) {
+            found++;
+            List<String> words = words(artifact.group(1));
+            assertThat(List.of(HelpDialogs.LIBRARIES))
+                    .as("libraries in Help > About, for " + artifact.group(1))
+                    .anySatisfy(
+                            row -> assertThat(row[0].toLowerCase(Locale.ROOT)).contains(words));
+        }
+        assertThat(found).isGreaterThan(16);
+        for (String[] row : HelpDialogs.LIBRARIES) {
+            String first = row[0].toLowerCase(Locale.ROOT).split(",")[0];
+            String name = first.replace("apache commons ", "commons-").replace(' ', '-');
+            String licence = row[2].split("[ -]")[0];
+            assertThat(shipped.lines().filter(line -> line.contains("`" + name) && line.contains(licence)))
+                    .as("artifacts of docs/dependencies.md for %s, %s", row[0], row[2])
+                    .isNotEmpty();
+        }
+    }
+
+    /** What a reader knows an artifact by: {@code commons-math3} as Commons Math, {@code jogl-all-main} as JOGL. */
+    private static List<String> words(String artifact) {
+        String[] parts = artifact.replaceAll("[0-9]", "").split("-");
+        return Arrays.asList(parts).subList(0, parts[0].equals("commons") ? 2 : 1);
+    }
+}
