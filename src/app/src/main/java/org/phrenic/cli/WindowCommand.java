@@ -26,9 +26,8 @@ final class WindowCommand implements Callable<Integer> {
     @Parameters(
             arity = "0..1",
             paramLabel = "FILE",
-            description =
-                    "Scenario (.yaml), thorax folder, recorded breath (.csv) or label volume to import; without it, a"
-                            + " quiet breath.")
+            description = "Scenario or rehearsal plan (.yaml), thorax folder, recorded breath (.csv) or label volume to"
+                    + " import; without it, a quiet breath.")
     private Path file;
 
     @Override

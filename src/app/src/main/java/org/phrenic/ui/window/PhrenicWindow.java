@@ -9,7 +9,6 @@ import java.util.concurrent.CountDownLatch;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import org.phrenic.access.plan.RehearsalPlan;
-import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.scene.style.SceneBackground;
@@ -18,7 +17,6 @@ import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.ui.access.AttemptHistory;
 import org.phrenic.ui.dock.ParameterDock;
 import org.phrenic.ui.scan.ScanImporter;
-import org.phrenic.ui.session.FileOpener;
 import org.phrenic.ui.session.QuitAfterWrites;
 import org.phrenic.ui.session.ScenarioStore;
 import org.phrenic.ui.session.Session;
@@ -58,17 +56,14 @@ public final class PhrenicWindow {
     /**
      * Opens the window and returns when it is closed.
      *
-     * @param file scenario, thorax folder or trace to open, or label volume to import; empty for quiet breathing of the
-     *     virtual adult male
+     * @param file scenario, rehearsal plan, thorax folder or trace to open, or label volume to import; empty for quiet
+     *     breathing of the virtual adult male
      * @throws org.phrenic.file.BadInputException if the file is none of these
      */
     public static void open(Optional<Path> file) throws InterruptedException {
-        Optional<Path> scan = file.filter(LabelVolumeFiles::isVolume);
-        Scenario first = file.filter(path -> scan.isEmpty())
-                .map(path -> FileOpener.readScenario(path, Scenario.defaults()))
-                .orElse(Scenario.defaults());
+        WindowStart.Content content = WindowStart.content(file);
         CountDownLatch[] closed = new CountDownLatch[1];
-        Session session = WindowStart.session(first);
+        Session session = WindowStart.session(content.scenario());
         OffscreenContext.awaitToolkit();
         try {
             SwingUtilities.invokeAndWait(() -> {
@@ -78,7 +73,8 @@ public final class PhrenicWindow {
                 window.docks.keepAttempts(
                         AttemptHistory.in(ScenarioStore.ofUser().dataFolder()));
                 window.show();
-                scan.ifPresent(window.files::open);
+                content.scan().ifPresent(window.files::open);
+                content.plan().ifPresent(window::openExercise);
                 closed[0] = window.closed;
             });
         } catch (java.lang.reflect.InvocationTargetException e) {

@@ -5,9 +5,13 @@ import java.awt.Desktop;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
 import java.awt.desktop.QuitStrategy;
+import java.nio.file.Path;
 import java.util.Optional;
+import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.gl.OffscreenContext;
+import org.phrenic.ui.session.FileOpener;
 import org.phrenic.ui.session.Session;
 
 /** What comes before the window is made: whether one can be opened, and what goes on beside it. */
@@ -19,6 +23,28 @@ public final class WindowStart {
     private static final String NO_DISPLAY = NO_WINDOW + "found no display, expected one";
 
     private WindowStart() {}
+
+    /**
+     * What the window shows first.
+     *
+     * @param scan label volume to import
+     * @param plan rehearsal to open
+     */
+    record Content(Scenario scenario, Optional<Path> scan, Optional<RehearsalPlan> plan) {}
+
+    /**
+     * What a file that the window is opened with is; quiet breathing of the virtual adult male without one.
+     *
+     * @throws org.phrenic.file.BadInputException if it is nothing that the window opens
+     */
+    static Content content(Optional<Path> file) {
+        Optional<Path> scan = file.filter(LabelVolumeFiles::isVolume);
+        Optional<RehearsalPlan> plan = file.flatMap(FileOpener::readPlan);
+        Scenario scenario = file.filter(path -> scan.isEmpty() && plan.isEmpty())
+                .map(path -> FileOpener.readScenario(path, Scenario.defaults()))
+                .orElse(Scenario.defaults());
+        return new Content(scenario, scan, plan);
+    }
 
     /** Why no window can be opened here, one sentence without a full stop; empty if one can. */
     public static Optional<String> obstacle() {
