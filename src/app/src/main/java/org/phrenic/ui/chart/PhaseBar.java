@@ -1,5 +1,6 @@
 package org.phrenic.ui.chart;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
@@ -60,12 +61,12 @@ public final class PhaseBar extends PaintedComponent {
 
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension(200, HEIGHT);
+        return UIScale.scale(new Dimension(200, HEIGHT));
     }
 
     @Override
     public Dimension getMinimumSize() {
-        return new Dimension(60, HEIGHT);
+        return UIScale.scale(new Dimension(60, HEIGHT));
     }
 
     @Override

@@ -1,5 +1,6 @@
 package org.phrenic.ui.dock;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -52,7 +53,7 @@ final class SliderRow extends SettingRow {
             usual = Scenario.defaults().withMaterial(Materials.PAPER).get(setting);
         }
         scale = SliderScale.of(setting.minimum(), setting.maximum(), usual);
-        slider.setMinimumSize(new Dimension(40, slider.getPreferredSize().height));
+        slider.setMinimumSize(new Dimension(UIScale.scale(40), slider.getPreferredSize().height));
         slider.getAccessibleContext().setAccessibleName(setting.label());
         slider.setMajorTickSpacing(PAGE);
         slider.addChangeListener(e -> onSlide());

@@ -1,5 +1,6 @@
 package org.phrenic.ui.view;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Color;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
@@ -73,12 +74,12 @@ final class ViewportPainter {
             ink.setBackground(new Color(0, true));
             ink.clearRect(0, 0, w, h);
             ink.scale(scale, scale);
-            annotations.drawStatic(ink, camera, width, height, 1);
+            annotations.drawStatic(ink, camera, width, height, UIScale.getUserScaleFactor());
             ink.dispose();
             layerKey = key;
         }
         g.drawImage(layer, AffineTransform.getScaleInstance(1 / scale, 1 / scale), null);
-        annotations.drawHeading(g, camera, width, height, 1);
+        annotations.drawHeading(g, camera, width, height, UIScale.getUserScaleFactor());
     }
 
     /** Paints a text in the middle, broken into lines. */

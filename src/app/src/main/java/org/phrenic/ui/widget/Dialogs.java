@@ -1,5 +1,6 @@
 package org.phrenic.ui.widget;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
@@ -44,7 +45,7 @@ public final class Dialogs {
         KeyStroke escape = KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0);
         dialog.getRootPane()
                 .registerKeyboardAction(e -> dialog.setVisible(false), escape, JComponent.WHEN_IN_FOCUSED_WINDOW);
-        dialog.setSize(size);
+        dialog.setSize(UIScale.scale(size));
         dialog.setLocationRelativeTo(owner);
         return dialog;
     }
@@ -96,10 +97,10 @@ public final class Dialogs {
         return area;
     }
 
-    /** Sets the preferred widths of the columns of a table, pixels. */
+    /** Sets the preferred widths of the columns of a table, pixels where letters have their usual size. */
     public static JTable widths(JTable table, int... widths) {
         for (int i = 0; i < widths.length; i++) {
-            table.getColumnModel().getColumn(i).setPreferredWidth(widths[i]);
+            table.getColumnModel().getColumn(i).setPreferredWidth(UIScale.scale(widths[i]));
         }
         return table;
     }

@@ -1,5 +1,6 @@
 package org.phrenic.ui.widget;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Component;
 import java.awt.Graphics;
@@ -61,6 +62,7 @@ public enum Icons implements Icon {
         Graphics2D g = Controls.smooth(graphics);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         g.translate(x, y);
+        UIScale.scaleGraphics(g);
         g.setColor(c.isEnabled() ? c.getForeground() : Theme.SECONDARY_TEXT);
         g.setStroke(new BasicStroke(lineWidth, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         outlines.forEach(g::draw);
@@ -70,11 +72,11 @@ public enum Icons implements Icon {
 
     @Override
     public int getIconWidth() {
-        return SIZE;
+        return UIScale.scale(SIZE);
     }
 
     @Override
     public int getIconHeight() {
-        return SIZE;
+        return UIScale.scale(SIZE);
     }
 }

@@ -1,5 +1,6 @@
 package org.phrenic.ui.widget;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -12,17 +13,18 @@ public record Swatch(int width, int height, Consumer<Graphics2D> painter) implem
     public void paintIcon(Component c, Graphics graphics, int x, int y) {
         Graphics2D g = Controls.smooth(graphics);
         g.translate(x, y);
+        UIScale.scaleGraphics(g);
         painter.accept(g);
         g.dispose();
     }
 
     @Override
     public int getIconWidth() {
-        return width;
+        return UIScale.scale(width);
     }
 
     @Override
     public int getIconHeight() {
-        return height;
+        return UIScale.scale(height);
     }
 }

@@ -1,5 +1,6 @@
 package org.phrenic.ui.window;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
@@ -23,12 +24,20 @@ final class DockLayout extends JPanel {
         RIGHT(368, 300),
         BOTTOM(228, 90);
 
-        private final int size;
-        private final int minimum;
+        private final int usual;
+        private final int least;
 
-        Place(int size, int minimum) {
-            this.size = size;
-            this.minimum = minimum;
+        Place(int usual, int least) {
+            this.usual = usual;
+            this.least = least;
+        }
+
+        int size() {
+            return UIScale.scale(usual);
+        }
+
+        int minimum() {
+            return UIScale.scale(least);
         }
     }
 
@@ -54,7 +63,7 @@ final class DockLayout extends JPanel {
     DockLayout(WindowPreferences preferences, JComponent view) {
         super(new BorderLayout());
         this.preferences = preferences;
-        view.setMinimumSize(new Dimension(MIN_VIEW_SIZE, MIN_VIEW_SIZE / 2));
+        view.setMinimumSize(new Dimension(minViewSize(), minViewSize() / 2));
         right.setLeftComponent(view);
         right.setResizeWeight(1);
         left.setRightComponent(right);
@@ -66,7 +75,7 @@ final class DockLayout extends JPanel {
             moveByArrowsInFocus(pane);
         }
         for (Place place : Place.values()) {
-            sizes.put(place, place.size);
+            sizes.put(place, place.size());
         }
         add(bottom);
     }
@@ -94,8 +103,9 @@ final class DockLayout extends JPanel {
         saveSizes();
         keys = workspace == Workspace.CLINICIAN ? "dock.clinician." : "dock.";
         for (Place place : Place.values()) {
-            int usual = workspace == Workspace.CLINICIAN && place == Place.LEFT ? PICTURE_WIDTH : place.size;
-            sizes.put(place, Math.max(place.minimum, preferences.number(keys + place.name(), usual)));
+            int usual = workspace == Workspace.CLINICIAN && place == Place.LEFT ? PICTURE_WIDTH : place.usual;
+            int wanted = UIScale.scale(preferences.number(keys + place.name(), usual));
+            sizes.put(place, Math.max(place.minimum(), wanted));
         }
         changing = true;
     }
@@ -111,7 +121,8 @@ final class DockLayout extends JPanel {
         takeMovedDividers();
         if (dock != null) {
             boolean below = place == Place.BOTTOM;
-            dock.setMinimumSize(new Dimension(below ? 120 : place.minimum, below ? place.minimum : 90));
+            dock.setMinimumSize(new Dimension(
+                    below ? UIScale.scale(120) : place.minimum(), below ? place.minimum() : UIScale.scale(90)));
         }
         if (place == Place.LEFT) {
             left.setLeftComponent(dock);
@@ -149,6 +160,15 @@ final class DockLayout extends JPanel {
         }
     }
 
+    private static int minViewSize() {
+        return UIScale.scale(MIN_VIEW_SIZE);
+    }
+
+    /** The look and feel scales the size that a split pane is given. */
+    private static int dividerSize() {
+        return UIScale.scale(DIVIDER_SIZE);
+    }
+
     /** Takes the sizes of docks whose divider was moved since they were laid out. */
     private void takeMovedDividers() {
         if (changing) {
@@ -164,7 +184,7 @@ final class DockLayout extends JPanel {
     /** Height of the plots: as it was left, or a share of a high window. */
     private int bottomSize() {
         int size = sizes.get(Place.BOTTOM);
-        return size == Place.BOTTOM.size ? Math.max(size, (int) (BOTTOM_SHARE * getHeight())) : size;
+        return size == Place.BOTTOM.size() ? Math.max(size, (int) (BOTTOM_SHARE * getHeight())) : size;
     }
 
     /** Gives the docks the sizes that are wanted, or those that there is room for beside the view. */
@@ -174,10 +194,11 @@ final class DockLayout extends JPanel {
         }
         validate();
         if (dock(Place.BOTTOM) != null) {
-            int size = bottomSize() + DIVIDER_SIZE;
-            bottom.setDividerLocation(Math.max(MIN_VIEW_SIZE / 2, getHeight() - size));
+            int size = bottomSize() + dividerSize();
+            int above = right.getLeftComponent().getMinimumSize().height;
+            bottom.setDividerLocation(Math.max(above, getHeight() - size));
         }
-        int room = getWidth() - MIN_VIEW_SIZE - 2 * DIVIDER_SIZE;
+        int room = getWidth() - minViewSize() - 2 * dividerSize();
         int rightWidth = dock(Place.RIGHT) == null ? 0 : sizes.get(Place.RIGHT);
         int leftWidth = dock(Place.LEFT) == null ? 0 : leftWidth(room, sizes.get(Place.LEFT), rightWidth);
         if (dock(Place.LEFT) != null) {
@@ -186,7 +207,7 @@ final class DockLayout extends JPanel {
         bottom.validate();
         if (dock(Place.RIGHT) != null) {
             int width = rightWidth(room, leftWidth, rightWidth);
-            right.setDividerLocation(Math.max(0, right.getWidth() - DIVIDER_SIZE - width));
+            right.setDividerLocation(Math.max(0, right.getWidth() - dividerSize() - width));
         }
         bottom.validate();
         given.clear();
@@ -200,22 +221,25 @@ final class DockLayout extends JPanel {
 
     /** Width of the dock at the left, which gives way first, pixels. */
     static int leftWidth(int room, int wanted, int wantedRight) {
-        return Math.max(Place.LEFT.minimum, Math.min(wanted, room - wantedRight));
+        return Math.max(Place.LEFT.minimum(), Math.min(wanted, room - wantedRight));
     }
 
     /** Width of the dock at the right beside one at the left, pixels. */
     static int rightWidth(int room, int leftWidth, int wanted) {
-        return Math.max(Place.RIGHT.minimum, Math.min(wanted, room - leftWidth));
+        return Math.max(Place.RIGHT.minimum(), Math.min(wanted, room - leftWidth));
     }
 
-    /** Saves the sizes that are wanted, not those that a small window forces. */
+    /**
+     * Saves the sizes that are wanted, not those that a small window forces, as pixels where letters have their usual
+     * size.
+     */
     void saveSizes() {
         if (keys.isEmpty()) {
             return;
         }
         takeMovedDividers();
         for (Place place : Place.values()) {
-            preferences.setNumber(keys + place.name(), sizes.get(place));
+            preferences.setNumber(keys + place.name(), UIScale.unscale(sizes.get(place)));
         }
     }
 }

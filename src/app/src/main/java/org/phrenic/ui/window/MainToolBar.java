@@ -1,5 +1,6 @@
 package org.phrenic.ui.window;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.util.EnumMap;
 import java.util.Map;
@@ -148,11 +149,11 @@ final class MainToolBar extends JToolBar {
     }
 
     private void addGap() {
-        add(Box.createRigidArea(new Dimension(8, 0)));
+        add(Box.createRigidArea(UIScale.scale(new Dimension(8, 0))));
     }
 
     private void addGroupSeparator() {
-        addSeparator(new Dimension(17, 22));
+        addSeparator(UIScale.scale(new Dimension(17, 22)));
     }
 
     void setWorkspace(Workspace shown) {

@@ -1,5 +1,6 @@
 package org.phrenic.ui.window;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Color;
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -110,7 +111,10 @@ public final class MessageBanner extends JPanel {
 
     /** Wraps the message so that the banner is at most so wide, pixels. */
     void fit(int room) {
-        int around = getInsets().left + getInsets().right + LEFT + GAP + close.getPreferredSize().width + RIGHT;
+        int around = getInsets().left
+                + getInsets().right
+                + close.getPreferredSize().width
+                + UIScale.scale(LEFT + GAP + RIGHT);
         int width = Math.max(LEAST_TEXT_WIDTH, Math.min(TEXT_WIDTH, Math.min(room, MAX_WIDTH) - around));
         if (width != textWidth) {
             textWidth = width;

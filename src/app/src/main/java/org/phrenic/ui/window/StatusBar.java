@@ -1,5 +1,6 @@
 package org.phrenic.ui.window;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Font;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -82,11 +83,11 @@ final class StatusBar extends JPanel {
 
     /** Shows the fields that there is room for beside the structure clicked last, the most important first. */
     private void fit(int width) {
-        int room = width == 0 ? Integer.MAX_VALUE : width - PICKED_WIDTH;
+        int room = width == 0 ? Integer.MAX_VALUE : width - UIScale.scale(PICKED_WIDTH);
         for (String name : IMPORTANCE) {
             JLabel field = fields.get(name);
             boolean wanted = numerics || !NUMERICS.contains(name);
-            room -= wanted ? field.getMinimumSize().width + GAP : 0;
+            room -= wanted ? field.getMinimumSize().width + UIScale.scale(GAP) : 0;
             field.setVisible(wanted && room >= 0);
         }
     }
