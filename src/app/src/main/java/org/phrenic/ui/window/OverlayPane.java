@@ -38,6 +38,17 @@ final class OverlayPane extends JLayeredPane {
         return new Dimension(640, 480);
     }
 
+    /** The least size of the view, and the welcome panel above it. */
+    @Override
+    public Dimension getMinimumSize() {
+        Dimension least = super.getMinimumSize();
+        return new Dimension(least.width, least.height + welcomeHeight());
+    }
+
+    private int welcomeHeight() {
+        return welcome.isVisible() ? welcome.getPreferredSize().height : 0;
+    }
+
     @Override
     public boolean isOptimizedDrawingEnabled() {
         return false;
@@ -47,7 +58,7 @@ final class OverlayPane extends JLayeredPane {
     public void doLayout() {
         int w = getWidth();
         int h = getHeight();
-        int top = welcome.isVisible() ? welcome.getPreferredSize().height : 0;
+        int top = welcomeHeight();
         welcome.setBounds(0, 0, w, top);
         view.setBounds(0, top, w, Math.max(0, h - top));
         banner.fit(w - 2 * MARGIN);
