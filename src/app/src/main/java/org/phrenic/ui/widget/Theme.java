@@ -8,8 +8,6 @@ import java.awt.Insets;
 import java.util.Map;
 import java.util.function.IntSupplier;
 import javax.swing.UIManager;
-import net.miginfocom.layout.PlatformDefaults;
-import net.miginfocom.layout.UnitValue;
 
 /**
  * Light and dark look and feel: one accent, the same sizes in both. The colours here follow the look and feel, so a
@@ -72,7 +70,6 @@ public final class Theme {
         } else {
             FlatLightLaf.setup();
         }
-        scaleLayouts();
         UIManager.put("ComboBox.noActionOnKeyNavigation", true);
         UIManager.put("SplitPane.dividerSize", 5);
         UIManager.put("SplitPaneDivider.style", "plain");
@@ -83,16 +80,6 @@ public final class Theme {
         UIManager.put("Component.arc", 6);
         UIManager.put("Button.arc", 6);
         UIManager.put("TitlePane.unifiedBackground", true);
-    }
-
-    /**
-     * Lets the numbers of all layouts made from here on grow with the letters ({@code -Dflatlaf.uiScale}): in this unit
-     * MigLayout follows the scale of the look and feel.
-     */
-    private static void scaleLayouts() {
-        PlatformDefaults.setLogicalPixelBase(PlatformDefaults.BASE_SCALE_FACTOR);
-        PlatformDefaults.setDefaultHorizontalUnit(UnitValue.LPX);
-        PlatformDefaults.setDefaultVerticalUnit(UnitValue.LPY);
     }
 
     public static boolean isDark() {

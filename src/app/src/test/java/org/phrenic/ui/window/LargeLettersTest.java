@@ -1,13 +1,9 @@
 package org.phrenic.ui.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import com.formdev.flatlaf.util.UIScale;
-import javax.swing.JComboBox;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
-import net.miginfocom.swing.MigLayout;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.phrenic.ui.session.EventThread;
@@ -42,18 +38,6 @@ class LargeLettersTest {
             assertThat(new Swatch(20, 8, g -> {}).getIconHeight()).isEqualTo(14);
         });
         assertThat(Icons.PLAY.getIconWidth()).isEqualTo(16);
-    }
-
-    @Test
-    void widthsOfLayoutsGrow() {
-        withLargeLetters(() -> {
-            JPanel row = new JPanel(new MigLayout("insets 0, gap 0", "[40:80:]6[84!]", "[20!]"));
-            JComboBox<String> box = new JComboBox<>(new String[] {"low"});
-            row.add(box, "growx");
-            row.add(new JLabel(), "growx");
-            assertThat(row.getPreferredSize().width).isCloseTo((int) (LARGE * 170), within(2));
-            assertThat(row.getPreferredSize().height).isEqualTo(35);
-        });
     }
 
     @Test

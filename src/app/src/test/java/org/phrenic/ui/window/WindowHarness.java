@@ -212,16 +212,20 @@ public final class WindowHarness implements AutoCloseable {
 
     /** Presses and releases a key, as {@link KeyStroke#getKeyStroke(String)} names it, with the view in focus. */
     public void key(String name) {
-        KeyStroke stroke = KeyStroke.getKeyStroke(name);
+        press(window.view(), KeyStroke.getKeyStroke(name));
+    }
+
+    /** Presses and releases a key with a part in focus. */
+    public static void press(Component part, KeyStroke stroke) {
         doOnEdt(() -> {
             for (int id : new int[] {KeyEvent.KEY_PRESSED, KeyEvent.KEY_RELEASED}) {
-                // A display without a window manager gives no window the focus, so the event is led to the view by
+                // A display without a window manager gives no window the focus, so the event is led to the part by
                 // hand.
                 KeyboardFocusManager.getCurrentKeyboardFocusManager()
                         .redispatchEvent(
-                                window.view(),
+                                part,
                                 new KeyEvent(
-                                        window.view(),
+                                        part,
                                         id,
                                         System.currentTimeMillis(),
                                         stroke.getModifiers(),

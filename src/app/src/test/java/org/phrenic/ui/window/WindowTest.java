@@ -5,11 +5,9 @@ import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.awt.Component;
-import java.awt.KeyboardFocusManager;
 import java.awt.Window;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
-import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.io.File;
@@ -39,6 +37,7 @@ import javax.swing.JMenu;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
+import javax.swing.KeyStroke;
 import javax.swing.TransferHandler;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -336,35 +335,24 @@ class WindowTest {
         return most;
     }
 
-    private static void press(Component part, int code) {
-        WindowHarness.doOnEdt(() -> {
-            for (int id : new int[] {KeyEvent.KEY_PRESSED, KeyEvent.KEY_RELEASED}) {
-                KeyboardFocusManager.getCurrentKeyboardFocusManager()
-                        .redispatchEvent(
-                                part,
-                                new KeyEvent(part, id, System.currentTimeMillis(), 0, code, KeyEvent.CHAR_UNDEFINED));
-            }
-        });
-    }
-
     /** Going through a list by keys loads nothing before one of it is chosen. */
     @Test
     void aListIsGoneThroughByKeysBeforeOneOfItIsChosen() throws Exception {
         asAtFirst();
         JComboBox<?> box = window.control(JComboBox.class, "Resolution");
         WindowHarness.doOnEdt(() -> box.scrollRectToVisible(box.getBounds()));
-        for (int key : new int[] {KeyEvent.VK_DOWN, KeyEvent.VK_END, KeyEvent.VK_PAGE_DOWN, KeyEvent.VK_DOWN}) {
-            press(box, key);
+        for (String key : new String[] {"DOWN", "END", "PAGE_DOWN", "DOWN"}) {
+            WindowHarness.press(box, KeyStroke.getKeyStroke(key));
             assertThat(window.set("resolution")).isEqualTo("low");
             assertThat(WindowHarness.onEdt(box::isPopupVisible)).isTrue();
         }
-        press(box, KeyEvent.VK_ESCAPE);
+        WindowHarness.press(box, KeyStroke.getKeyStroke("ESCAPE"));
         assertThat(WindowHarness.onEdt(box::isPopupVisible)).isFalse();
         assertThat(WindowHarness.onEdt(box::getSelectedItem)).isEqualTo("low");
         long before = id();
-        press(box, KeyEvent.VK_DOWN);
-        press(box, KeyEvent.VK_DOWN);
-        press(box, KeyEvent.VK_ENTER);
+        WindowHarness.press(box, KeyStroke.getKeyStroke("DOWN"));
+        WindowHarness.press(box, KeyStroke.getKeyStroke("DOWN"));
+        WindowHarness.press(box, KeyStroke.getKeyStroke("ENTER"));
         reloaded("medium", before);
         asAtFirst();
     }

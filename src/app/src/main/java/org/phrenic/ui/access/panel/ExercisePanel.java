@@ -34,6 +34,7 @@ final class ExercisePanel extends AccessPanel {
     ExercisePanel(Session session, RehearsalController rehearsal) {
         super(rehearsal);
         ListKeys.chooseByEnter(exercise);
+        ListKeys.chooseByEnter(aids);
         exercise.addItem("Practice: a target of your own");
         exercises.forEach(this::addExercise);
         exercise.addActionListener(e -> onSelection());

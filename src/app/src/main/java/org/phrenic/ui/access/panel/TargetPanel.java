@@ -21,6 +21,7 @@ import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
+import org.phrenic.ui.widget.ListKeys;
 
 /**
  * The target: its motion with the breath, and place and size of a target for practice, or a lesion that the body shows;
@@ -40,7 +41,7 @@ final class TargetPanel extends AccessPanel {
     private final JSpinner size = new JSpinner(new SpinnerNumberModel(20, 5, 50, 1));
     private final JPanel practiceRow =
             new JPanel(new MigLayout("insets 0, gap 6, novisualpadding", "[grow, fill][][60!][]"));
-    private final JComboBox<String> lesion = new JComboBox<>();
+    private final JComboBox<String> lesion = ListKeys.chooseByEnter(new JComboBox<>());
     private List<ScannedLesion> lesions = List.of();
     private boolean updating;
 

@@ -9,8 +9,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
 import javax.swing.JSlider;
 import javax.swing.JTable;
+import javax.swing.KeyStroke;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -120,6 +122,21 @@ abstract class RehearsalInputCases {
 
     static void clickView(double[] pixel) {
         window.click(window.window().view(), pixel[0], pixel[1]);
+    }
+
+    @Test
+    void theListsOfExercisesAndHelpAreGoneThroughBeforeOneIsChosen() {
+        Object exercise = WindowHarness.onEdt(() -> rehearsal().exercise());
+        Object aids = WindowHarness.onEdt(() -> rehearsal().pictures().aids());
+        for (String name : new String[] {"Exercise", "Help"}) {
+            JComboBox<?> box = window.control(JComboBox.class, name);
+            for (String key : new String[] {"DOWN", "DOWN", "END", "ESCAPE"}) {
+                WindowHarness.press(box, KeyStroke.getKeyStroke(key));
+            }
+            assertThat(WindowHarness.onEdt(box::isPopupVisible)).isFalse();
+        }
+        assertThat(WindowHarness.onEdt(() -> rehearsal().exercise())).isEqualTo(exercise);
+        assertThat(WindowHarness.onEdt(() -> rehearsal().pictures().aids())).isEqualTo(aids);
     }
 
     @Test
