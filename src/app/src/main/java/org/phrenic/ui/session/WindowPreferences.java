@@ -1,8 +1,5 @@
 package org.phrenic.ui.session;
 
-import java.awt.Dimension;
-import java.awt.GraphicsEnvironment;
-import java.awt.Rectangle;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -15,7 +12,6 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BinaryOperator;
 import java.util.prefs.Preferences;
-import javax.swing.JFrame;
 
 /** What the window remembers, in the platform's preferences. Headless runs do not use it. */
 public final class WindowPreferences {
@@ -24,7 +20,6 @@ public final class WindowPreferences {
 
     private static final String DEFAULT_NODE = "org/phrenic/window";
     private static final int MAX_RECENT = 8;
-    private static final double SCREEN_SHARE = 0.94;
     private static final String SEPARATOR = "\n";
 
     private final BinaryOperator<String> get;
@@ -87,34 +82,6 @@ public final class WindowPreferences {
 
     public void setFlag(String name, boolean value) {
         put.accept(name, String.valueOf(value));
-    }
-
-    /** Places a window as it was the last time, if that is on the screen; else in its middle, up to a size. */
-    public void restoreBounds(JFrame frame, Dimension most) {
-        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        int w = Math.min(most.width, (int) (SCREEN_SHARE * screen.width));
-        int h = Math.min(most.height, (int) (SCREEN_SHARE * screen.height));
-        Rectangle last = new Rectangle(
-                number("x", screen.x + (screen.width - w) / 2),
-                number("y", screen.y + (screen.height - h) / 2),
-                number("width", w),
-                number("height", h));
-        frame.setBounds(screen.intersects(last) ? last : new Rectangle(screen.x, screen.y, w, h));
-        if (flag("maximised", false)) {
-            frame.setExtendedState(JFrame.MAXIMIZED_BOTH);
-        }
-    }
-
-    /** Remembers where a window is. */
-    public void saveBounds(JFrame frame) {
-        boolean maximised = (frame.getExtendedState() & JFrame.MAXIMIZED_BOTH) == JFrame.MAXIMIZED_BOTH;
-        setFlag("maximised", maximised);
-        if (!maximised) {
-            setNumber("x", frame.getX());
-            setNumber("y", frame.getY());
-            setNumber("width", frame.getWidth());
-            setNumber("height", frame.getHeight());
-        }
     }
 
     /** Files opened lately that exist, the latest first. */

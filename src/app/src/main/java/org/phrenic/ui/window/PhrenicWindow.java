@@ -17,6 +17,7 @@ import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.ui.access.AttemptHistory;
 import org.phrenic.ui.dock.ParameterDock;
 import org.phrenic.ui.scan.ScanImporter;
+import org.phrenic.ui.session.FileOpener;
 import org.phrenic.ui.session.QuitAfterWrites;
 import org.phrenic.ui.session.ScenarioStore;
 import org.phrenic.ui.session.Session;

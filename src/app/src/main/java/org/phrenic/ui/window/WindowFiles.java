@@ -98,8 +98,7 @@ public final class WindowFiles {
 
     private void savePicture(Path file) {
         FileWrites drawing = FileWrites.begin(file.toString());
-        view.snapshot(
-                PICTURE_SCALE, image -> SwingUtilities.invokeLater(() -> savePicture(file, image)));
+        view.snapshot(PICTURE_SCALE, image -> SwingUtilities.invokeLater(() -> savePicture(file, image)));
         // Comes after the picture, whatever becomes of that.
         view.runTask(gl -> SwingUtilities.invokeLater(drawing::end));
     }
