@@ -23,4 +23,17 @@ public record MeshedSegment(
         MeshQuality quality,
         double secondPassBand,
         int components,
-        double discardedMm3) {}
+        double discardedMm3) {
+    /** Returns a copy with another surface. */
+    MeshedSegment withMesh(TriangleMesh other) {
+        return new MeshedSegment(
+                other,
+                labelVertices,
+                decimatedVertices,
+                distanceToLabel,
+                quality,
+                secondPassBand,
+                components,
+                discardedMm3);
+    }
+}

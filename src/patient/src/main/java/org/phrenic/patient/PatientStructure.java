@@ -47,6 +47,11 @@ public record PatientStructure(
             return new Scan(labels, voxels, volumeMl, ends, meshed);
         }
 
+        /** Returns a copy with another surface where the scan shows it. */
+        public Scan withShown(TriangleMesh mesh) {
+            return new Scan(labels, voxels, volumeMl, cuts, meshed.withMesh(mesh));
+        }
+
         /** Letters of the sides (L R P A S I) at which the scan truncates the structure; empty if it is complete. */
         public String cutAt() {
             return cuts.stream().map(CutPlane::side).collect(Collectors.joining());
@@ -73,22 +78,24 @@ public record PatientStructure(
         return scan.map(Scan::cuts).orElse(List.of());
     }
 
+    /** The surface where the scan shows it, wherever its vertices have been moved since. */
+    public TriangleMesh shown() {
+        return scan.map(s -> s.meshed().mesh())
+                .filter(mesh -> mesh.vertexCount() == structure.mesh().vertexCount())
+                .orElse(structure.mesh());
+    }
+
     /**
      * Marks the vertices on the faces at which the scan truncates the structure, wherever these have been moved since.
      *
      * @param distanceMm distance from the end of the scan within which a vertex belongs to such a face, mm
      */
     public boolean[] verticesAtCut(double distanceMm) {
-        TriangleMesh now = structure.mesh();
-        boolean[] at = new boolean[now.vertexCount()];
-        List<CutPlane> cuts = cuts();
-        if (!cuts.isEmpty()) {
-            TriangleMesh shown = scan.orElseThrow().meshed().mesh();
-            double[] p = (shown.vertexCount() == at.length ? shown : now).positions();
-            for (int v = 0; v < at.length; v++) {
-                int first = 3 * v;
-                at[v] = cuts.stream().anyMatch(cut -> cut.isReachedBy(p, first, distanceMm));
-            }
+        double[] p = shown().positions();
+        boolean[] at = new boolean[p.length / 3];
+        for (int v = 0; v < at.length; v++) {
+            int first = 3 * v;
+            at[v] = cuts().stream().anyMatch(cut -> cut.isReachedBy(p, first, distanceMm));
         }
         return at;
     }

@@ -13,7 +13,9 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.DistanceSummary;
+import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.patient.BodyPlausibility;
 import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.LungOutline;
@@ -95,9 +97,39 @@ public final class BodyCompletion {
                         .orElseThrow());
         List<CutPlane> cuts =
                 parts.stream().flatMap(part -> part.cuts().stream()).distinct().toList();
+        TriangleMesh shown = shown(whole.mesh(), parts);
         return new SharedStructure(
-                new PatientStructure(whole, s.source(), s.scan().map(scan -> scan.withCuts(cuts)), s.distanceToScan()),
+                new PatientStructure(
+                        whole,
+                        s.source(),
+                        s.scan().map(scan -> scan.withCuts(cuts).withShown(shown)),
+                        s.distanceToScan()),
                 mesh);
+    }
+
+    /** The outline of parts where the scan shows it: each vertex goes back with the nearest point of the parts. */
+    private static TriangleMesh shown(TriangleMesh outline, List<PatientStructure> parts) {
+        TriangleMesh now = MeshMerge.merge(
+                parts.stream().map(part -> part.structure().mesh()).toList());
+        double[] before = MeshMerge.merge(
+                        parts.stream().map(PatientStructure::shown).toList())
+                .positions();
+        TriangleTree tree = new TriangleTree(now);
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        double[] p = outline.positions().clone();
+        for (int i = 0; i < p.length; i += 3) {
+            if (tree.closest(p[i], p[i + 1], p[i + 2], hit)) {
+                int[] corners = now.triangles();
+                double[] weights = {hit.weightA, hit.weightB, hit.weightC};
+                for (int corner = 0; corner < 3; corner++) {
+                    int at = 3 * corners[3 * hit.triangle + corner];
+                    for (int axis = 0; axis < 3; axis++) {
+                        p[i + axis] += weights[corner] * (before[at + axis] - now.positions()[at + axis]);
+                    }
+                }
+            }
+        }
+        return outline.withPositions(p);
     }
 
     static Optional<TriangleMesh> merged(List<Structure> of, Structure like) {

@@ -12,7 +12,7 @@ import org.phrenic.anatomy.cage.RibCourse;
  */
 final class RibFit {
     private static final double STEP_MM = 9;
-    /** Ends nearer than this to the end of the scan are cuts, mm. */
+    /** Ends nearer than this to the end of the scan, where the scan shows them, are cuts, mm. */
     private static final double CUT_MM = 12;
     /** Larger standard deviation of points found by their nearness, which may slide along the rib, mm. */
     private static final double SLIDING_SIGMA_MM = 4;
@@ -47,9 +47,11 @@ final class RibFit {
         rest = RibCourse.of(shared.template(), shared.side());
         scan = RibCourse.of(shared.scan(), shared.side());
         stump = RibStump.of(shared.scan(), scan);
+        boolean[] atCut = shared.organ().verticesAtCut(CUT_MM);
+        double[] vertices = shared.scan().positions();
         double[] ends = scan.line();
-        posteriorCut = isCut(ends, 0);
-        anteriorCut = isCut(ends, ends.length - 3);
+        posteriorCut = atCut[nearest(vertices, ends)];
+        anteriorCut = atCut[nearest(vertices, Arrays.copyOfRange(ends, ends.length - 3, ends.length))];
         line = new TrackedLine(resampled(rest));
     }
 
@@ -60,10 +62,6 @@ final class RibFit {
             System.arraycopy(course.at(course.lengthMm() * i / (n - 1)), 0, points, 3 * i, 3);
         }
         return points;
-    }
-
-    private boolean isCut(double[] p, int at) {
-        return shared.organ().cuts().stream().anyMatch(cut -> cut.isReachedBy(p, at, CUT_MM));
     }
 
     Side side() {
@@ -116,13 +114,14 @@ final class RibFit {
         neck.ifPresent(n -> missingMm = n.gapMm() > limitMm ? n.lengthMm() : 0);
     }
 
-    private static int nearest(double[] line, double[] p) {
+    /** Index of the point nearest to another. */
+    private static int nearest(double[] points, double[] p) {
         int best = 0;
         double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < line.length; i += 3) {
-            double dx = line[i] - p[0];
-            double dy = line[i + 1] - p[1];
-            double dz = line[i + 2] - p[2];
+        for (int i = 0; i < points.length; i += 3) {
+            double dx = points[i] - p[0];
+            double dy = points[i + 1] - p[1];
+            double dz = points[i + 2] - p[2];
             double squared = dx * dx + dy * dy + dz * dz;
             if (squared < least) {
                 least = squared;
