@@ -12,7 +12,7 @@ import org.phrenic.mesh.TriangleMesh;
  * hundredth of the rib's length. Edges link neighbouring cells, cells that share a triangle, and the nearest cells of
  * disconnected patches, so that seams and holes do not matter. Two Dijkstra sweeps find the longest shortest path. An
  * end is the mean of the vertices within {@value #END_REGION_MM} mm of the farthest one, along the rib. The head is the
- * more posterior and medial end.
+ * more posterior, superior and medial end; of a part of a rib in front, the end toward the head is not the medial one.
  */
 public final class RibEnds {
     /** About half the thickness of a rib, mm, so that an end is not defined by a single vertex. */
@@ -66,8 +66,7 @@ public final class RibEnds {
         double[] one = cells.region(fromOther);
         double[] other = cells.region(fromOne);
         double length = fromOne[farthest(fromOne)];
-        // Posterior is +y; medial is opposite to the sign of the side.
-        boolean oneIsHead = one[1] - side.sign() * one[0] > other[1] - side.sign() * other[0];
+        boolean oneIsHead = towardHead(one, side) > towardHead(other, side);
         RibEnds ends = oneIsHead ? new RibEnds(one, other, length) : new RibEnds(other, one, length);
         double[] fromHead = oneIsHead ? fromOne : fromOther;
         double[] fromAnterior = oneIsHead ? fromOther : fromOne;
@@ -92,6 +91,11 @@ public final class RibEnds {
     /** Length along the surface from end to end, mm; a few per cent longer than the centre line. */
     public double lengthMm() {
         return lengthMm;
+    }
+
+    /** Posterior is +y, superior +z; medial is opposite to the sign of the side. */
+    private static double towardHead(double[] end, Side side) {
+        return end[1] + end[2] - side.sign() * end[0];
     }
 
     private static int farthest(double[] distances) {
