@@ -11,6 +11,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.segmentation.CutPlane;
 
 /**
  * Fits the bones of a template to those of a scan: vertebrae one by one, ribs along their courses, sternum and
@@ -58,6 +59,8 @@ final class BoneFit {
     private final List<SurfacePair> surfaces = new ArrayList<>();
     /** Lower ends of sterna that the scan cuts off above. */
     private final PointPairs sternumEnds = new PointPairs();
+    /** The upper end of a scan that shows costal cartilages and no sternum. */
+    private final Optional<CutPlane> belowSternum;
 
     /**
      * @param start first alignment of the template
@@ -78,6 +81,8 @@ final class BoneFit {
                 vertebrae.add(s);
             } else if (s.kind() == StructureKind.RIB) {
                 ribs.add(new RibFit(s));
+            } else if (s.kind() == StructureKind.VERTEBRA) {
+                surfaces.add(new SurfacePair(s.organ(), s.scan(), s.template(), true));
             } else if (s.kind() == StructureKind.STERNUM || s.kind() == StructureKind.COSTAL_CARTILAGE) {
                 surfaces.add(new SurfacePair(s.organ(), s.scan(), s.template(), true));
                 if (s.kind() == StructureKind.STERNUM
@@ -88,6 +93,38 @@ final class BoneFit {
             }
         }
         surfaces.addAll(organs);
+        belowSternum = belowSternum(shared);
+    }
+
+    /** The upper end of the scan, if it shows costal cartilages below it and the sternum must lie above it. */
+    private static Optional<CutPlane> belowSternum(List<SharedStructure> shared) {
+        boolean cartilages = shared.stream().anyMatch(s -> s.kind() == StructureKind.COSTAL_CARTILAGE);
+        boolean sternum = shared.stream().anyMatch(s -> s.kind() == StructureKind.STERNUM);
+        return shared.stream()
+                .filter(s -> cartilages && !sternum)
+                .flatMap(s -> s.organ().cuts().stream())
+                .filter(cut -> cut.side().equals("S"))
+                .findFirst();
+    }
+
+    /**
+     * The lower end of a sternum that the scan does not show, with its place at the upper end of the scan, if it would
+     * lie below that.
+     */
+    private PointPairs unseenSternum(TemplateMap map) {
+        PointPairs pairs = new PointPairs();
+        Optional<TriangleMesh> sternum =
+                PatientBody.merged(template.stream().filter(s -> s.kind() == StructureKind.STERNUM));
+        if (belowSternum.isPresent() && sternum.isPresent()) {
+            double[] end = lowerEnd(sternum.get());
+            double[] placed = end.clone();
+            map.apply(placed);
+            double depth = belowSternum.get().depth(placed);
+            if (depth > 0) {
+                pairs.add(end, belowSternum.get().moved(placed, depth), STERNUM_SIGMA_MM);
+            }
+        }
+        return pairs;
     }
 
     private static double[] lowerEnd(TriangleMesh sternum) {
@@ -113,10 +150,12 @@ final class BoneFit {
     TemplateMap fit() {
         PointPairs spine = spine(start);
         TemplateMap map = spine.count() == 0 ? start : start.through(spine, SCALES, MIRROR, plane);
+        PointPairs sternum = unseenSternum(map);
         for (int round = 0; round < SLIDING_ROUNDS + COURSE_ROUNDS; round++) {
             PointPairs pairs = new PointPairs();
             pairs.addAll(spine);
             pairs.addAll(sternumEnds);
+            pairs.addAll(sternum);
             for (RibFit rib : ribs) {
                 rib.place(map);
                 if (round >= SLIDING_ROUNDS) {
@@ -198,6 +237,7 @@ final class BoneFit {
         return switch (pair.kind()) {
             case STERNUM -> STERNUM_POINTS;
             case COSTAL_CARTILAGE -> CARTILAGE_POINTS;
+            case VERTEBRA -> VERTEBRA_POINTS;
             default -> LUNG_POINTS;
         };
     }
@@ -207,7 +247,7 @@ final class BoneFit {
             case STERNUM -> STERNUM_SIGMA_MM;
             case COSTAL_CARTILAGE -> CARTILAGE_SIGMA_MM;
             case LUNG -> LUNG_SIGMA_MM;
-            case BONE -> SPINE_SIGMA_MM;
+            case VERTEBRA, BONE -> SPINE_SIGMA_MM;
             default -> LIVER_SIGMA_MM;
         };
     }

@@ -11,8 +11,8 @@ import org.phrenic.mesh.TriangleMesh;
 
 /**
  * First alignment of a template to a scan: pose, size and proportions from landmarks of the structures that both have,
- * refined by nearest points of lungs and liver. Rotation and proportions that the structures leave open stay those of
- * an upright body in LPS.
+ * refined by nearest points of lungs and liver and of what the scan cuts off. Rotation and proportions that the
+ * structures leave open stay those of an upright body in LPS.
  */
 final class RoughAlignment {
     /** Fractions of a rib's course from the back that serve as landmarks; the posterior end may be missing. */
@@ -30,9 +30,20 @@ final class RoughAlignment {
     private static final int REFINEMENTS = 12;
     /** Nearest points of one organ in a refinement. */
     private static final int POINTS = 120;
+    /** The same of one structure that the scan cuts off. */
+    private static final int CUT_POINTS = 12;
+    /** Landmarks of whole structures, from which on those of truncated ones are left out. */
+    private static final int ENOUGH_LANDMARKS = 8;
 
     private final double plane;
     private final PointPairs landmarks = new PointPairs();
+    /**
+     * Centroids of structures that the scan cuts off. That of the part lies farther within the scan than that of the
+     * whole structure in the template, as if the body were smaller.
+     */
+    private final PointPairs cutCentroids = new PointPairs();
+
+    private final List<SurfacePair> cut = new ArrayList<>();
 
     RoughAlignment(double plane) {
         this.plane = plane;
@@ -40,10 +51,10 @@ final class RoughAlignment {
 
     /** Adds the landmarks of a structure and its counterpart. */
     void add(SharedStructure shared) {
-        boolean complete = shared.isComplete();
         StructureKind kind = shared.kind();
-        if (!complete) {
-            landmarks.add(centroid(shared.template()), centroid(shared.scan()), CUT_SIGMA_MM);
+        if (!shared.isComplete()) {
+            cutCentroids.add(centroid(shared.template()), centroid(shared.scan()), CUT_SIGMA_MM);
+            cut.add(new SurfacePair(shared.organ(), shared.scan(), shared.template(), true));
         } else if (kind == StructureKind.RIB) {
             RibCourse from = RibCourse.of(shared.template(), shared.side());
             RibCourse to = RibCourse.of(shared.scan(), shared.side());
@@ -97,10 +108,19 @@ final class RoughAlignment {
 
     /** Pose, size and proportions of the template. */
     TemplateMap align(List<SurfacePair> organs) {
-        TemplateMap map = fit(landmarks);
+        PointPairs first = new PointPairs();
+        first.addAll(landmarks);
+        if (landmarks.count() < ENOUGH_LANDMARKS) {
+            first.addAll(cutCentroids);
+        }
+        TemplateMap map = fit(first);
         for (int i = 0; i < REFINEMENTS && !organs.isEmpty(); i++) {
             PointPairs pairs = new PointPairs();
             pairs.addAll(landmarks);
+            for (SurfacePair pair : cut) {
+                pair.place(map);
+                pairs.addAll(pair.nearest(CUT_POINTS, BONE_SIGMA_MM));
+            }
             for (SurfacePair pair : organs) {
                 pair.place(map);
                 pairs.addAll(

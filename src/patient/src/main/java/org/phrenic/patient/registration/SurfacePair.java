@@ -2,6 +2,7 @@ package org.phrenic.patient.registration;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -25,13 +26,19 @@ final class SurfacePair {
     /** Pairs are farther apart than usual beyond this multiple of the median distance. */
     private static final double OUTLIER = 2.5;
 
+    /** Kinds of which the part beyond a cut is nearest to the cut. */
+    private static final Set<StructureKind> IN_A_LINE =
+            EnumSet.of(StructureKind.RIB, StructureKind.COSTAL_CARTILAGE, StructureKind.STERNUM);
+
     private final StructureKind kind;
     private final TriangleMesh scan;
     private final TriangleTree scanTree;
     private final boolean guidesBones;
     private final boolean whole;
     private final boolean[] atCut;
+    /** Triangles of the scan at the border of an open surface or at the end of the scan. */
     private final boolean[] atScanBorder;
+
     private final boolean[] atTemplateBorder;
     /** Surface of the template at its original place. */
     private final TriangleMesh rest;
@@ -56,6 +63,9 @@ final class SurfacePair {
         this.template = template;
         templateTree = new TriangleTree(template);
         atScanBorder = atBorder(scan, guidesBones);
+        for (int i = 0; i < scan.triangles().length; i++) {
+            atScanBorder[i / 3] |= atCut[scan.triangles()[i]];
+        }
         atTemplateBorder = atBorder(template, guidesBones);
     }
 
@@ -124,7 +134,8 @@ final class SurfacePair {
 
     /**
      * Pairs of original points of the template and points of the scan, nearest to each other as the template is placed.
-     * Pairs much farther apart than half of all count less.
+     * Pairs much farther apart than half of all count less. Points nearest to a cut have no counterpart. Of a structure
+     * that the scan cuts off, points of the template count only where it is long and thin.
      *
      * @param count number of points of each surface
      * @param sigmaMm standard deviation of a pair
@@ -148,7 +159,8 @@ final class SurfacePair {
         double[] t = template.positions();
         double[] r = rest.positions();
         n = Math.min(count, template.vertexCount());
-        for (int i = 0; whole && i < n; i++) {
+        boolean fromTemplate = whole || IN_A_LINE.contains(kind);
+        for (int i = 0; fromTemplate && i < n; i++) {
             int v = (int) ((long) i * template.vertexCount() / n);
             if (scanTree.closest(t[3 * v], t[3 * v + 1], t[3 * v + 2], hit) && !atScanBorder[hit.triangle]) {
                 from.add(r[3 * v], r[3 * v + 1], r[3 * v + 2]);

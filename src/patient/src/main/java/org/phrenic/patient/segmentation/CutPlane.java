@@ -36,4 +36,14 @@ public record CutPlane(String side, double x, double y, double z, double offsetM
     public boolean isReachedBy(double[] points, int at, double distanceMm) {
         return x * points[at] + y * points[at + 1] + z * points[at + 2] > offsetMm - distanceMm;
     }
+
+    /** Distance of a point from the plane, mm; positive within the scan. */
+    public double depth(double[] p) {
+        return offsetMm - x * p[0] - y * p[1] - z * p[2];
+    }
+
+    /** A point moved along the normal. */
+    public double[] moved(double[] p, double mm) {
+        return new double[] {p[0] + mm * x, p[1] + mm * y, p[2] + mm * z};
+    }
 }

@@ -1,0 +1,146 @@
+package org.phrenic.patient.registration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.cage.RibEnds;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.mesh.MeshQuality;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.Vectors;
+import org.phrenic.mesh.edit.MeshRepair;
+import org.phrenic.mesh.query.DistanceSummary;
+import org.phrenic.patient.ExpectedStructures;
+import org.phrenic.patient.MeshedSegment;
+import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.PatientStructure;
+import org.phrenic.patient.segmentation.CutPlane;
+
+/** Of the virtual woman a scan shows the bones below a plane, and cuts those that pass through it. */
+class CutBonesTest {
+    private static final Thorax WOMAN = VirtualThorax.ofPreset("adult-female", Resolution.LOW);
+    private static final Thorax MAN = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
+
+    private static double middleOf(String vertebra) {
+        return WOMAN.find(vertebra).orElseThrow().mesh().centre()[2];
+    }
+
+    /** What a scan that ends at a height shows of the woman. */
+    private static List<PatientStructure> scan(double top, Predicate<Structure> shown) {
+        List<PatientStructure> seen = new ArrayList<>();
+        for (Structure s : WOMAN.structures()) {
+            if (shown.test(s) && s.mesh().bounds()[2] < top - 15) {
+                boolean cut = s.mesh().bounds()[5] > top;
+                TriangleMesh mesh = cut ? below(s.mesh(), top) : s.mesh();
+                MeshedSegment meshed =
+                        new MeshedSegment(mesh, 0, 0, DistanceSummary.NONE, MeshQuality.of(mesh), 0.2, 1, 0);
+                List<CutPlane> ends = cut ? List.of(new CutPlane("S", 0, 0, 1, top)) : List.of();
+                seen.add(PatientStructure.ofScan(
+                        s.withMesh(mesh), new PatientStructure.Scan(List.of(1), 1000, 1000, ends, meshed)));
+            }
+        }
+        return seen;
+    }
+
+    private static TriangleMesh below(TriangleMesh mesh, double top) {
+        int[] t = mesh.triangles();
+        int[] part = IntStream.range(0, mesh.triangleCount())
+                .filter(i -> IntStream.range(3 * i, 3 * i + 3).allMatch(c -> mesh.z(t[c]) < top))
+                .flatMap(i -> IntStream.range(3 * i, 3 * i + 3).map(c -> t[c]))
+                .toArray();
+        return MeshRepair.repair(new TriangleMesh(mesh.positions(), part), 0, 0).mesh();
+    }
+
+    private static boolean isRibOrVertebra(Structure s) {
+        return s.kind() == StructureKind.RIB || s.kind() == StructureKind.VERTEBRA;
+    }
+
+    private static PatientBody completed(List<PatientStructure> seen) {
+        return BodyCompletion.complete(
+                new PatientBody("patient", seen, ExpectedStructures.missing(seen), List.of()), MAN);
+    }
+
+    private static double[] head(PatientBody body, String name) {
+        Structure rib = body.structure(name).orElseThrow().structure();
+        return RibEnds.find(rib.mesh(), rib.side()).head();
+    }
+
+    private static double vertebraError(PatientBody body, String name) {
+        return Vectors.distance(
+                body.structure(name).orElseThrow().structure().mesh().centre(),
+                WOMAN.find(name).orElseThrow().mesh().centre());
+    }
+
+    /**
+     * A scan at inspiration has its bones moved before it is completed. The whole scan moved by 30 mm is completed as
+     * before: the cut ends of ribs, 30 mm from the plane now, are no heads that end short of the spine.
+     */
+    @Test
+    void theCutEndOfARibStaysOneWhereverTheRibHasBeenMoved() {
+        List<PatientStructure> seen = scan(middleOf("vertebra_T09"), CutBonesTest::isRibOrVertebra);
+        List<PatientStructure> moved = seen.stream()
+                .map(s -> {
+                    double[] p = s.structure().mesh().positions().clone();
+                    for (int i = 2; i < p.length; i += 3) {
+                        p[i] -= 30;
+                    }
+                    return s.withStructure(
+                            s.structure().withMesh(s.structure().mesh().withPositions(p)));
+                })
+                .toList();
+        double[] before = head(completed(seen), "rib_08_R");
+        double[] after = head(completed(moved), "rib_08_R");
+        assertThat(after).containsExactly(new double[] {before[0], before[1], before[2] - 30}, within(1.0));
+    }
+
+    /**
+     * Ribs 5 to 9 and two vertebrae are cut; the centroids of what is left lie far below those of the whole bones. With
+     * these as landmarks the first thoracic vertebra comes out 9.5 mm off.
+     */
+    @Test
+    void partsOfBonesDoNotShortenTheThorax() {
+        PatientBody body = completed(scan(middleOf("vertebra_T10"), CutBonesTest::isRibOrVertebra));
+        assertThat(vertebraError(body, "vertebra_T10")).isLessThan(2.2);
+        assertThat(vertebraError(body, "vertebra_T07")).isLessThan(7.2);
+        assertThat(vertebraError(body, "vertebra_T01")).isLessThan(8);
+    }
+
+    /** Cartilages are shown up to 45 mm above the woman's xiphoid, and no sternum: it lies above the scan's end. */
+    @Test
+    void aSternumThatIsNotShownBesideCartilagesLiesAboveTheEndOfTheScan() {
+        double top = PatientBody.merged(WOMAN.structuresOf(StructureKind.STERNUM).stream())
+                        .orElseThrow()
+                        .bounds()[2]
+                + 45;
+        PatientBody body = completed(scan(top, s -> isRibOrVertebra(s) || s.kind() == StructureKind.COSTAL_CARTILAGE));
+        double end = PatientBody.merged(body.thorax().structuresOf(StructureKind.STERNUM).stream())
+                .orElseThrow()
+                .bounds()[2];
+        assertThat(end).isGreaterThan(top - 20);
+    }
+
+    /** The front of a rib: its tip is nearer to the median plane than the end toward the head. */
+    @Test
+    void theFrontPartOfARibPointsToTheFront() {
+        for (Side side : List.of(Side.RIGHT, Side.LEFT)) {
+            for (int level = 4; level <= 7; level++) {
+                String name = "rib_0" + level + (side == Side.RIGHT ? "_R" : "_L");
+                Structure rib = WOMAN.find(name).orElseThrow();
+                double[] tip = RibEnds.find(rib.mesh(), side).anterior();
+                double[] box = rib.mesh().bounds();
+                RibEnds part = RibEnds.find(below(rib.mesh(), box[2] + 30), side);
+                assertThat(part.anterior()).as(name).containsExactly(tip, within(3.0));
+            }
+        }
+    }
+}
