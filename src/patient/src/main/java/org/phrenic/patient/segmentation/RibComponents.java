@@ -162,11 +162,14 @@ final class RibComponents {
             return false;
         }
         boolean apart = commonAngle(a, b) <= MAX_COMMON_ANGLE;
-        if (apart && (a.ends & b.ends) != 0) {
+        boolean common = label == s.find(LabelTable.RIBS);
+        // Under one label for all, the front of a rib and the back of another end at the top of a scan.
+        int ends = a.ends & b.ends & (common ? ~(s.endsToward(true) | s.endsToward(false)) : -1);
+        if (apart && ends != 0) {
             return true;
         }
-        // Under one label for all, other ribs lie in the same directions.
-        if (!apart && label == s.find(LabelTable.RIBS)) {
+        // Other ribs lie in the same directions.
+        if (!apart && common) {
             return false;
         }
         double[] distances = a.voxels.size() > b.voxels.size() ? distances(a, b) : distances(b, a);

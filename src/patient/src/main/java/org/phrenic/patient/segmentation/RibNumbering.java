@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.TreeMap;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -19,14 +20,15 @@ import org.phrenic.patient.label.LabelTable;
 
 /**
  * Numbers of ribs. Where a label holds parts of two ribs, or all ribs share one label, the connected ribs are numbered
- * from top to bottom on each side. The numbers are those of least cost: the height of a rib's vertebral end above or
- * below the vertebra of its number, the share of its voxels that carry another number, and numbers left out. Of a rib
- * whose vertebral end is cut off the vertebra lies higher than what is left.
+ * from top to bottom on each side. Without vertebrae they are counted from the first or the last ({@link CutRibCount}).
+ * The numbers are otherwise those of least cost: the height of a rib's vertebral end above or below the vertebra of its
+ * number, the share of its voxels that carry another number, and numbers left out. Of a rib whose vertebral end is cut
+ * off the vertebra lies higher than what is left.
  */
 final class RibNumbering {
-    private static final int RIBS = 12;
+    static final int RIBS = 12;
     /** Difference in height that costs as much as no vote at all, mm: the height of a thoracic vertebra. */
-    private static final double VERTEBRA_MM = 25;
+    static final double VERTEBRA_MM = 25;
     /** Weight of the labels' numbers where vertebrae are known. */
     private static final double VOTE = 0.5;
     /** Share of a rib's voxels nearest to the spine that make its vertebral end. */
@@ -44,12 +46,13 @@ final class RibNumbering {
     private final int common;
     private final RibComponents components;
     /** Height of the body of each thoracic vertebra by number, mm; NaN if none is known. */
-    private final double[] vertebraZ = new double[RIBS + 1];
+    private final double[] vertebraZ;
 
     private RibNumbering(Segmentation s, byte[] group) {
         this.s = s;
         common = s.find(LabelTable.RIBS);
         components = new RibComponents(s, group);
+        vertebraZ = VertebraHeights.of(s);
     }
 
     /**
@@ -80,7 +83,6 @@ final class RibNumbering {
         String found = common > 0
                 ? "ribs"
                 : "label " + s.labels(s.names().get(divided.orElseThrow() - 1)).get(0) + " holds parts of two ribs";
-        findVertebrae();
         List<RibComponents.Rib> ribs = components.ribs();
         if (ribs.isEmpty()) {
             throw new BadInputException(found + ": found no rib, expected some");
@@ -112,7 +114,7 @@ final class RibNumbering {
         }
         apply(ribs, nameOf);
         return found + ": the " + numbered.size() + " connected ribs are numbered from top to bottom"
-                + (hasVertebrae() ? " by their vertebrae" : "")
+                + (hasVertebrae() ? " by their vertebrae" : countedFrom(numbered))
                 + (stray > 0 ? "; " + stray + " parts of ribs away from their label's rib are left out" : "");
     }
 
@@ -187,53 +189,15 @@ final class RibNumbering {
         return String.format(Locale.ROOT, "rib_%02d_%s", number, side == Side.RIGHT ? "R" : "L");
     }
 
-    private boolean hasVertebrae() {
-        return Arrays.stream(vertebraZ).anyMatch(z -> !Double.isNaN(z));
+    private String countedFrom(List<String> numbered) {
+        boolean all = common == 0 || numbered.size() == 2 * RIBS;
+        return all
+                ? ""
+                : numbered.contains(name(1, Side.RIGHT)) ? ", counted from the first" : ", counted from the last";
     }
 
-    /**
-     * Heights of vertebral bodies: means over the anterior halves of the vertebrae. Those that the scan does not show
-     * are taken to follow at the usual distance.
-     */
-    private void findVertebrae() {
-        Arrays.fill(vertebraZ, Double.NaN);
-        double[][] sums = new double[LabelGrid.MAX_BYTE_LABEL + 1][3];
-        int[] levels = new int[sums.length];
-        for (String name : s.names()) {
-            StructureName.parse(name)
-                    .filter(n -> n.kind() == StructureKind.VERTEBRA && n.level() <= RIBS)
-                    .ifPresent(n -> levels[s.find(name)] = n.level());
-        }
-        for (int pass = 0; pass < 2; pass++) {
-            for (int v = 0; v < s.voxels.length; v++) {
-                int segment = s.segmentAt(v);
-                if (levels[segment] > 0) {
-                    double y = s.coordinate(v, 1);
-                    double[] sum = sums[segment];
-                    if (pass == 0) {
-                        sum[0] += y;
-                        sum[1]++;
-                    } else if (y < sum[0]) {
-                        sum[1]++;
-                        sum[2] += s.coordinate(v, 2);
-                    }
-                }
-            }
-            for (int segment = 0; segment < sums.length; segment++) {
-                if (sums[segment][1] > 0 && pass == 0) {
-                    sums[segment][0] /= sums[segment][1];
-                    sums[segment][1] = 0;
-                } else if (sums[segment][1] > 0) {
-                    vertebraZ[levels[segment]] = sums[segment][2] / sums[segment][1];
-                }
-            }
-        }
-        for (int level = RIBS - 1; level > 0; level--) {
-            vertebraZ[level] = Double.isNaN(vertebraZ[level]) ? vertebraZ[level + 1] + VERTEBRA_MM : vertebraZ[level];
-        }
-        for (int level = 2; level <= RIBS; level++) {
-            vertebraZ[level] = Double.isNaN(vertebraZ[level]) ? vertebraZ[level - 1] - VERTEBRA_MM : vertebraZ[level];
-        }
+    private boolean hasVertebrae() {
+        return Arrays.stream(vertebraZ).anyMatch(z -> !Double.isNaN(z));
     }
 
     /** The vertebral end of a rib: the part of its posterior half that is nearest to the median plane. */
@@ -267,6 +231,13 @@ final class RibNumbering {
     /** Increasing numbers of least total cost for ribs from top to bottom. */
     private int[] numbers(List<Integer> ribs, VertebralEnd[] ends, Side side, String found) {
         int n = ribs.size();
+        if (n < RIBS && common > 0 && !hasVertebrae()) {
+            OptionalInt first = CutRibCount.first(
+                    s, ribs.stream().map(components.ribs()::get).toList());
+            if (first.isPresent()) {
+                return IntStream.range(0, n).map(i -> first.getAsInt() + i).toArray();
+            }
+        }
         if (n > RIBS || (n < RIBS && common > 0 && !hasVertebrae())) {
             throw new BadInputException(found + ", which cannot be told apart: found " + n + " connected ribs on the "
                     + side.name().toLowerCase(Locale.ROOT)

@@ -246,6 +246,17 @@ public final class Segmentation {
         return ends;
     }
 
+    /** The ends of the volume up or down the body, as bits of {@link #ends}. */
+    int endsToward(boolean up) {
+        int ends = 0;
+        for (int direction = 0; direction < 3; direction++) {
+            if (isAlongBody(direction)) {
+                ends |= (toMm[8 + direction] > 0) == up ? 8 << direction : 1 << direction;
+            }
+        }
+        return ends;
+    }
+
     /** Bounding box of a segment: first column, row and slice, then last column, row and slice. */
     int[] box(int segment) {
         return boxes()[segment];

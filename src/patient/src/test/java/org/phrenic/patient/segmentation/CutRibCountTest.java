@@ -1,0 +1,95 @@
+package org.phrenic.patient.segmentation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.label.LabelTable;
+
+/** A cage of ribs under one label, without vertebrae, of which a scan shows the slices from one to another. */
+class CutRibCountTest {
+    private static final int ROW = CageVoxels.COLUMNS * CageVoxels.ROWS;
+
+    /** The cage, with ribs 11 and 12 as long over the rib above as those of people. */
+    private static CageVoxels cage() {
+        CageVoxels cage = new CageVoxels().withRibs(1);
+        shorten(cage, 11, 20);
+        shorten(cage, 12, 43);
+        return cage;
+    }
+
+    /** Takes away what of a rib lies before a row. */
+    private static void shorten(CageVoxels cage, int number, int row) {
+        for (int v = 0; v < cage.labels.length; v++) {
+            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            boolean before = v / CageVoxels.COLUMNS % CageVoxels.ROWS < row;
+            if (before && (label == CageVoxels.rib(number, true) || label == CageVoxels.rib(number, false))) {
+                cage.labels[v] = 0;
+            }
+        }
+    }
+
+    private static Segmentation scan(CageVoxels cage, int from, int to, boolean common) {
+        byte[] labels = new byte[(to - from) * ROW];
+        System.arraycopy(cage.labels, from * ROW, labels, 0, labels.length);
+        double mm = CageVoxels.SPACING_MM;
+        LabelGrid grid = LabelGrid.of(CageVoxels.COLUMNS, CageVoxels.ROWS, to - from, labels, new double[] {
+            mm, 0, 0, 0, 0, mm, 0, 0, 0, 0, mm, 0
+        });
+        return new Segmentation(new LabelVolume(grid, Map.of(), List.of()), CageVoxels.table(common), "scan");
+    }
+
+    /** Voxels of each rib by its name. */
+    private static TreeMap<String, Integer> numbered(CageVoxels cage, int from, int to, boolean common) {
+        Segmentation s = scan(cage, from, to, common);
+        SegmentationRepair.numberRibs(s);
+        TreeMap<String, Integer> counts = new TreeMap<>();
+        int[] all = s.counts();
+        for (String name : s.names()) {
+            if (all[s.find(name)] > 0 && !name.equals(LabelTable.RIBS)) {
+                counts.put(name, all[s.find(name)]);
+            }
+        }
+        return counts;
+    }
+
+    private static String name(int number, boolean right) {
+        return String.format(Locale.ROOT, "rib_%02d_%s", number, right ? "R" : "L");
+    }
+
+    /** The slices end at 58, through the heads of rib 8; the fronts of ribs 7 and 8 are parts of their own. */
+    @Test
+    void ribsThatAScanCutsAboveAreCountedFromTheTwelfth() {
+        TreeMap<String, Integer> truth = numbered(cage(), 0, 58, false);
+        assertThat(truth).containsKeys(name(7, true), name(8, false), name(12, true));
+        assertThat(numbered(cage(), 0, 58, true)).isEqualTo(truth);
+    }
+
+    @Test
+    void withoutATwelfthRibTheyAreCountedFromTheEleventh() {
+        CageVoxels cage = cage();
+        shorten(cage, 12, CageVoxels.ROWS);
+        assertThat(numbered(cage, 0, 58, true)).isEqualTo(numbered(cage, 0, 58, false));
+    }
+
+    @Test
+    void ribsThatAScanCutsBelowAreCountedFromTheFirst() {
+        TreeMap<String, Integer> truth = numbered(cage(), 62, CageVoxels.SLICES, false);
+        assertThat(truth).containsKey(name(1, true)).doesNotContainKey(name(12, true));
+        assertThat(numbered(cage(), 62, CageVoxels.SLICES, true)).isEqualTo(truth);
+    }
+
+    @Test
+    void ribsOfASlabAreNotCounted() {
+        assertThatThrownBy(() -> numbered(cage(), 50, 70, true))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("and no vertebrae, expected 12, or labelled vertebrae");
+    }
+}
