@@ -32,7 +32,7 @@ final class RoughAlignment {
     private static final int POINTS = 120;
     /** The same of one structure that the scan cuts off. */
     private static final int CUT_POINTS = 12;
-    /** Landmarks of whole structures, from which on those of truncated ones are left out. */
+    /** Landmarks of whole structures from which on truncated ones count by nearest points, not by their centroids. */
     private static final int ENOUGH_LANDMARKS = 8;
 
     private final double plane;
@@ -108,18 +108,19 @@ final class RoughAlignment {
 
     /** Pose, size and proportions of the template. */
     TemplateMap align(List<SurfacePair> organs) {
-        PointPairs first = new PointPairs();
-        first.addAll(landmarks);
-        if (landmarks.count() < ENOUGH_LANDMARKS) {
-            first.addAll(cutCentroids);
+        boolean enough = landmarks.count() >= ENOUGH_LANDMARKS;
+        if (!enough) {
+            landmarks.addAll(cutCentroids);
         }
-        TemplateMap map = fit(first);
+        TemplateMap map = fit(landmarks);
         for (int i = 0; i < REFINEMENTS && !organs.isEmpty(); i++) {
             PointPairs pairs = new PointPairs();
             pairs.addAll(landmarks);
-            for (SurfacePair pair : cut) {
-                pair.place(map);
-                pairs.addAll(pair.nearest(CUT_POINTS, BONE_SIGMA_MM));
+            if (enough) {
+                for (SurfacePair pair : cut) {
+                    pair.place(map);
+                    pairs.addAll(pair.nearest(CUT_POINTS, BONE_SIGMA_MM));
+                }
             }
             for (SurfacePair pair : organs) {
                 pair.place(map);
