@@ -11,7 +11,6 @@ import javax.accessibility.AccessibleRole;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.simulation.live.RunHistory;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.ui.widget.PaintedComponent;
@@ -45,12 +44,13 @@ public final class PhaseBar extends PaintedComponent {
         repaint();
     }
 
-    /** Moves the cursor to the last sample of a history; null and an empty history change nothing. */
-    public void setPhase(RunHistory history, RunStatus status) {
-        if (history == null || history.size() == 0) {
-            return;
-        }
-        phase = history.values(history.size() - 1)[PHASE];
+    /**
+     * Moves the cursor to a sample.
+     *
+     * @param values observables of the sample
+     */
+    public void setPhase(double[] values, RunStatus status) {
+        phase = values[PHASE];
         RespiratoryPhase current = PhaseColours.parseLabel(status.phaseLabel());
         if (label != current) {
             label = current;

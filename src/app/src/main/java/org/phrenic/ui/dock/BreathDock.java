@@ -211,12 +211,14 @@ public final class BreathDock extends SessionDock {
 
     @Override
     public void onTick(RunStatus status) {
-        RunHistory history = session.live().history();
-        if (history == null || history.size() == 0) {
-            return;
-        }
-        bar.setPhase(history, status);
-        int number = (int) (history.values(history.size() - 1)[BREATH] + 1);
+        Optional.ofNullable(session.live().history())
+                .flatMap(RunHistory::latest)
+                .ifPresent(values -> show(values, status));
+    }
+
+    private void show(double[] values, RunStatus status) {
+        bar.setPhase(values, status);
+        int number = (int) (values[BREATH] + 1);
         breath.setText("Breath " + number + ", "
                 + PhaseColours.parseLabel(status.phaseLabel()).label());
     }

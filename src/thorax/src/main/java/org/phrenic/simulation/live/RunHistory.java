@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
 
@@ -113,6 +114,11 @@ public final class RunHistory {
     public synchronized double[] values(int i) {
         int from = offset(i);
         return Arrays.copyOfRange(row(i), from, from + COLUMNS);
+    }
+
+    /** Observables of the newest sample, a copy; empty without samples, as after a reset on another thread. */
+    public synchronized Optional<double[]> latest() {
+        return rows == 0 ? Optional.empty() : Optional.of(values(rows - 1));
     }
 
     private double[] row(int i) {

@@ -141,6 +141,7 @@ class LiveRunTest {
         assertThat(history.size()).isGreaterThan(20);
         assertThat(history.time(1) - history.time(0)).isCloseTo(0.02, org.assertj.core.api.Assertions.within(1e-9));
         assertThat(history.values(3)).hasSize(Observation.COLUMNS.size());
+        assertThat(history.latest()).hasValue(history.values(history.size() - 1));
         Frame past = scene.newFrame().get();
         assertThat(history.frame(0, past)).isTrue();
         assertThat(past.timeS())
@@ -150,6 +151,8 @@ class LiveRunTest {
         until(() -> run.status().step() == 0);
         assertThat(run.commandHash()).isEqualTo(atStart);
         assertThat(run.history().size()).isEqualTo(1);
+        run.history().truncateAfter(-1);
+        assertThat(run.history().latest()).isEmpty();
         until(() -> run.copyNewestFrame(frame) && frame.step() == 0);
     }
 

@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import javax.swing.JToggleButton;
 import org.phrenic.access.plan.BreathEvent;
 import org.phrenic.access.plan.NeedleState;
+import org.phrenic.simulation.live.RunHistory;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.chart.PhaseBar;
@@ -109,7 +110,9 @@ final class BreathPanel extends AccessPanel {
     public void onTick(RunStatus status) {
         followHold();
         if (isShowing()) {
-            bar.setPhase(session.live().history(), status);
+            Optional.ofNullable(session.live().history())
+                    .flatMap(RunHistory::latest)
+                    .ifPresent(values -> bar.setPhase(values, status));
         }
     }
 }
