@@ -93,9 +93,10 @@ public record PatientStructure(
     public boolean[] verticesAtCut(double distanceMm) {
         double[] p = shown().positions();
         boolean[] at = new boolean[p.length / 3];
-        for (int v = 0; v < at.length; v++) {
+        List<CutPlane> cuts = cuts();
+        for (int v = 0; v < at.length && !cuts.isEmpty(); v++) {
             int first = 3 * v;
-            at[v] = cuts().stream().anyMatch(cut -> cut.isReachedBy(p, first, distanceMm));
+            at[v] = cuts.stream().anyMatch(cut -> cut.isReachedBy(p, first, distanceMm));
         }
         return at;
     }

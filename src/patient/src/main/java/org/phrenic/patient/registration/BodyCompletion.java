@@ -97,12 +97,14 @@ public final class BodyCompletion {
                         .orElseThrow());
         List<CutPlane> cuts =
                 parts.stream().flatMap(part -> part.cuts().stream()).distinct().toList();
-        TriangleMesh shown = shown(whole.mesh(), parts);
         return new SharedStructure(
                 new PatientStructure(
                         whole,
                         s.source(),
-                        s.scan().map(scan -> scan.withCuts(cuts).withShown(shown)),
+                        s.scan()
+                                .map(scan -> cuts.isEmpty()
+                                        ? scan
+                                        : scan.withCuts(cuts).withShown(shown(whole.mesh(), parts))),
                         s.distanceToScan()),
                 mesh);
     }

@@ -38,12 +38,10 @@ final class RoughAlignment {
     private final double plane;
     private final PointPairs landmarks = new PointPairs();
     /**
-     * Centroids of structures that the scan cuts off. That of the part lies farther within the scan than that of the
-     * whole structure in the template, as if the body were smaller.
+     * Structures that the scan cuts off. The centroid of the part lies farther within the scan than that of the whole
+     * structure in the template, as if the body were smaller.
      */
-    private final PointPairs cutCentroids = new PointPairs();
-
-    private final List<SurfacePair> cut = new ArrayList<>();
+    private final List<SharedStructure> cut = new ArrayList<>();
 
     RoughAlignment(double plane) {
         this.plane = plane;
@@ -53,8 +51,7 @@ final class RoughAlignment {
     void add(SharedStructure shared) {
         StructureKind kind = shared.kind();
         if (!shared.isComplete()) {
-            cutCentroids.add(centroid(shared.template()), centroid(shared.scan()), CUT_SIGMA_MM);
-            cut.add(new SurfacePair(shared.organ(), shared.scan(), shared.template(), true));
+            cut.add(shared);
         } else if (kind == StructureKind.RIB) {
             RibCourse from = RibCourse.of(shared.template(), shared.side());
             RibCourse to = RibCourse.of(shared.scan(), shared.side());
@@ -108,19 +105,19 @@ final class RoughAlignment {
 
     /** Pose, size and proportions of the template. */
     TemplateMap align(List<SurfacePair> organs) {
-        boolean enough = landmarks.count() >= ENOUGH_LANDMARKS;
-        if (!enough) {
-            landmarks.addAll(cutCentroids);
+        List<SurfacePair> cutPairs = new ArrayList<>();
+        if (landmarks.count() >= ENOUGH_LANDMARKS) {
+            cut.forEach(s -> cutPairs.add(new SurfacePair(s.organ(), s.scan(), s.template(), true)));
+        } else {
+            cut.forEach(s -> landmarks.add(centroid(s.template()), centroid(s.scan()), CUT_SIGMA_MM));
         }
         TemplateMap map = fit(landmarks);
         for (int i = 0; i < REFINEMENTS && !organs.isEmpty(); i++) {
             PointPairs pairs = new PointPairs();
             pairs.addAll(landmarks);
-            if (enough) {
-                for (SurfacePair pair : cut) {
-                    pair.place(map);
-                    pairs.addAll(pair.nearest(CUT_POINTS, BONE_SIGMA_MM));
-                }
+            for (SurfacePair pair : cutPairs) {
+                pair.place(map);
+                pairs.addAll(pair.nearest(CUT_POINTS, BONE_SIGMA_MM));
             }
             for (SurfacePair pair : organs) {
                 pair.place(map);

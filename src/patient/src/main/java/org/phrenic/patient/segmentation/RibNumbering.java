@@ -231,14 +231,15 @@ final class RibNumbering {
     /** Increasing numbers of least total cost for ribs from top to bottom. */
     private int[] numbers(List<Integer> ribs, VertebralEnd[] ends, Side side, String found) {
         int n = ribs.size();
-        if (n < RIBS && common > 0 && !hasVertebrae()) {
+        boolean unknown = n < RIBS && common > 0 && !hasVertebrae();
+        if (unknown) {
             OptionalInt first = CutRibCount.first(
                     s, ribs.stream().map(components.ribs()::get).toList());
             if (first.isPresent()) {
                 return IntStream.range(0, n).map(i -> first.getAsInt() + i).toArray();
             }
         }
-        if (n > RIBS || (n < RIBS && common > 0 && !hasVertebrae())) {
+        if (n > RIBS || unknown) {
             throw new BadInputException(found + ", which cannot be told apart: found " + n + " connected ribs on the "
                     + side.name().toLowerCase(Locale.ROOT)
                     + (n > RIBS ? ", expected at most 12" : " and no vertebrae, expected 12, or labelled vertebrae"));

@@ -31,6 +31,10 @@ import org.phrenic.simulation.observe.Surface;
 class LiveRunTest {
     private static final long PATIENCE_S = 120;
     private static final String[] SMALL = {"resolution=low", "lungs=embedded", "sternum=kinematic", "threads=1"};
+    /** What no body bears: the lightest sheet under the greatest pressure, undamped. */
+    private static final String[] UNBEARABLE = {
+        "area_density_kg_per_m2=3", "greatest_pressure_kpa=20", "damping_rate_per_s=0", "muscle_stiffness_n_per_m=30"
+    };
 
     private final BlockingQueue<LiveScene> scenes = new LinkedBlockingQueue<>();
     private final BlockingQueue<String> failures = new LinkedBlockingQueue<>();
@@ -311,12 +315,7 @@ class LiveRunTest {
         run.setSpeed(Double.POSITIVE_INFINITY);
         run.play();
         steps(100);
-        // What no body bears: the lightest sheet under the greatest pressure, undamped.
-        change(
-                "area_density_kg_per_m2=3",
-                "greatest_pressure_kpa=20",
-                "damping_rate_per_s=0",
-                "muscle_stiffness_n_per_m=30");
+        change(UNBEARABLE);
         String sentence = next(divergences);
         assertThat(sentence).contains("diverged").contains("the last change was muscle_stiffness_n_per_m");
         assertThat(run.isPlaying()).isFalse();
@@ -348,11 +347,7 @@ class LiveRunTest {
         run.setSpeed(Double.POSITIVE_INFINITY);
         run.play();
         steps(100);
-        change(
-                "area_density_kg_per_m2=3",
-                "greatest_pressure_kpa=20",
-                "damping_rate_per_s=0",
-                "muscle_stiffness_n_per_m=30");
+        change(UNBEARABLE);
         next(divergences);
         assertThat(run.isDiverged()).isTrue();
     }

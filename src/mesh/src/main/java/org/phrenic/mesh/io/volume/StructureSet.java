@@ -136,7 +136,7 @@ final class StructureSet {
         }
         if (beyond > 0) {
             notes.add(beyond + " contours of region " + number
-                    + " reach beyond the voxels of their series or lie beyond" + " them, where they were left out");
+                    + " reach beyond the voxels of their series or lie beyond them, where they were left out");
         }
         return bySlice;
     }
