@@ -19,6 +19,7 @@ import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.bare.BareScene;
 import org.phrenic.study.bare.BareSettings;
@@ -76,7 +77,7 @@ final class BenchWindowCommand extends ReportingCommand {
     private ReportFolder out;
 
     @Override
-    public Integer call() {
+    public Integer call() throws NoGraphicsException {
         out.check();
         Workspace workspace = workspace();
         if (!(seconds >= WindowBenchmark.INTERVAL_S && seconds <= MAX_SECONDS)) {

@@ -46,7 +46,9 @@ public final class SceneViewport extends JPanel implements Session.Listener {
     private transient Runnable cameraListener = () -> {};
     private transient Optional<MouseTool> tool = Optional.empty();
     private String placeholder = "Building the thorax";
-    private boolean unavailable;
+    /** Why nothing can be drawn; empty while something can. */
+    private String unavailable = "";
+
     private transient Optional<PickResult> picked = Optional.empty();
     private transient Optional<String> graphicsInfo = Optional.empty();
     private long frameCount;
@@ -256,6 +258,11 @@ public final class SceneViewport extends JPanel implements Session.Listener {
 
     /** Whether nothing can be drawn on this machine. */
     public boolean isUnavailable() {
+        return !unavailable.isEmpty();
+    }
+
+    /** One sentence on why nothing can be drawn on this machine; empty while something can. */
+    public String unavailableReason() {
         return unavailable;
     }
 
@@ -266,7 +273,7 @@ public final class SceneViewport extends JPanel implements Session.Listener {
 
     /** Sets the text that is shown before the first frame. */
     public void setPlaceholder(String text) {
-        if (!unavailable) {
+        if (!isUnavailable()) {
             placeholder = text;
             if (frame == null) {
                 repaint();
@@ -328,7 +335,7 @@ public final class SceneViewport extends JPanel implements Session.Listener {
             SwingUtilities.invokeLater(() -> {
                 frame = null;
                 placeholder = sentence;
-                unavailable = true;
+                unavailable = sentence;
                 session.endPictureWait();
                 repaint();
             });

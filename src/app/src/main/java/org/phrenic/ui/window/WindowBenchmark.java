@@ -21,6 +21,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.scene.gl.NoGraphicsException;
 import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.session.Session;
@@ -143,9 +144,11 @@ public final class WindowBenchmark {
      * Opens the window, measures, and closes it.
      *
      * @param progress receives each interval
-     * @throws BadInputException if the window cannot draw or the door cannot be used on this body
+     * @throws NoGraphicsException if the window cannot draw
+     * @throws BadInputException if the door cannot be used on this body
      */
-    public static Result run(Scenario scenario, Settings settings, Consumer<Interval> progress) {
+    public static Result run(Scenario scenario, Settings settings, Consumer<Interval> progress)
+            throws NoGraphicsException {
         WindowBenchmark benchmark = new WindowBenchmark(scenario, settings);
         try {
             return benchmark.measure(progress);
@@ -157,13 +160,11 @@ public final class WindowBenchmark {
         }
     }
 
-    private Result measure(Consumer<Interval> progress) {
+    private Result measure(Consumer<Interval> progress) throws NoGraphicsException {
         await("a picture", () -> window.view().frameCount() > 0 || window.view().isUnavailable());
         double firstPictureS = sinceStartS();
         if (window.view().isUnavailable()) {
-            throw new BadInputException(
-                    "the window: found no OpenGL to draw with, expected a driver (if the X server has"
-                            + " none, java -Dphrenic.opengl=egl -jar ... draws without it)");
+            throw new NoGraphicsException(window.view().unavailableReason());
         }
         await("the door", this::isReady);
         double readyS = sinceStartS();

@@ -51,6 +51,8 @@ public final class OffscreenContext implements AutoCloseable {
     private static final String NOT_STARTED = "No pictures can be made here: OpenGL 3.3 could not be started";
     private static final String OTHER_WAY = "; java -Dphrenic.opengl=egl may draw without the display";
 
+    private static final String SHUTDOWN_THREAD = "NativeWindowFactory_ShutdownHook";
+
     /** The context that {@link #prepare} has begun to open. */
     private static final AtomicReference<FutureTask<OffscreenContext>> PREPARED = new AtomicReference<>();
 
@@ -121,10 +123,29 @@ public final class OffscreenContext implements AutoCloseable {
             throw new NoGraphicsException("No pictures were made: starting the graphics was interrupted", e);
         } catch (ExecutionException e) {
             Throwable cause = e.getCause();
-            throw cause instanceof NoGraphicsException known
-                    ? known
-                    : new NoGraphicsException(NOT_STARTED + (isEglWanted() ? "" : OTHER_WAY), cause);
+            if (cause instanceof NoGraphicsException known) {
+                throw known;
+            }
+            if (cause instanceof UnsatisfiedLinkError missing) {
+                silenceShutdown();
+                throw NoGraphicsException.missingLibrary(missing);
+            }
+            throw new NoGraphicsException(NOT_STARTED + (isEglWanted() ? "" : OTHER_WAY), cause);
         }
+    }
+
+    /** JOGL's shutdown hook calls the libraries that could not be loaded. */
+    private static void silenceShutdown() {
+        Thread.UncaughtExceptionHandler before = Thread.getDefaultUncaughtExceptionHandler();
+        Thread.setDefaultUncaughtExceptionHandler((thread, problem) -> {
+            if (problem instanceof UnsatisfiedLinkError && thread.getName().equals(SHUTDOWN_THREAD)) {
+                LOG.log(System.Logger.Level.DEBUG, "JOGL does not shut down", problem);
+            } else if (before != null) {
+                before.uncaughtException(thread, problem);
+            } else {
+                LOG.log(System.Logger.Level.ERROR, "Thread " + thread.getName() + " ended", problem);
+            }
+        });
     }
 
     private static boolean isEglWanted() {
@@ -147,7 +168,9 @@ public final class OffscreenContext implements AutoCloseable {
             throw new NoGraphicsException("No pictures can be made here: the display offers no OpenGL");
         }
         if (!GLProfile.isAvailable(factory.getDefaultDevice(), GLProfile.GL3)) {
-            throw new NoGraphicsException(OLD_DRIVER);
+            Optional<String> missing = display ? Optional.empty() : SurfacelessEgl.missingLibrary();
+            throw missing.map(library -> NoGraphicsException.missingLibrary(library, null))
+                    .orElseGet(() -> new NoGraphicsException(OLD_DRIVER));
         }
         GLCapabilities wanted = new GLCapabilities(GLProfile.get(factory.getDefaultDevice(), GLProfile.GL3));
         wanted.setOnscreen(false);

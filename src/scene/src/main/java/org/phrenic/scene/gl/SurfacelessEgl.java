@@ -1,6 +1,7 @@
 package org.phrenic.scene.gl;
 
 import com.jogamp.common.jvm.JNILibLoaderBase;
+import com.jogamp.common.os.NativeLibrary;
 import com.jogamp.common.os.Platform;
 import com.jogamp.common.util.LongObjectHashMap;
 import com.jogamp.common.util.cache.TempJarCache;
@@ -11,6 +12,8 @@ import com.jogamp.opengl.GLRendererQuirks;
 import com.jogamp.opengl.egl.EGL;
 import java.lang.reflect.Field;
 import java.lang.reflect.Method;
+import java.util.List;
+import java.util.Optional;
 
 /**
  * Configures JOGL to render through surfaceless EGL, without an X server (Linux). JOGL must be told before its first
@@ -28,7 +31,18 @@ final class SurfacelessEgl extends JNILibLoaderBase {
     private static final String UNKNOWN_VERSION =
             "No pictures can be made here: this version of JOGL cannot be told to draw without a display";
 
+    /** Libraries that hold the functions of OpenGL for JOGL; without one of them it finds no profile. */
+    private static final List<String> LIBRARIES = List.of("libGL.so.1", "libGLESv2.so.2");
+
     private SurfacelessEgl() {}
+
+    /** The first library of the system that JOGL looks in for functions and that is missing. */
+    static Optional<String> missingLibrary() {
+        return LIBRARIES.stream()
+                .filter(name ->
+                        NativeLibrary.open(name, true, true, SurfacelessEgl.class.getClassLoader(), false) == null)
+                .findFirst();
+    }
 
     /** Must be called before any other use of JOGL in this process. */
     static GLDrawableFactory factory() throws NoGraphicsException {

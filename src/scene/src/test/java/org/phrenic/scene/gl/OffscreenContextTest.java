@@ -47,6 +47,21 @@ class OffscreenContextTest {
         assertThat(OffscreenContext.obstacle(new VersionNumber(4, 1, 0))).isEmpty();
     }
 
+    /** Such as a server without X, where JOGL's library of X11 needs libXxf86vm nonetheless. */
+    @Test
+    void aMissingLibraryIsNamed() {
+        UnsatisfiedLinkError error =
+                new UnsatisfiedLinkError("/tmp/a: b/libnativewindow_x11.so: libXxf86vm.so.1: cannot"
+                        + " open shared object file: No such file or directory");
+        assertThat(NoGraphicsException.missingLibrary(error))
+                .hasCause(error)
+                .hasMessage(
+                        "No pictures can be made here: the library libXxf86vm.so.1 is missing, which JOGL needs with"
+                                + " an X server and without");
+        assertThat(NoGraphicsException.missingLibrary(new UnsatisfiedLinkError("no awt in path")))
+                .hasMessageContaining("no awt in path");
+    }
+
     @Test
     void onlyADisplayThatAnswersCounts() {
         assertThat(DisplayServer.isReachable(null)).isFalse();
