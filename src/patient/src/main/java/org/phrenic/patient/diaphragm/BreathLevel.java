@@ -31,30 +31,36 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
         /**
          * Tops of the lungs' bases: T8 and T9 at end-expiration, T11/T12 and T12 at full inspiration (physiology C2).
          */
-        DOMES("the domes", "T8 and T9", new double[] {8, 9}, new double[] {11.5, 12}),
+        DOMES("the domes", "T8 and T9", new double[] {8, 9}, new double[] {11.5, 12}, 0.2),
         /** The same in a scan without bones, against the spine that the costal surfaces of the lungs imply. */
-        SHAPE("the domes, by the shape of the lungs alone,", "T8 and T9", new double[] {8, 9}, new double[] {11.5, 12}),
+        SHAPE(
+                "the domes, by the shape of the lungs alone,",
+                "T8 and T9",
+                new double[] {8, 9},
+                new double[] {11.5, 12},
+                0.3),
         /**
          * Lowest points of the lungs, in a scan that ends below the domes: beside the spine at rib 10 at
          * end-expiration, two ribs lower at full inspiration.
          */
-        LOWER_BORDERS("the lower borders of the lungs", "T11", new double[] {11, 11}, new double[] {13, 13});
+        LOWER_BORDERS("the lower borders of the lungs", "T11", new double[] {11, 11}, new double[] {13, 13}, 0.3);
 
         private final String name;
         private final String atExpiration;
         private final double[] expired;
         private final double[] inspired;
+        /** Share from which a scan counts as one at inspiration: about what people differ by. */
+        private final double clearlyInspired;
 
-        Mark(String name, String atExpiration, double[] expired, double[] inspired) {
+        Mark(String name, String atExpiration, double[] expired, double[] inspired, double clearlyInspired) {
             this.name = name;
             this.atExpiration = atExpiration;
             this.expired = expired;
             this.inspired = inspired;
+            this.clearlyInspired = clearlyInspired;
         }
     }
 
-    /** Share from which a scan counts as one at inspiration: one vertebra, by which people differ. */
-    private static final double CLEARLY_INSPIRED = 0.3;
     /** Least number of vertebrae and ribs in a scan whose level is judged. */
     private static final int LEAST_BONES = 6;
     /** Anterior share of the depth of a vertebra in which its body lies. */
@@ -126,7 +132,7 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
 
     /** Whether the scan is one at inspiration beyond the differences between people. */
     public boolean isInspired() {
-        return share >= CLEARLY_INSPIRED;
+        return share >= mark.clearlyInspired;
     }
 
     /**
@@ -165,7 +171,7 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
         List<Structure> around = new ArrayList<>(cut ? lobes : lobes(completed, side));
         around.addAll(ContactingOrgans.abdominal(scanned.thorax()));
         return LungBase.of(new Thorax(completed.name(), around, List.of())).stream()
-                .mapToDouble(LungBase::top)
+                .mapToDouble(LungBase::dome)
                 .filter(top -> top < upperEnd - ABOVE_DOMES_MM)
                 .filter(top ->
                         !cut || (top > lowerEnd(scanned, side) + SHOWN_DOME_MM && levelAt(spine, top) < LOWEST_DOME))

@@ -100,7 +100,7 @@ public final class EndExpiration {
                 new Thorax(completed.name(), skeleton.stream().map(this::turned).toList(), List.of()));
         List<Structure> lungs = completed.structuresOf(StructureKind.LUNG);
         domes = LungBase.of(completed).stream()
-                .mapToDouble(LungBase::top)
+                .mapToDouble(LungBase::dome)
                 .average()
                 .orElseThrow();
         apex = lungs.stream().mapToDouble(s -> s.mesh().bounds()[5]).max().orElseThrow();

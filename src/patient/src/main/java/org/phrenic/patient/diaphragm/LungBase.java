@@ -31,6 +31,16 @@ final class LungBase {
     /** Level faces higher than this above the middle one, mm, lie over the heart. */
     private static final double HEART_MM = 30;
 
+    /**
+     * Share of a lung's underside, in plan, below the middle of its base: the heart takes up to a third of it. At a
+     * deep inspiration the base is steep, and most of its level faces are those of its lower border.
+     */
+    private static final double MIDDLE_SHARE = 0.4;
+    /** Parts of the underside higher than this above that middle, mm, lie over the heart. */
+    private static final double STEEP_BASE_MM = 50;
+    /** Share of the base, in plan, below its dome: what is higher lies beside the heart. */
+    private static final double DOME_SHARE = 0.8;
+
     /** Faces higher than this above the top, mm, lie over the heart or at the hilum. */
     private static final double ABOVE_TOP_MM = 6;
 
@@ -51,6 +61,7 @@ final class LungBase {
     private final double[] normals;
     private final double[] centre = new double[2];
     private double top = Double.NEGATIVE_INFINITY;
+    private double dome;
     /** Height of the base above organs, mm, if it does not lie on the diaphragm; else 0. */
     private double partedMm;
 
@@ -61,15 +72,19 @@ final class LungBase {
         normals = MeshMeasure.triangleNormals(lung);
         TriangleTree.Hit hit = new TriangleTree.Hit();
         double[] area = new double[lung.triangleCount()];
+        double[] plan = new double[area.length];
         double[] height = new double[area.length];
         double[] cross = new double[3];
         double total = 0;
         for (int t = 0; t < area.length; t++) {
             double[] m = MeshMeasure.centroid(lung, t);
             height[t] = m[2];
-            boolean level =
-                    normals[3 * t + 2] < LEVEL && tree.countAlongRay(m[0], m[1], m[2] - CLEAR_MM, 0, 0, -1, hit) == 0;
-            area[t] = level ? 0.5 * MeshMeasure.triangleCrossProduct(lung, t, cross) : 0;
+            double down = -normals[3 * t + 2];
+            if (down > 0 && tree.countAlongRay(m[0], m[1], m[2] - CLEAR_MM, 0, 0, -1, hit) == 0) {
+                double whole = 0.5 * MeshMeasure.triangleCrossProduct(lung, t, cross);
+                plan[t] = down * whole;
+                area[t] = -down < LEVEL ? whole : 0;
+            }
             total += area[t];
             centre[0] += area[t] * m[0];
             centre[1] += area[t] * m[1];
@@ -89,6 +104,11 @@ final class LungBase {
             if (top > middle + HEART_MM) {
                 top = quantile(order, area, height, TOP_SHARE, middle + HEART_MM);
             }
+        }
+        double middle = quantile(order, plan, height, MIDDLE_SHARE, Double.POSITIVE_INFINITY);
+        dome = quantile(order, plan, height, DOME_SHARE, middle + STEEP_BASE_MM);
+        if (top < middle) {
+            top = dome;
         }
         organs.ifPresent(below -> compare(lung, below));
     }
@@ -129,6 +149,7 @@ final class LungBase {
             if (above || top > roofTop + PARTED_TOP_MM) {
                 partedMm = top - roofTop;
                 top = roofTop;
+                dome = roofTop;
             }
         }
     }
@@ -197,6 +218,14 @@ final class LungBase {
     /** Height of the top of the base, or of the organs below if it does not lie on the diaphragm, mm. */
     double top() {
         return top;
+    }
+
+    /**
+     * Height of the dome, mm: of the base without its highest part, which at inspiration is the one beside the heart,
+     * for the pericardium holds the tendon; of the organs below if the base does not lie on the diaphragm.
+     */
+    double dome() {
+        return dome;
     }
 
     /** Cosine between a direction from below and the inward normal of the face that a ray has met. */

@@ -24,6 +24,9 @@ public enum BodyCut {
     SLICES_5("slices of 5 mm"),
     OBLIQUE("the grid of voxels rotated by 15 degrees about (1, 1, 1)"),
     TURNED("the patient turned by 15 degrees about the long axis"),
+    INSPIRED("at the full inspiration of a deep breath"),
+    HALF_INSPIRED("half way to the full inspiration of a deep breath"),
+    INSPIRED_ABDOMEN("at full inspiration, from the lowest vertebra to 25 mm above the liver"),
     COMMON_LABELS("all bones under one label, both lungs under one, both kidneys under one, liver");
 
     static final double VOXEL_MM = 1.5;
@@ -82,6 +85,15 @@ public enum BodyCut {
             case RIBS_10 -> 10;
             case RIBS_20 -> 20;
             case RIBS_30 -> 30;
+            default -> 0;
+        };
+    }
+
+    /** Breath level of the scan as a share of the descent of the domes in a deep breath, 0 at end-expiration. */
+    double inspiration() {
+        return switch (this) {
+            case INSPIRED, INSPIRED_ABDOMEN -> 1;
+            case HALF_INSPIRED -> 0.5;
             default -> 0;
         };
     }

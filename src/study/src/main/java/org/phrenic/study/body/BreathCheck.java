@@ -79,7 +79,7 @@ final class BreathCheck {
             witness.seen(body, "rest", surfaces.surfaces(), atRest);
         }
         double end = simulation.breathPeriodS();
-        long chunk = Math.max(1, Math.round(SAMPLE_S / simulation.stepper().dt()));
+        long chunk = samplingSteps(simulation);
         try {
             while (simulation.time() < end - 0.5 * simulation.stepper().dt()) {
                 for (long i = 0; i < chunk; i++) {
@@ -105,6 +105,11 @@ final class BreathCheck {
                         value("from_rest_rms_mm", now.values())),
                 restCrossing,
                 crossing.measure(surfaces.surfaces(), inspired));
+    }
+
+    /** Number of steps between samples. */
+    static long samplingSteps(Simulation simulation) {
+        return Math.max(1, Math.round(SAMPLE_S / simulation.stepper().dt()));
     }
 
     /** The surfaces of a scene in a frame of it. */

@@ -44,12 +44,12 @@ final class CutScan {
 
     private CutScan(Thorax body, BodyCut cut) {
         this.cut = cut;
-        this.body = inScan(body, cut);
+        this.body = cut.inspiration() > 0 ? InspiredBody.of(body, cut.inspiration()) : inScan(body, cut);
         double[][] straight = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         axes = cut == BodyCut.OBLIQUE ? rotation(new double[] {1, 1, 1}) : straight;
     }
 
-    /** A body in the position in which a scan shows it. */
+    /** A body at end-expiration in the position in which a scan shows it. */
     static Thorax inScan(Thorax body, BodyCut cut) {
         return cut == BodyCut.TURNED ? turned(body) : body;
     }
@@ -138,7 +138,7 @@ final class CutScan {
             }
         }
         switch (cut) {
-            case ABDOMEN -> box[5] = liver()[5] + ABOVE_LIVER_MM;
+            case ABDOMEN, INSPIRED_ABDOMEN -> box[5] = liver()[5] + ABOVE_LIVER_MM;
             case RIGHT_SIDE -> box[3] = middle(UPPER_END)[0] + BEYOND_MIDLINE_MM;
             case CUT_ENDS -> {
                 box[2] = 0.5 * (liver()[2] + liver()[5]);

@@ -1,0 +1,71 @@
+package org.phrenic.study.body;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
+import org.phrenic.mesh.MeshMeasure;
+
+/** Scans of the virtual woman at inspiration. */
+class InspiredBodyTest {
+    private static final Thorax WOMAN = generated("adult-female");
+
+    private static Thorax generated(String preset) {
+        return VirtualThorax.generate(VirtualThoraxParameters.preset(preset), Resolution.LOW);
+    }
+
+    private static double lungMl(Thorax body) {
+        return body.structuresOf(StructureKind.LUNG).stream()
+                .mapToDouble(s -> MeshMeasure.signedVolumeMl(s.mesh()))
+                .sum();
+    }
+
+    private static double topOfLiver(Thorax body) {
+        return body.find("liver").map(Structure::mesh).orElseThrow().bounds()[5];
+    }
+
+    /** A deep breath takes the domes down by 48 mm and the lungs take in 1.8 l; half way lies between. */
+    @Test
+    void lungsFillAndTheLiverGoesDown() {
+        Thorax half = InspiredBody.of(WOMAN, 0.5);
+        Thorax full = InspiredBody.of(WOMAN, 1);
+        assertThat(lungMl(full) - lungMl(WOMAN)).isBetween(1500.0, 2100.0);
+        assertThat((lungMl(half) - lungMl(WOMAN)) / (lungMl(full) - lungMl(WOMAN)))
+                .isBetween(0.4, 0.6);
+        assertThat(topOfLiver(WOMAN) - topOfLiver(full)).isBetween(30.0, 50.0);
+        assertThat(topOfLiver(WOMAN) - topOfLiver(half)).isBetween(15.0, 25.0);
+        assertThat(full.structures()).allSatisfy(s -> assertThat(s.mesh().triangles())
+                .isEqualTo(WOMAN.find(s.name()).orElseThrow().mesh().triangles()));
+    }
+
+    /**
+     * The import takes both inspirations back: the diaphragm of each stands where that of the body does. The lower
+     * borders of the lungs rise less than in a breath of the model, so that the lungs stay larger by up to a quarter.
+     */
+    @Test
+    void anImportBringsTheDomesBackToEndExpiration(@TempDir Path folder) {
+        BodyCase woman = new BodyCase("woman", "virtual", 1, () -> WOMAN);
+        double top = WOMAN.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh().bounds()[5];
+        List<BodyCut> cuts = List.of(BodyCut.INSPIRED, BodyCut.HALF_INSPIRED);
+        for (BodyCase scan : ImportedBodies.cuts(woman, cuts, () -> generated("adult-male"), folder)) {
+            Thorax imported = scan.thorax().get();
+            assertThat(imported.structuresOf(StructureKind.DIAPHRAGM)
+                            .get(0)
+                            .mesh()
+                            .bounds()[5])
+                    .as(scan.name())
+                    .isCloseTo(top, within(6.0));
+            assertThat(lungMl(imported) / lungMl(WOMAN)).as(scan.name()).isBetween(0.95, 1.3);
+            assertThat(scan.original().orElseThrow().get()).isSameAs(WOMAN);
+        }
+    }
+}
