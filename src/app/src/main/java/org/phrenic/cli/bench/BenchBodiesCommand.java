@@ -89,7 +89,8 @@ final class BenchBodiesCommand extends ReportingCommand {
                     "Instead of each body that is not a scan, bodies imported from simulated scans of it: all, or "
                             + "some of whole, abdomen, bones, bone-meshes, lungs, lungs-liver, right-side, "
                             + "cut-ends, ribs-10, ribs-20, ribs-30, effusion, dropped, slices-5, oblique, "
-                            + "turned, inspired, half-inspired, inspired-abdomen, common-labels. Needs --out.")
+                            + "turned, inspired, half-inspired, inspired-abdomen, common-labels, "
+                            + "common-abdomen. Needs --out.")
     private String cuts;
 
     @Option(

@@ -7,6 +7,8 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
@@ -16,7 +18,9 @@ import org.phrenic.patient.label.LabelTable;
  * Separates ribs, sternum and spine where all bones share a label. The spine is followed up and down from the middle of
  * the lungs ({@link SpineAxis}). Of the other bones, connected parts that begin beside it, as long and as large as
  * ribs, are the ribs, counted from the first, whose vertebral end is as high as the apex of the lung; parts in front of
- * the lungs in the middle are the sternum. The rest keeps the common label. Both lungs have labels of their own.
+ * the lungs in the middle are the sternum. In a scan that cuts the upper ribs off, so are the anterior parts that end
+ * at its top, and {@link RibNumbering} counts them from the last. The rest keeps the common label. Both lungs have
+ * labels of their own.
  */
 final class SkeletonSplitter {
     private static final String STERNUM = "sternum";
@@ -43,6 +47,17 @@ final class SkeletonSplitter {
     /** Least height of the first rib's vertebral end above the apex of the lung, mm. */
     private static final double FIRST_ABOVE_APEX_MM = -12;
 
+    /** Least length of what a scan leaves of a rib, mm, and least height of what it leaves of a sternum. */
+    private static final double LEAST_CUT_MM = 20;
+    /** Least length beside the spine of the last rib of a scan that cuts others off, mm. */
+    private static final double LEAST_LAST_MM = 35;
+    /** Least number of ribs of a side in a scan that cuts others off, and of those shown with their vertebral ends. */
+    private static final int LEAST_SHOWN = 4;
+
+    private static final int LEAST_WHOLE = 2;
+    /** Least depth of the spine below the last rib in a scan that shows it, mm. */
+    private static final double BELOW_LAST_MM = 20;
+
     private static final int LEAST_RIBS = 8;
     private static final int MOST_RIBS = 12;
     /** Greatest distance of two neighbouring vertebral ends over the median distance. */
@@ -50,16 +65,22 @@ final class SkeletonSplitter {
 
     private final Segmentation s;
     private final SpineAxis spine;
-    private final Map<Side, double[]> lungs;
+    private final Map<Side, LungVoxels> lungs;
 
-    /** A connected part of the bones beside the spine. */
-    private record Part(IntList voxels, double[] centre, double[] extent, double besideMm, double endZ) {
+    /**
+     * A connected part of the bones beside the spine.
+     *
+     * @param foremost least y, mm
+     * @param ends ends of the volume that it reaches, as {@link Segmentation#ends}
+     */
+    private record Part(
+            IntList voxels, double[] centre, double[] extent, double foremost, double besideMm, double endZ, int ends) {
         double length() {
             return StrictMath.hypot(StrictMath.hypot(extent[0], extent[1]), extent[2]);
         }
     }
 
-    private SkeletonSplitter(Segmentation s, SpineAxis spine, Map<Side, double[]> lungs) {
+    private SkeletonSplitter(Segmentation s, SpineAxis spine, Map<Side, LungVoxels> lungs) {
         this.s = s;
         this.spine = spine;
         this.lungs = lungs;
@@ -76,33 +97,19 @@ final class SkeletonSplitter {
         if (all == 0 || hasRibs) {
             return Optional.empty();
         }
-        Map<Side, double[]> lungs = new EnumMap<>(Side.class);
-        lung(s, "lung_R").ifPresent(lung -> lungs.put(Side.RIGHT, lung));
-        lung(s, "lung_L").ifPresent(lung -> lungs.put(Side.LEFT, lung));
+        Map<Side, LungVoxels> lungs = new EnumMap<>(Side.class);
+        LungVoxels.of(s, "lung_R").ifPresent(lung -> lungs.put(Side.RIGHT, lung));
+        LungVoxels.of(s, "lung_L").ifPresent(lung -> lungs.put(Side.LEFT, lung));
         Optional<SpineAxis> axis = lungs.size() == 2
-                ? SpineAxis.of(s, all, lungs.get(Side.RIGHT), lungs.get(Side.LEFT))
+                ? SpineAxis.of(
+                        s,
+                        all,
+                        lungs.get(Side.RIGHT).centre(),
+                        lungs.get(Side.LEFT).centre())
                 : Optional.empty();
         return Optional.of(axis.flatMap(spine -> new SkeletonSplitter(s, spine, lungs).split(all))
                 .orElse("bones under one label: ribs are not told apart; they are an obstacle and do not shape the"
                         + " cage"));
-    }
-
-    /** Mean of the voxels of a lung, then its lowest and greatest height, mm. */
-    private static Optional<double[]> lung(Segmentation s, String name) {
-        int segment = s.find(name);
-        double[] lung = {0, 0, 0, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
-        int count = 0;
-        for (int v = 0; segment > 0 && v < s.voxels.length; v++) {
-            if (s.segmentAt(v) == segment) {
-                count++;
-                for (int axis = 0; axis < 3; axis++) {
-                    lung[axis] += (s.coordinate(v, axis) - lung[axis]) / count;
-                }
-                lung[3] = Math.min(lung[3], s.coordinate(v, 2));
-                lung[4] = Math.max(lung[4], s.coordinate(v, 2));
-            }
-        }
-        return count == 0 ? Optional.empty() : Optional.of(lung);
     }
 
     private Optional<String> split(int all) {
@@ -117,12 +124,24 @@ final class SkeletonSplitter {
         parts.addAll(dividedParts(parts, all));
         List<Part> right = ribs(parts, Side.RIGHT);
         List<Part> left = ribs(parts, Side.LEFT);
-        if (!isCage(right, Side.RIGHT) || !isCage(left, Side.LEFT) || Math.abs(right.size() - left.size()) > 1) {
-            System.arraycopy(before, 0, s.voxels, 0, before.length);
-            return Optional.empty();
+        boolean whole =
+                isCage(right, Side.RIGHT) && isCage(left, Side.LEFT) && Math.abs(right.size() - left.size()) <= 1;
+        if (whole) {
+            name(right, Side.RIGHT);
+            name(left, Side.LEFT);
+        } else {
+            right = cutRibs(parts, Side.RIGHT);
+            left = cutRibs(parts, Side.LEFT);
+            if (!isLowerCage(right, ofSpine)
+                    || !isLowerCage(left, ofSpine)
+                    || Math.abs(right.size() - left.size()) > 2) {
+                System.arraycopy(before, 0, s.voxels, 0, before.length);
+                return Optional.empty();
+            }
+            int ribs = s.segment(LabelTable.RIBS);
+            Stream.concat(right.stream(), left.stream()).forEach(part -> s.write(part.voxels(), ribs));
+            s.inheritFrom(LabelTable.RIBS, LabelTable.ALL_BONES);
         }
-        name(right, Side.RIGHT);
-        name(left, Side.LEFT);
         s.inheritFrom(LabelTable.SPINE, LabelTable.ALL_BONES);
         boolean sternum = false;
         for (Part part : parts) {
@@ -132,8 +151,57 @@ final class SkeletonSplitter {
                 sternum = true;
             }
         }
-        return Optional.of("bones under one label: " + (right.size() + left.size()) + " ribs are counted from the first"
+        return Optional.of("bones under one label: " + (right.size() + left.size()) + " ribs are "
+                + (whole ? "counted from the first" : "told apart")
                 + (sternum ? ", sternum and spine are" : ", the spine is") + " separated");
+    }
+
+    /** The ribs of a side in a scan that cuts the upper ones off, from bottom to top of their vertebral ends. */
+    private List<Part> cutRibs(List<Part> parts, Side side) {
+        double bottom =
+                Math.min(lungs.get(Side.RIGHT).lowest(), lungs.get(Side.LEFT).lowest()) - BELOW_MM;
+        return parts.stream()
+                .filter(part -> part.voxels().size() < most() && part.centre()[2] > bottom)
+                .filter(part -> isCutAbove(part)
+                        ? part.length() > LEAST_CUT_MM && isInFront(part.foremost()) && !isSternum(part)
+                        : part.besideMm() < BESIDE_MM && part.length() > LEAST_LAST_MM)
+                .filter(part -> spine.isRight(part.centre()) == (side == Side.RIGHT))
+                .sorted(Comparator.comparingDouble(Part::endZ))
+                .toList();
+    }
+
+    private boolean isCutAbove(Part part) {
+        return (part.ends() & s.endsToward(true)) != 0;
+    }
+
+    /** Whether these are the last ribs of a side, none missing between those with a vertebral end. */
+    private boolean isLowerCage(List<Part> ribs, int ofSpine) {
+        List<Part> whole = ribs.stream().filter(part -> !isCutAbove(part)).toList();
+        boolean cutBelow = ribs.stream().anyMatch(part -> (part.ends() & s.endsToward(false)) != 0);
+        if (cutBelow
+                || whole.size() < LEAST_WHOLE
+                || whole.size() == ribs.size()
+                || ribs.size() < LEAST_SHOWN
+                || ribs.size() > MOST_RIBS) {
+            return false;
+        }
+        double lowest = IntStream.range(0, s.voxels.length)
+                .filter(v -> s.segmentAt(v) == ofSpine)
+                .mapToDouble(v -> s.coordinate(v, 2))
+                .min()
+                .orElse(Double.POSITIVE_INFINITY);
+        return isRegular(whole) && whole.get(0).endZ() > lowest + BELOW_LAST_MM;
+    }
+
+    /** Whether the vertebral ends of ribs follow each other at nearly equal distances. */
+    private static boolean isRegular(List<Part> ribs) {
+        double[] steps = new double[ribs.size() - 1];
+        for (int i = 0; i < steps.length; i++) {
+            steps[i] = Math.abs(ribs.get(i).endZ() - ribs.get(i + 1).endZ());
+        }
+        double[] sorted = steps.clone();
+        Arrays.sort(sorted);
+        return sorted[sorted.length - 1] < REGULAR * sorted[sorted.length / 2];
     }
 
     /** Parts of those that are larger than a rib: near the lungs, and in the middle in front of them. */
@@ -142,13 +210,14 @@ final class SkeletonSplitter {
         int nearLungs = s.segment(NEAR_LUNGS);
         int inFront = s.segment(IN_FRONT);
         for (Part part : parts) {
-            if (part.voxels().size() < most() || part.centre()[2] < lungs.get(Side.RIGHT)[3] - BELOW_MM) {
+            if (part.voxels().size() < most()
+                    || part.centre()[2] < lungs.get(Side.RIGHT).lowest() - BELOW_MM) {
                 continue;
             }
             for (int i = 0; i < part.voxels().size(); i++) {
                 int v = part.voxels().get(i);
                 double[] p = s.point(v);
-                boolean middle = spine.beside(p) < STRIP_MM && isInFront(p);
+                boolean middle = spine.beside(p) < STRIP_MM && isInFront(p[1]);
                 if (middle || near.isNear(p)) {
                     s.voxels[v] = (byte) (middle ? inFront : nearLungs);
                 }
@@ -167,8 +236,11 @@ final class SkeletonSplitter {
         return MOST_ML * 1000 / s.grid().voxelVolume();
     }
 
-    private boolean isInFront(double[] p) {
-        return p[1] < 0.5 * (lungs.get(Side.RIGHT)[1] + lungs.get(Side.LEFT)[1]);
+    private boolean isInFront(double y) {
+        return y
+                < 0.5
+                        * (lungs.get(Side.RIGHT).centre()[1]
+                                + lungs.get(Side.LEFT).centre()[1]);
     }
 
     private void name(List<Part> ribs, Side side) {
@@ -194,8 +266,10 @@ final class SkeletonSplitter {
         double[] centre = new double[3];
         double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
         double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        int ends = 0;
         List<double[]> posterior = new ArrayList<>();
         for (int i = 0; i < n; i++) {
+            ends |= s.ends(voxels.get(i));
             double[] p = s.point(voxels.get(i));
             for (int axis = 0; axis < 3; axis++) {
                 centre[axis] += p[axis] / n;
@@ -209,13 +283,15 @@ final class SkeletonSplitter {
         double endZ = RibNumbering.endHeight(posterior, n).orElse(Double.NaN);
         double beside = posterior.stream().mapToDouble(p -> p[0]).min().orElse(Double.POSITIVE_INFINITY);
         double[] extent = {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
-        return new Part(voxels, centre, extent, beside, endZ);
+        return new Part(voxels, centre, extent, low[1], beside, endZ, ends);
     }
 
     /** The ribs of a side from top to bottom. */
     private List<Part> ribs(List<Part> parts, Side side) {
-        double bottom = Math.min(lungs.get(Side.RIGHT)[3], lungs.get(Side.LEFT)[3]) - BELOW_MM;
-        double top = Math.max(lungs.get(Side.RIGHT)[4], lungs.get(Side.LEFT)[4]) + ABOVE_MM;
+        double bottom =
+                Math.min(lungs.get(Side.RIGHT).lowest(), lungs.get(Side.LEFT).lowest()) - BELOW_MM;
+        double top =
+                Math.max(lungs.get(Side.RIGHT).highest(), lungs.get(Side.LEFT).highest()) + ABOVE_MM;
         return parts.stream()
                 .filter(part -> part.besideMm() < BESIDE_MM && part.length() > LEAST_LENGTH_MM)
                 .filter(part -> part.voxels().size() < most() && part.centre()[2] > bottom && part.centre()[2] < top)
@@ -231,20 +307,15 @@ final class SkeletonSplitter {
         if (ribs.size() < LEAST_RIBS || ribs.size() > MOST_RIBS) {
             return false;
         }
-        double[] steps = new double[ribs.size() - 1];
-        for (int i = 0; i < steps.length; i++) {
-            steps[i] = ribs.get(i).endZ() - ribs.get(i + 1).endZ();
-        }
-        double[] sorted = steps.clone();
-        Arrays.sort(sorted);
-        boolean regular = sorted[sorted.length - 1] < REGULAR * sorted[sorted.length / 2];
-        return regular && ribs.get(0).endZ() > lungs.get(side)[4] + FIRST_ABOVE_APEX_MM;
+        return !lungs.get(side).isCutAbove()
+                && isRegular(ribs)
+                && ribs.get(0).endZ() > lungs.get(side).highest() + FIRST_ABOVE_APEX_MM;
     }
 
     private boolean isSternum(Part part) {
-        return isInFront(part.centre())
+        return isInFront(part.centre()[1])
                 && Math.abs(part.centre()[0] - spine.x(part.centre()[2])) < STERNUM_MM
                 && part.extent()[0] < 3 * STERNUM_MM
-                && part.extent()[2] > STERNUM_HEIGHT_MM;
+                && part.extent()[2] > (isCutAbove(part) ? LEAST_CUT_MM : STERNUM_HEIGHT_MM);
     }
 }

@@ -46,6 +46,25 @@ public final class CageVoxels {
         return this;
     }
 
+    /** The cage, with ribs 11 and 12 as long over the rib above as those of people. */
+    static CageVoxels withFloatingRibs() {
+        CageVoxels cage = new CageVoxels().withRibs(1);
+        cage.shorten(11, 20);
+        cage.shorten(12, 43);
+        return cage;
+    }
+
+    /** Takes away what of a pair of ribs lies before a row. */
+    void shorten(int number, int row) {
+        for (int v = 0; v < labels.length; v++) {
+            int label = labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            boolean before = v / COLUMNS % ROWS < row;
+            if (before && (label == rib(number, true) || label == rib(number, false))) {
+                labels[v] = 0;
+            }
+        }
+    }
+
     public CageVoxels withVertebrae(int first) {
         for (int number = first; number <= 12; number++) {
             ball(44.5, 50, 123 - 8 * number, 3.2, vertebra(number));

@@ -17,25 +17,6 @@ import org.phrenic.patient.label.LabelTable;
 class CutRibCountTest {
     private static final int ROW = CageVoxels.COLUMNS * CageVoxels.ROWS;
 
-    /** The cage, with ribs 11 and 12 as long over the rib above as those of people. */
-    private static CageVoxels cage() {
-        CageVoxels cage = new CageVoxels().withRibs(1);
-        shorten(cage, 11, 20);
-        shorten(cage, 12, 43);
-        return cage;
-    }
-
-    /** Takes away what of a rib lies before a row. */
-    private static void shorten(CageVoxels cage, int number, int row) {
-        for (int v = 0; v < cage.labels.length; v++) {
-            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
-            boolean before = v / CageVoxels.COLUMNS % CageVoxels.ROWS < row;
-            if (before && (label == CageVoxels.rib(number, true) || label == CageVoxels.rib(number, false))) {
-                cage.labels[v] = 0;
-            }
-        }
-    }
-
     private static Segmentation scan(CageVoxels cage, int from, int to, boolean common) {
         byte[] labels = new byte[(to - from) * ROW];
         System.arraycopy(cage.labels, from * ROW, labels, 0, labels.length);
@@ -67,28 +48,29 @@ class CutRibCountTest {
     /** The slices end at 58, through the heads of rib 8; the fronts of ribs 7 and 8 are parts of their own. */
     @Test
     void ribsThatAScanCutsAboveAreCountedFromTheTwelfth() {
-        TreeMap<String, Integer> truth = numbered(cage(), 0, 58, false);
+        TreeMap<String, Integer> truth = numbered(CageVoxels.withFloatingRibs(), 0, 58, false);
         assertThat(truth).containsKeys(name(7, true), name(8, false), name(12, true));
-        assertThat(numbered(cage(), 0, 58, true)).isEqualTo(truth);
+        assertThat(numbered(CageVoxels.withFloatingRibs(), 0, 58, true)).isEqualTo(truth);
     }
 
     @Test
     void withoutATwelfthRibTheyAreCountedFromTheEleventh() {
-        CageVoxels cage = cage();
-        shorten(cage, 12, CageVoxels.ROWS);
+        CageVoxels cage = CageVoxels.withFloatingRibs();
+        cage.shorten(12, CageVoxels.ROWS);
         assertThat(numbered(cage, 0, 58, true)).isEqualTo(numbered(cage, 0, 58, false));
     }
 
     @Test
     void ribsThatAScanCutsBelowAreCountedFromTheFirst() {
-        TreeMap<String, Integer> truth = numbered(cage(), 62, CageVoxels.SLICES, false);
+        TreeMap<String, Integer> truth = numbered(CageVoxels.withFloatingRibs(), 62, CageVoxels.SLICES, false);
         assertThat(truth).containsKey(name(1, true)).doesNotContainKey(name(12, true));
-        assertThat(numbered(cage(), 62, CageVoxels.SLICES, true)).isEqualTo(truth);
+        assertThat(numbered(CageVoxels.withFloatingRibs(), 62, CageVoxels.SLICES, true))
+                .isEqualTo(truth);
     }
 
     @Test
     void ribsOfASlabAreNotCounted() {
-        assertThatThrownBy(() -> numbered(cage(), 50, 70, true))
+        assertThatThrownBy(() -> numbered(CageVoxels.withFloatingRibs(), 50, 70, true))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("and no vertebrae, expected 12, or labelled vertebrae");
     }

@@ -44,13 +44,19 @@ class SkeletonSplitterTest {
 
     /** The scan of the cage, with the bones that are kept under one label. */
     private Segmentation scan(IntPredicate kept) {
-        byte[] labels = new byte[cage.labels.length];
+        return scan(kept, 0, CageVoxels.SLICES);
+    }
+
+    /** The slices of that scan from one to before another. */
+    private Segmentation scan(IntPredicate kept, int from, int to) {
+        int row = CageVoxels.COLUMNS * CageVoxels.ROWS;
+        byte[] labels = new byte[row * (to - from)];
         for (int v = 0; v < labels.length; v++) {
-            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            int label = cage.labels[row * from + v] & LabelGrid.MAX_BYTE_LABEL;
             labels[v] = (byte) (!isBone(label) ? label : kept.test(label) ? BONES : 0);
         }
         double mm = CageVoxels.SPACING_MM;
-        LabelGrid grid = LabelGrid.of(CageVoxels.COLUMNS, CageVoxels.ROWS, CageVoxels.SLICES, labels, new double[] {
+        LabelGrid grid = LabelGrid.of(CageVoxels.COLUMNS, CageVoxels.ROWS, to - from, labels, new double[] {
             mm, 0, 0, 0, 0, mm, 0, 0, 0, 0, mm, 0
         });
         LabelVolume volume = new LabelVolume(grid, Map.of(), List.of());
@@ -134,6 +140,33 @@ class SkeletonSplitterTest {
         assertThat(SkeletonSplitter.split(s))
                 .hasValueSatisfying(note -> assertThat(note).contains("ribs are not told apart"));
         assertThat(s.voxels).isEqualTo(before);
+    }
+
+    /** A scan of the abdomen ends at slice 78, below the heads of ribs 1 to 5: of ribs 4 and 5 it shows the fronts. */
+    @Test
+    void ribsOfAnAbdomenAreCountedFromTheLast() {
+        cage.shorten(11, 20);
+        cage.shorten(12, 43);
+        Segmentation s = scan(label -> true, 0, 78);
+        assertThat(SkeletonSplitter.split(s))
+                .hasValueSatisfying(note -> assertThat(note).contains("ribs are told apart, the spine is separated"));
+        SegmentationRepair.numberRibs(s);
+        Map<String, Map<Integer, Integer>> truth = truthOfRibs(s);
+        assertThat(truth).hasSizeBetween(16, 18).containsKeys("rib_05_R", "rib_05_L", "rib_12_R", "rib_12_L");
+        truth.forEach((name, labels) -> {
+            int number = Integer.parseInt(name.substring(4, 6));
+            assertThat(labels.keySet()).as(name).containsExactly(CageVoxels.rib(number, name.endsWith("R")));
+        });
+    }
+
+    /**
+     * A slab that ends at slice 78 and begins at 20, in the fronts of ribs 11 and 12, does not tell which are the last.
+     */
+    @Test
+    void ribsOfASlabAreNotCounted() {
+        Segmentation s = scan(label -> true, 20, 78);
+        assertThat(SkeletonSplitter.split(s))
+                .hasValueSatisfying(note -> assertThat(note).contains("ribs are not told apart"));
     }
 
     /** Of a scan that begins below the first rib the highest one is not the first. */

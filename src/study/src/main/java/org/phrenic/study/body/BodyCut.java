@@ -27,7 +27,8 @@ public enum BodyCut {
     INSPIRED("at the full inspiration of a deep breath"),
     HALF_INSPIRED("half way to the full inspiration of a deep breath"),
     INSPIRED_ABDOMEN("at full inspiration, from the lowest vertebra to 25 mm above the liver"),
-    COMMON_LABELS("all bones under one label, both lungs under one, both kidneys under one, liver");
+    COMMON_LABELS("all bones under one label, both lungs under one, both kidneys under one, liver"),
+    COMMON_ABDOMEN("the same labels, from the lowest vertebra to 25 mm above the liver");
 
     static final double VOXEL_MM = 1.5;
     static final double TURN_DEG = 15;
@@ -59,7 +60,7 @@ public enum BodyCut {
         return switch (this) {
             case BONES, BONE_MESHES -> bone;
             case LUNGS -> kind == StructureKind.LUNG;
-            case COMMON_LABELS ->
+            case COMMON_LABELS, COMMON_ABDOMEN ->
                 (bone && kind != StructureKind.COSTAL_CARTILAGE) || isLungOrLiver(kind) || kind == StructureKind.ORGAN;
             case LUNGS_LIVER -> isLungOrLiver(kind);
             default -> bone || isLungOrLiver(kind) || kind.isNamed();
@@ -72,7 +73,12 @@ public enum BodyCut {
 
     /** The tool or data set whose label numbers the scan has. */
     String numbers() {
-        return this == COMMON_LABELS ? "ct-org" : LabelTable.TOTALSEGMENTATOR;
+        return hasCommonLabels() ? "ct-org" : LabelTable.TOTALSEGMENTATOR;
+    }
+
+    /** Whether several structures share a label. */
+    boolean hasCommonLabels() {
+        return this == COMMON_LABELS || this == COMMON_ABDOMEN;
     }
 
     static boolean isBone(StructureKind kind) {

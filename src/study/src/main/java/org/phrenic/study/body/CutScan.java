@@ -100,7 +100,7 @@ final class CutScan {
         if (!cut.shows(s.kind())) {
             return 0;
         }
-        return cut == BodyCut.COMMON_LABELS ? commonLabel(s) : ownLabel(s);
+        return cut.hasCommonLabels() ? commonLabel(s) : ownLabel(s);
     }
 
     private static int commonLabel(Structure s) {
@@ -138,7 +138,7 @@ final class CutScan {
             }
         }
         switch (cut) {
-            case ABDOMEN, INSPIRED_ABDOMEN -> box[5] = liver()[5] + ABOVE_LIVER_MM;
+            case ABDOMEN, INSPIRED_ABDOMEN, COMMON_ABDOMEN -> box[5] = liver()[5] + ABOVE_LIVER_MM;
             case RIGHT_SIDE -> box[3] = middle(UPPER_END)[0] + BEYOND_MIDLINE_MM;
             case CUT_ENDS -> {
                 box[2] = 0.5 * (liver()[2] + liver()[5]);
