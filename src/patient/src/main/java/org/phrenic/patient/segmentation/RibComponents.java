@@ -13,7 +13,8 @@ import org.phrenic.patient.label.LabelTable;
 
 /**
  * The ribs of a volume as connected parts of the union of all rib labels. Parts that lie end to end under one label are
- * one rib: pieces of a broken rib, or what an end of the volume leaves of a rib that passes through it.
+ * one rib: pieces of a broken rib, or what an end of the volume, or a field of view that is narrower than the cage,
+ * leaves of a rib that passes through it.
  */
 final class RibComponents {
     /** Parts smaller than this share of the median part are fragments. */
@@ -37,6 +38,14 @@ final class RibComponents {
     private static final double NEAR_MM = 25;
 
     private static final int SAMPLES = 100;
+    /** Greatest number of directions between two parts that lie in line, {@value #ANGLES} in a turn. */
+    private static final int MAX_GAP = 16;
+    /** Numbers of directions from whose first to whose last the slope of an end is taken. */
+    private static final int LEAST_SLOPE = 2;
+
+    private static final int MOST_SLOPE = 6;
+    /** Greatest distance half way between the ends of parts in line, mm: less than half of that between two ribs. */
+    private static final double IN_LINE_MM = 9;
 
     /** One rib: its voxels, and how many of them carry each segment number. */
     static final class Rib {
@@ -60,9 +69,14 @@ final class RibComponents {
         double heightAbove(Rib other) {
             return IntStream.range(0, ANGLES)
                     .filter(bin -> inDirection[bin] > 0 && other.inDirection[bin] > 0)
-                    .mapToDouble(bin -> heights[bin] / inDirection[bin] - other.heights[bin] / other.inDirection[bin])
+                    .mapToDouble(bin -> heightIn(bin) - other.heightIn(bin))
                     .average()
                     .orElse(centre[2] - other.centre[2]);
+        }
+
+        /** Mean height in a direction that it has, mm. */
+        double heightIn(int direction) {
+            return heights[direction] / inDirection[direction];
         }
 
         int dominantSegment() {
@@ -165,7 +179,7 @@ final class RibComponents {
         boolean common = label == s.find(LabelTable.RIBS);
         // Under one label for all, the front of a rib and the back of another end at the top of a scan.
         int ends = a.ends & b.ends & (common ? ~(s.endsToward(true) | s.endsToward(false)) : -1);
-        if (apart && ends != 0) {
+        if (apart && (ends != 0 || (!common && isInLine(a, b)))) {
             return true;
         }
         // Other ribs lie in the same directions.
@@ -175,6 +189,41 @@ final class RibComponents {
         double[] distances = a.voxels.size() > b.voxels.size() ? distances(a, b) : distances(b, a);
         double gap = Arrays.stream(distances).min().orElseThrow();
         return gap < NEAR_MM && (apart || shareBelow(distances, gap + BESIDE_MM) <= MAX_BESIDE);
+    }
+
+    /** Whether the heights of two parts, continued toward each other, meet half way. */
+    private static boolean isInLine(Rib a, Rib b) {
+        for (int gap = 1; gap <= MAX_GAP; gap++) {
+            for (int from = 0; from < ANGLES; from++) {
+                for (int step = -1; step <= 1; step += 2) {
+                    if (a.inDirection[from] > 0 && b.inDirection[wrapped(from + step * gap)] > 0) {
+                        double ofA = continued(a, from, -step, 0.5 * gap);
+                        double ofB = continued(b, wrapped(from + step * gap), step, 0.5 * gap);
+                        return Math.abs(ofA - ofB) < IN_LINE_MM;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    private static int wrapped(int direction) {
+        return Math.floorMod(direction, ANGLES);
+    }
+
+    /**
+     * Height of a part so many directions beyond its end, mm; NaN if it is too short to have a slope.
+     *
+     * @param inward step from the end into the part
+     */
+    private static double continued(Rib rib, int end, int inward, double beyond) {
+        int length = 0;
+        while (length < MOST_SLOPE && rib.inDirection[wrapped(end + inward * (length + 1))] > 0) {
+            length++;
+        }
+        double height = rib.heightIn(end);
+        double slope = (height - rib.heightIn(wrapped(end + inward * length))) / length;
+        return length < LEAST_SLOPE ? Double.NaN : height + beyond * slope;
     }
 
     /** Distances of some voxels of the shorter part from the longer one, mm. */

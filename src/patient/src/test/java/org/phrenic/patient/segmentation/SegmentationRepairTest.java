@@ -225,6 +225,22 @@ class SegmentationRepairTest {
         assertThat(repaired(cage.segmentation(CageVoxels.table(false)))).isEqualTo(truth);
     }
 
+    /** A field of view that is narrower than the cage takes the side of each rib; backs and fronts keep the number. */
+    @Test
+    void ribsWhoseSidesAreNotInTheFieldOfViewKeepTheirNumbers() {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        for (int v = 0; v < cage.labels.length; v++) {
+            double x = v % CageVoxels.COLUMNS - 44.5;
+            double y = v / CageVoxels.COLUMNS % CageVoxels.ROWS - 30;
+            cage.labels[v] = x * x + y * y > 32 * 32 ? 0 : cage.labels[v];
+        }
+        Segmentation s = cage.segmentation(CageVoxels.table(false));
+        assertThat(pieces(s).get("rib_07_R")).isGreaterThan(1);
+        TreeMap<String, Integer> truth = counts(s);
+        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(counts(s)).isEqualTo(truth);
+    }
+
     /** Of a rib the scan shows two small pieces that meet in one direction from the body's axis. */
     @Test
     void twoSmallPiecesEndToEndAreOneRib() {
