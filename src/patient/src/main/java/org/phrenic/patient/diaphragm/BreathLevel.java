@@ -29,7 +29,7 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
     /** What the level is read from. */
     public enum Mark {
         /**
-         * Tops of the lungs' bases: T8 and T9 at end-expiration, T11/T12 and T12 at full inspiration (physiology C2).
+         * Domes of the lungs' bases: T8 and T9 at end-expiration, T11/T12 and T12 at full inspiration (physiology C2).
          */
         DOMES("the domes", "T8 and T9", new double[] {8, 9}, new double[] {11.5, 12}, 0.2),
         /** The same in a scan without bones, against the spine that the costal surfaces of the lungs imply. */
@@ -157,8 +157,8 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
     }
 
     /**
-     * Top of the base of a lung whose dome the scan shows, else NaN. A scan that ends in the recess, well below the
-     * dome, shows it; one that ends in the lung leaves a flat face there.
+     * Height of the dome of a lung that the scan shows, else NaN. A scan that ends in the recess, well below the dome,
+     * shows it; one that ends in the lung leaves a flat face there.
      */
     private static double dome(PatientBody scanned, PatientBody completed, Side side, List<double[]> spine) {
         List<Structure> lobes = lobes(scanned, side);

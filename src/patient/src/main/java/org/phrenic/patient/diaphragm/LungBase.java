@@ -79,11 +79,11 @@ final class LungBase {
         for (int t = 0; t < area.length; t++) {
             double[] m = MeshMeasure.centroid(lung, t);
             height[t] = m[2];
-            double down = -normals[3 * t + 2];
-            if (down > 0 && tree.countAlongRay(m[0], m[1], m[2] - CLEAR_MM, 0, 0, -1, hit) == 0) {
+            double up = normals[3 * t + 2];
+            if (up < 0 && tree.countAlongRay(m[0], m[1], m[2] - CLEAR_MM, 0, 0, -1, hit) == 0) {
                 double whole = 0.5 * MeshMeasure.triangleCrossProduct(lung, t, cross);
-                plan[t] = down * whole;
-                area[t] = -down < LEVEL ? whole : 0;
+                plan[t] = -up * whole;
+                area[t] = up < LEVEL ? whole : 0;
             }
             total += area[t];
             centre[0] += area[t] * m[0];

@@ -48,10 +48,10 @@ final class RibNumbering {
     /** Height of the body of each thoracic vertebra by number, mm; NaN if none is known. */
     private final double[] vertebraZ;
 
-    private RibNumbering(Segmentation s, byte[] group) {
+    private RibNumbering(Segmentation s, RibComponents components) {
         this.s = s;
+        this.components = components;
         common = s.find(LabelTable.RIBS);
-        components = new RibComponents(s, group);
         vertebraZ = VertebraHeights.of(s);
     }
 
@@ -70,13 +70,13 @@ final class RibNumbering {
                             .isPresent();
             group[s.find(name)] = (byte) (rib ? 1 : 0);
         }
-        RibNumbering numbering = new RibNumbering(s, group);
-        Optional<Integer> divided = numbering.components.dividedSegment();
-        if (numbering.common == 0 && divided.isEmpty()) {
-            numbering.components.relabelBleeding();
+        RibComponents components = new RibComponents(s, group);
+        Optional<Integer> divided = components.dividedSegment();
+        if (s.find(LabelTable.RIBS) == 0 && divided.isEmpty()) {
+            components.relabelBleeding();
             return Optional.empty();
         }
-        return Optional.of(numbering.renumber(divided));
+        return Optional.of(new RibNumbering(s, components).renumber(divided));
     }
 
     private String renumber(Optional<Integer> divided) {

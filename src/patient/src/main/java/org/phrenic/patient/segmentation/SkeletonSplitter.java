@@ -7,7 +7,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.IntStream;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.mesh.IntList;
@@ -115,15 +115,17 @@ final class SkeletonSplitter {
     private Optional<String> split(int all) {
         byte[] before = s.voxels.clone();
         int ofSpine = s.segment(LabelTable.SPINE);
+        double lowest = Double.POSITIVE_INFINITY;
         for (int v = 0; v < s.voxels.length; v++) {
             if (s.segmentAt(v) == all && spine.contains(s, v)) {
                 s.voxels[v] = (byte) ofSpine;
+                lowest = Math.min(lowest, s.coordinate(v, 2));
             }
         }
         List<Part> parts = new ArrayList<>(parts(all));
         parts.addAll(dividedParts(parts, all));
-        List<Part> right = ribs(parts, Side.RIGHT);
-        List<Part> left = ribs(parts, Side.LEFT);
+        List<Part> right = wholeRibs(parts, Side.RIGHT);
+        List<Part> left = wholeRibs(parts, Side.LEFT);
         boolean whole =
                 isCage(right, Side.RIGHT) && isCage(left, Side.LEFT) && Math.abs(right.size() - left.size()) <= 1;
         if (whole) {
@@ -132,9 +134,7 @@ final class SkeletonSplitter {
         } else {
             right = cutRibs(parts, Side.RIGHT);
             left = cutRibs(parts, Side.LEFT);
-            if (!isLowerCage(right, ofSpine)
-                    || !isLowerCage(left, ofSpine)
-                    || Math.abs(right.size() - left.size()) > 2) {
+            if (!isLowerCage(right, lowest) || !isLowerCage(left, lowest) || Math.abs(right.size() - left.size()) > 2) {
                 System.arraycopy(before, 0, s.voxels, 0, before.length);
                 return Optional.empty();
             }
@@ -156,26 +156,26 @@ final class SkeletonSplitter {
                 + (sternum ? ", sternum and spine are" : ", the spine is") + " separated");
     }
 
-    /** The ribs of a side in a scan that cuts the upper ones off, from bottom to top of their vertebral ends. */
+    /** The ribs of a side in a scan that cuts the upper ones off. */
     private List<Part> cutRibs(List<Part> parts, Side side) {
-        double bottom =
-                Math.min(lungs.get(Side.RIGHT).lowest(), lungs.get(Side.LEFT).lowest()) - BELOW_MM;
-        return parts.stream()
-                .filter(part -> part.voxels().size() < most() && part.centre()[2] > bottom)
-                .filter(part -> isCutAbove(part)
+        return ribs(
+                parts,
+                side,
+                part -> isCutAbove(part)
                         ? part.length() > LEAST_CUT_MM && isInFront(part.foremost()) && !isSternum(part)
-                        : part.besideMm() < BESIDE_MM && part.length() > LEAST_LAST_MM)
-                .filter(part -> spine.isRight(part.centre()) == (side == Side.RIGHT))
-                .sorted(Comparator.comparingDouble(Part::endZ))
-                .toList();
+                        : part.besideMm() < BESIDE_MM && part.length() > LEAST_LAST_MM);
     }
 
     private boolean isCutAbove(Part part) {
         return (part.ends() & s.endsToward(true)) != 0;
     }
 
-    /** Whether these are the last ribs of a side, none missing between those with a vertebral end. */
-    private boolean isLowerCage(List<Part> ribs, int ofSpine) {
+    /**
+     * Whether these are the last ribs of a side, none missing between those with a vertebral end.
+     *
+     * @param lowest height of the lower end of the spine, mm
+     */
+    private boolean isLowerCage(List<Part> ribs, double lowest) {
         List<Part> whole = ribs.stream().filter(part -> !isCutAbove(part)).toList();
         boolean cutBelow = ribs.stream().anyMatch(part -> (part.ends() & s.endsToward(false)) != 0);
         if (cutBelow
@@ -185,19 +185,14 @@ final class SkeletonSplitter {
                 || ribs.size() > MOST_RIBS) {
             return false;
         }
-        double lowest = IntStream.range(0, s.voxels.length)
-                .filter(v -> s.segmentAt(v) == ofSpine)
-                .mapToDouble(v -> s.coordinate(v, 2))
-                .min()
-                .orElse(Double.POSITIVE_INFINITY);
-        return isRegular(whole) && whole.get(0).endZ() > lowest + BELOW_LAST_MM;
+        return isRegular(whole) && whole.get(whole.size() - 1).endZ() > lowest + BELOW_LAST_MM;
     }
 
     /** Whether the vertebral ends of ribs follow each other at nearly equal distances. */
     private static boolean isRegular(List<Part> ribs) {
         double[] steps = new double[ribs.size() - 1];
         for (int i = 0; i < steps.length; i++) {
-            steps[i] = Math.abs(ribs.get(i).endZ() - ribs.get(i + 1).endZ());
+            steps[i] = ribs.get(i).endZ() - ribs.get(i + 1).endZ();
         }
         double[] sorted = steps.clone();
         Arrays.sort(sorted);
@@ -286,15 +281,23 @@ final class SkeletonSplitter {
         return new Part(voxels, centre, extent, low[1], beside, endZ, ends);
     }
 
-    /** The ribs of a side from top to bottom. */
-    private List<Part> ribs(List<Part> parts, Side side) {
-        double bottom =
-                Math.min(lungs.get(Side.RIGHT).lowest(), lungs.get(Side.LEFT).lowest()) - BELOW_MM;
+    /** The ribs of a side in a scan that shows them all. */
+    private List<Part> wholeRibs(List<Part> parts, Side side) {
         double top =
                 Math.max(lungs.get(Side.RIGHT).highest(), lungs.get(Side.LEFT).highest()) + ABOVE_MM;
+        return ribs(
+                parts,
+                side,
+                part -> part.besideMm() < BESIDE_MM && part.length() > LEAST_LENGTH_MM && part.centre()[2] < top);
+    }
+
+    /** The parts of a side that are no larger than ribs and as high as these, from top to bottom of their ends. */
+    private List<Part> ribs(List<Part> parts, Side side, Predicate<Part> isRib) {
+        double bottom =
+                Math.min(lungs.get(Side.RIGHT).lowest(), lungs.get(Side.LEFT).lowest()) - BELOW_MM;
         return parts.stream()
-                .filter(part -> part.besideMm() < BESIDE_MM && part.length() > LEAST_LENGTH_MM)
-                .filter(part -> part.voxels().size() < most() && part.centre()[2] > bottom && part.centre()[2] < top)
+                .filter(part -> part.voxels().size() < most() && part.centre()[2] > bottom)
+                .filter(isRib)
                 .filter(part -> spine.isRight(part.centre()) == (side == Side.RIGHT))
                 .sorted(Comparator.comparingDouble((Part part) -> -part.endZ()))
                 .toList();

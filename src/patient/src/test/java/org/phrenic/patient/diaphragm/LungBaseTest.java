@@ -13,13 +13,11 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.TriangleMesh;
 
 class LungBaseTest {
-    private static final List<Structure> LUNGS = VirtualThorax.generate(
-                    VirtualThoraxParameters.preset("adult-male"), Resolution.LOW)
-            .structuresOf(StructureKind.LUNG);
+    private static final List<Structure> LUNGS =
+            VirtualThorax.ofPreset("adult-male", Resolution.LOW).structuresOf(StructureKind.LUNG);
 
     /** Right and left. */
     private static List<LungBase> bases(List<Structure> lungs) {

@@ -91,9 +91,14 @@ public final class CageVoxels {
 
     /** The voxels in LPS, the first one at the origin. */
     public LabelVolume volume() {
+        return volume(labels.clone());
+    }
+
+    /** Whole slices of voxels of this size in LPS, the first one at the origin. */
+    static LabelVolume volume(byte[] labels) {
         double s = SPACING_MM;
-        LabelGrid grid =
-                LabelGrid.of(COLUMNS, ROWS, SLICES, labels.clone(), new double[] {s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0});
+        int slices = labels.length / (COLUMNS * ROWS);
+        LabelGrid grid = LabelGrid.of(COLUMNS, ROWS, slices, labels, new double[] {s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0});
         return new LabelVolume(grid, Map.of(), java.util.List.of());
     }
 

@@ -3,14 +3,10 @@ package org.phrenic.patient.segmentation;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.phrenic.file.BadInputException;
-import org.phrenic.mesh.io.volume.LabelVolume;
-import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
 
 /** A cage of ribs under one label, without vertebrae, of which a scan shows the slices from one to another. */
@@ -20,11 +16,7 @@ class CutRibCountTest {
     private static Segmentation scan(CageVoxels cage, int from, int to, boolean common) {
         byte[] labels = new byte[(to - from) * ROW];
         System.arraycopy(cage.labels, from * ROW, labels, 0, labels.length);
-        double mm = CageVoxels.SPACING_MM;
-        LabelGrid grid = LabelGrid.of(CageVoxels.COLUMNS, CageVoxels.ROWS, to - from, labels, new double[] {
-            mm, 0, 0, 0, 0, mm, 0, 0, 0, 0, mm, 0
-        });
-        return new Segmentation(new LabelVolume(grid, Map.of(), List.of()), CageVoxels.table(common), "scan");
+        return new Segmentation(CageVoxels.volume(labels), CageVoxels.table(common), "scan");
     }
 
     /** Voxels of each rib by its name. */

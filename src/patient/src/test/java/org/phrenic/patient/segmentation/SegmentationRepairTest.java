@@ -110,12 +110,8 @@ class SegmentationRepairTest {
             }
         }
         int slices = 62;
-        double s = CageVoxels.SPACING_MM;
         byte[] lower = Arrays.copyOf(cage.labels, CageVoxels.COLUMNS * CageVoxels.ROWS * slices);
-        LabelGrid grid = LabelGrid.of(
-                CageVoxels.COLUMNS, CageVoxels.ROWS, slices, lower, new double[] {s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0});
-        Segmentation cut =
-                new Segmentation(new LabelVolume(grid, Map.of(), List.of()), CageVoxels.table(false), "scan");
+        Segmentation cut = new Segmentation(CageVoxels.volume(lower), CageVoxels.table(false), "scan");
         assertThat(SegmentationRepair.numberRibs(cut)).hasSize(1);
         for (int number = 5; number <= 12; number++) {
             double angle = 0.9 * Math.PI;

@@ -2,14 +2,12 @@ package org.phrenic.patient.segmentation;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.IntPredicate;
 import org.junit.jupiter.api.Test;
-import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
 
@@ -55,13 +53,8 @@ class SkeletonSplitterTest {
             int label = cage.labels[row * from + v] & LabelGrid.MAX_BYTE_LABEL;
             labels[v] = (byte) (!isBone(label) ? label : kept.test(label) ? BONES : 0);
         }
-        double mm = CageVoxels.SPACING_MM;
-        LabelGrid grid = LabelGrid.of(CageVoxels.COLUMNS, CageVoxels.ROWS, to - from, labels, new double[] {
-            mm, 0, 0, 0, 0, mm, 0, 0, 0, 0, mm, 0
-        });
-        LabelVolume volume = new LabelVolume(grid, Map.of(), List.of());
         return new Segmentation(
-                volume,
+                CageVoxels.volume(labels),
                 new LabelTable(Map.of(BONES, LabelTable.ALL_BONES, RIGHT_LUNG, "lung_R", LEFT_LUNG, "lung_L")),
                 "scan");
     }

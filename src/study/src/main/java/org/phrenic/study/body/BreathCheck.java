@@ -78,18 +78,12 @@ final class BreathCheck {
         if (depth == BreathDepth.QUIET) {
             witness.seen(body, "rest", surfaces.surfaces(), atRest);
         }
-        double end = simulation.breathPeriodS();
-        long chunk = samplingSteps(simulation);
         try {
-            while (simulation.time() < end - 0.5 * simulation.stepper().dt()) {
-                for (long i = 0; i < chunk; i++) {
-                    simulation.step();
-                }
-                surfaces.capture(now);
+            breathe(simulation, surfaces, now, () -> {
                 if (domes(now.values()) < domes(lowest.values())) {
                     lowest.copyFrom(now);
                 }
-            }
+            });
         } catch (DivergenceException e) {
             return BreathResult.failed(depth, e.getMessage(), restCrossing);
         }
@@ -107,9 +101,21 @@ final class BreathCheck {
                 crossing.measure(surfaces.surfaces(), inspired));
     }
 
-    /** Number of steps between samples. */
-    static long samplingSteps(Simulation simulation) {
-        return Math.max(1, Math.round(SAMPLE_S / simulation.stepper().dt()));
+    /**
+     * Simulates a period of the breath.
+     *
+     * @param now receives each sample, before it is seen
+     */
+    static void breathe(Simulation simulation, SceneSurfaces surfaces, Frame now, Runnable seen) {
+        double end = simulation.breathPeriodS();
+        long chunk = Math.max(1, Math.round(SAMPLE_S / simulation.stepper().dt()));
+        while (simulation.time() < end - 0.5 * simulation.stepper().dt()) {
+            for (long i = 0; i < chunk; i++) {
+                simulation.step();
+            }
+            surfaces.capture(now);
+            seen.run();
+        }
     }
 
     /** The surfaces of a scene in a frame of it. */

@@ -44,26 +44,24 @@ final class InspiredBody {
 
     /** The first frame in which the domes stand that low. */
     private static Frame at(double share, Simulation simulation, SceneSurfaces surfaces) {
-        List<Frame> frames = new ArrayList<>();
         Frame now = surfaces.newFrame();
         double rest = BreathCheck.domes(now.values());
-        double lowest = rest;
-        long chunk = BreathCheck.samplingSteps(simulation);
-        double end = simulation.breathPeriodS();
-        while (simulation.time() < end - 0.5 * simulation.stepper().dt()) {
-            for (long i = 0; i < chunk; i++) {
-                simulation.step();
-            }
-            surfaces.capture(now);
-            if (BreathCheck.domes(now.values()) < lowest) {
-                lowest = BreathCheck.domes(now.values());
+        List<Frame> frames = new ArrayList<>(List.of(now.copy()));
+        BreathCheck.breathe(simulation, surfaces, now, () -> {
+            if (BreathCheck.domes(now.values()) < lowest(frames)) {
                 frames.add(now.copy());
             }
-        }
-        double wanted = rest + share * (lowest - rest);
+        });
+        double wanted = rest + share * (lowest(frames) - rest);
         return frames.stream()
+                .skip(1)
                 .filter(frame -> BreathCheck.domes(frame.values()) <= wanted)
                 .findFirst()
                 .orElseThrow(() -> new IllegalStateException("the domes do not descend in a deep breath"));
+    }
+
+    /** Height of the domes in the last of frames that stand ever lower, mm. */
+    private static double lowest(List<Frame> frames) {
+        return BreathCheck.domes(frames.get(frames.size() - 1).values());
     }
 }

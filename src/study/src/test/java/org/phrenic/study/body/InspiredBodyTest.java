@@ -12,16 +12,11 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshMeasure;
 
 /** Scans of the virtual woman at inspiration. */
 class InspiredBodyTest {
-    private static final Thorax WOMAN = generated("adult-female");
-
-    private static Thorax generated(String preset) {
-        return VirtualThorax.generate(VirtualThoraxParameters.preset(preset), Resolution.LOW);
-    }
+    private static final Thorax WOMAN = VirtualThorax.ofPreset("adult-female", Resolution.LOW);
 
     private static double lungMl(Thorax body) {
         return body.structuresOf(StructureKind.LUNG).stream()
@@ -56,7 +51,8 @@ class InspiredBodyTest {
         BodyCase woman = new BodyCase("woman", "virtual", 1, () -> WOMAN);
         double top = WOMAN.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh().bounds()[5];
         List<BodyCut> cuts = List.of(BodyCut.INSPIRED, BodyCut.HALF_INSPIRED);
-        for (BodyCase scan : ImportedBodies.cuts(woman, cuts, () -> generated("adult-male"), folder)) {
+        for (BodyCase scan :
+                ImportedBodies.cuts(woman, cuts, () -> VirtualThorax.ofPreset("adult-male", Resolution.LOW), folder)) {
             Thorax imported = scan.thorax().get();
             assertThat(imported.structuresOf(StructureKind.DIAPHRAGM)
                             .get(0)
