@@ -101,28 +101,36 @@ public final class SlowMotionRelease implements ForceField {
         return weight == 1 ? v : mean + weight * (v - mean);
     }
 
+    private static void advance(double[] mean, double[] v, double weight, int from, int end) {
+        for (int i = from; i < end; i++) {
+            mean[i] += weight * (v[i] - mean[i]);
+        }
+    }
+
+    private static void addProducts(double[] gamma, double[] u, double[] force, int from, int end) {
+        for (int n = from; n < end; n++) {
+            double g = gamma[n];
+            int i = 3 * n;
+            force[i] += g * u[i];
+            force[i + 1] += g * u[i + 1];
+            force[i + 2] += g * u[i + 2];
+        }
+    }
+
     @Override
     public void addForces(double[] x, double[] v, double[] force, int block) {
         if (!active || v != velocities) {
             return;
         }
-        double[] gamma = system.viscosities();
-        double[] mean = u;
-        double share = weight;
-        int end = layout.end(block);
-        for (int n = layout.start(block); n < end; n++) {
-            double g = gamma[n];
-            int i = 3 * n;
-            double ux = advanced(mean[i], v[i], share);
-            double uy = advanced(mean[i + 1], v[i + 1], share);
-            double uz = advanced(mean[i + 2], v[i + 2], share);
-            mean[i] = ux;
-            mean[i + 1] = uy;
-            mean[i + 2] = uz;
-            force[i] += g * ux;
-            force[i + 1] += g * uy;
-            force[i + 2] += g * uz;
+        int from = 3 * layout.start(block);
+        int end = 3 * layout.end(block);
+        if (weight == 1) {
+            System.arraycopy(v, from, u, from, end - from);
+        } else if (weight > 0) {
+            advance(u, v, weight, from, end);
         }
+        double[] gamma = system.viscosities();
+        addProducts(gamma, u, force, layout.start(block), layout.end(block));
         for (int k = relievedStart[block]; k < relievedStart[block + 1]; k++) {
             int n = relieved[k];
             double g = relief * gamma[n];

@@ -13,10 +13,6 @@ import org.phrenic.engine.parallel.NodeLayout;
  * lengthens.
  */
 public final class Springs implements ForceField {
-    /**
-     * Entries in one kernel call, a multiple of 3. Short calls are compiled sooner, and their data fit in the L1 cache.
-     */
-    private static final int CHUNK = 480;
     /** Incompressible tissue widens by at most half of what it shortens. */
     private static final double LEAST_SHARE = -0.5;
 
@@ -41,7 +37,7 @@ public final class Springs implements ForceField {
             }
         }
         constants = new SpringData(edges.toEntries(stiffness), entryRest, shortening, b.damping);
-        kernel = SpringKernel.of(edges, constants);
+        kernel = new SpringKernel(edges, constants);
     }
 
     /**
@@ -123,12 +119,7 @@ public final class Springs implements ForceField {
         int single = edges.singleStart[block];
         int outer = edges.outerStart[block];
         int end = edges.innerStart[block + 1];
-        for (int from = edges.innerStart[block]; from < single; from += CHUNK) {
-            int to = Math.min(single, from + CHUNK);
-            constants.updateRest(from, to);
-            kernel.stars(x, v, force, from, to);
-        }
-        constants.updateRest(single, end);
+        kernel.stars(x, v, force, edges.innerStart[block], single);
         kernel.singles(x, v, force, single, outer, true);
         kernel.singles(x, v, force, outer, end, false);
     }

@@ -22,7 +22,7 @@ public final class BareWorkload implements AutoCloseable {
     /** Number of steps from rest after which displacement and hash are computed. */
     public static final int CHECKED_STEPS = 200;
 
-    /** Label of the spring force kernel in reports and options: fused loops. */
+    /** Label of the spring force kernel in reports and options: plain loops. */
     public static final String KERNEL = "loops";
 
     private static final int RUNS = 7;
