@@ -21,9 +21,6 @@ public final class HingeBending implements ForceField {
     /** Corners of a hinge. */
     private static final int CORNERS = 4;
 
-    /** Rows in one call: short calls are compiled sooner. */
-    private static final int CHUNK = 64;
-
     /** Rows of each block: those from one number to the next. */
     private final int[] blockStart;
     /** Node of each row, times 3. */
@@ -97,8 +94,8 @@ public final class HingeBending implements ForceField {
     @Override
     public void addForces(double[] x, double[] v, double[] force, int block) {
         int end = blockStart[block + 1];
-        for (int from = blockStart[block]; from < end; from += CHUNK) {
-            subtractProduct(x, force, from, Math.min(end, from + CHUNK));
+        for (int from = blockStart[block]; from < end; from += NodeLayout.LOOP_CHUNK) {
+            subtractProduct(x, force, from, Math.min(end, from + NodeLayout.LOOP_CHUNK));
         }
         for (int i = blockStart[block]; i < end; i++) {
             SpringKernel.add(force, row[i], load[3 * i], load[3 * i + 1], load[3 * i + 2]);

@@ -36,7 +36,7 @@ public final class NodeLayout {
      * Nodes processed in one call of a loop method. Short calls start up faster: the JIT compiler compiles a method
      * after some hundred calls, but a single loop only after some ten thousand iterations.
      */
-    public static final int LOOP_CHUNK = 64;
+    public static final int LOOP_CHUNK = 256;
 
     private final int[] internalOfCaller;
     private final int[] callerOfInternal;
