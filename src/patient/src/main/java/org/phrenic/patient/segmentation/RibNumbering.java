@@ -19,11 +19,11 @@ import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
 
 /**
- * Numbers of ribs. Where a label holds parts of two ribs, or all ribs share one label, the connected ribs are numbered
- * from top to bottom on each side. Without vertebrae they are counted from the first or the last ({@link CutRibCount}).
- * The numbers are otherwise those of least cost: the height of a rib's vertebral end above or below the vertebra of its
- * number, the share of its voxels that carry another number, and numbers left out. Of a rib whose vertebral end is cut
- * off the vertebra lies higher than what is left.
+ * Numbers of ribs. Where a label holds parts of two ribs or names a rib of the other side, or all ribs share one label,
+ * the connected ribs are numbered from top to bottom on each side. Without vertebrae they are counted from the first or
+ * the last ({@link CutRibCount}). The numbers are otherwise those of least cost: the height of a rib's vertebral end
+ * above or below the vertebra of its number, the share of its voxels that carry another number, and numbers left out.
+ * Of a rib whose vertebral end is cut off the vertebra lies higher than what is left.
  */
 final class RibNumbering {
     static final int RIBS = 12;
@@ -45,6 +45,7 @@ final class RibNumbering {
     private final Segmentation s;
     private final int common;
     private final RibComponents components;
+    private final RibSides sides;
     /** Height of the body of each thoracic vertebra by number, mm; NaN if none is known. */
     private final double[] vertebraZ;
 
@@ -52,6 +53,7 @@ final class RibNumbering {
         this.s = s;
         this.components = components;
         common = s.find(LabelTable.RIBS);
+        sides = new RibSides(s, components.ribs());
         vertebraZ = VertebraHeights.of(s);
     }
 
@@ -71,18 +73,33 @@ final class RibNumbering {
             group[s.find(name)] = (byte) (rib ? 1 : 0);
         }
         RibComponents components = new RibComponents(s, group);
-        Optional<Integer> divided = components.dividedSegment();
-        if (s.find(LabelTable.RIBS) == 0 && divided.isEmpty()) {
+        RibNumbering numbering = new RibNumbering(s, components);
+        Optional<String> reason = numbering.reason();
+        if (reason.isEmpty()) {
             components.relabelBleeding();
             return Optional.empty();
         }
-        return Optional.of(new RibNumbering(s, components).renumber(divided));
+        return Optional.of(numbering.renumber(reason.get()));
     }
 
-    private String renumber(Optional<Integer> divided) {
-        String found = common > 0
-                ? "ribs"
-                : "label " + s.labels(s.names().get(divided.orElseThrow() - 1)).get(0) + " holds parts of two ribs";
+    /** Why the labels do not number the ribs; empty if they do. */
+    private Optional<String> reason() {
+        if (common > 0) {
+            return Optional.of("ribs");
+        }
+        Optional<Integer> divided = components.dividedSegment();
+        if (divided.isPresent()) {
+            return Optional.of("label " + label(divided.get()) + " holds parts of two ribs");
+        }
+        return sides.misplaced(components.ribs())
+                .map(segment -> "label " + label(segment) + " names a rib of the other side");
+    }
+
+    private int label(int segment) {
+        return s.labels(s.names().get(segment - 1)).get(0);
+    }
+
+    private String renumber(String found) {
         List<RibComponents.Rib> ribs = components.ribs();
         if (ribs.isEmpty()) {
             throw new BadInputException(found + ": found no rib, expected some");
@@ -141,19 +158,13 @@ final class RibNumbering {
     /** x of all voxels of the ribs whose label names a side, mm. */
     private DoubleStream across(List<RibComponents.Rib> ribs, Side side) {
         return ribs.stream()
-                .filter(rib -> labelledSide(rib).filter(side::equals).isPresent())
+                .filter(rib -> sides.of(rib).filter(side::equals).isPresent())
                 .flatMapToDouble(rib ->
                         IntStream.range(0, rib.voxels.size()).mapToDouble(i -> s.coordinate(rib.voxels.get(i), 0)));
     }
 
-    private Optional<Side> labelledSide(RibComponents.Rib rib) {
-        return StructureName.parse(s.names().get(rib.dominantSegment() - 1))
-                .map(StructureName::side)
-                .filter(side -> side == Side.RIGHT || side == Side.LEFT);
-    }
-
     private Side side(RibComponents.Rib rib, double middle) {
-        return labelledSide(rib).orElse(rib.centre[0] < middle ? Side.RIGHT : Side.LEFT);
+        return sides.of(rib).orElse(rib.centre[0] < middle ? Side.RIGHT : Side.LEFT);
     }
 
     /**

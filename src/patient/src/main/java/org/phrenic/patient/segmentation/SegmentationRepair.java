@@ -13,8 +13,8 @@ import org.phrenic.anatomy.StructureName;
 import org.phrenic.patient.label.LabelTable;
 
 /**
- * Mending of voxels: pits, dropped voxels and holes are filled, pieces of a bone joined, specks left out, and ribs
- * numbered where their labels do not tell them apart.
+ * Mending of voxels: pits, dropped voxels and holes are filled, pieces of a bone joined, specks and stray parts left
+ * out, and ribs numbered where their labels do not tell them apart.
  */
 public final class SegmentationRepair {
     /** Pieces of a bone below this share of its voxels are specks. */
@@ -36,6 +36,7 @@ public final class SegmentationRepair {
     private final List<String> notes = new ArrayList<>();
     private int specks;
     private int speckSegments;
+    private boolean cleared;
 
     private SegmentationRepair(Segmentation s) {
         this.s = s;
@@ -56,8 +57,8 @@ public final class SegmentationRepair {
     }
 
     /**
-     * Fills pits and holes, joins the pieces of bones and leaves out specks. To be called when all structures are told
-     * apart: filling would join bones that share a label.
+     * Fills pits and holes, joins the pieces of bones and leaves out specks and stray parts of organs. To be called
+     * when all structures are told apart: filling would join bones that share a label.
      *
      * @return notes, one sentence each
      */
@@ -65,8 +66,8 @@ public final class SegmentationRepair {
         SegmentationRepair repair = new SegmentationRepair(s);
         repair.fill();
         repair.join();
-        if (repair.specks > 0) {
-            // Where specks lay within a structure.
+        if (repair.cleared) {
+            // Where specks and stray parts lay within a structure.
             HoleFilling.fill(s);
         }
         return repair.notes;
@@ -120,6 +121,8 @@ public final class SegmentationRepair {
         for (int segment = 1; segment < sizes.size(); segment++) {
             sort(segment, sizes.get(segment), kept, pieces);
         }
+        Optional<String> stray = new StrayParts(s, runs).leaveOut(kept);
+        stray.ifPresent(notes::add);
         collect(runs, kept, pieces);
         List<String> joined = new ArrayList<>();
         pieces.forEach((segment, components) -> joinBone(segment, components, joined));
@@ -173,6 +176,7 @@ public final class SegmentationRepair {
         pieces.values().forEach(list -> list.sort(Comparator.comparingInt((int[] piece) -> -piece.length)));
         for (int run = 0; run < runs.count(); run++) {
             if (!kept[runs.component(run)]) {
+                cleared = true;
                 Arrays.fill(s.voxels, runs.from(run), runs.to(run), (byte) 0);
             }
         }

@@ -18,6 +18,9 @@ import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
 
 class SegmentationRepairTest {
+    /** Half way round the right third rib, in voxels of the cage. */
+    private static final double[] RIGHT_OF_RIB_3 = {2.5, 30, 94};
+
     /** Number of voxels of each structure. */
     private static TreeMap<String, Integer> counts(Segmentation s) {
         int[] counts = s.counts();
@@ -90,6 +93,38 @@ class SegmentationRepairTest {
         SegmentationRepair.mend(s);
         assertThat(counts(s)).isEqualTo(truth);
         assertThat(s.labels("rib_07_L")).containsExactly(CageVoxels.rib(7, false), CageVoxels.rib(8, false));
+    }
+
+    /** The front halves of right ribs 6 and 9 carry labels of the left side, and ribs 3 exchange theirs. */
+    @Test
+    void ribsUnderLabelsOfTheOtherSideKeepTheirSide() {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        TreeMap<String, Integer> truth = repaired(cage.segmentation(CageVoxels.table(false)));
+        byte[] clean = cage.labels.clone();
+        exchange(clean, cage.labels, 3, 3, CageVoxels.ROWS);
+        Segmentation whole = cage.segmentation(CageVoxels.table(false));
+        assertThat(SegmentationRepair.numberRibs(whole)).singleElement().satisfies(note -> assertThat(note)
+                .contains("names a rib of the other side", "24"));
+        assertThat(nameNear(whole, RIGHT_OF_RIB_3)).isEqualTo("rib_03_R");
+        exchange(clean, cage.labels, 6, 7, 34);
+        exchange(clean, cage.labels, 9, 9, 34);
+        Segmentation s = cage.segmentation(CageVoxels.table(false));
+        assertThat(SegmentationRepair.numberRibs(s)).hasSize(1);
+        SegmentationRepair.mend(s);
+        assertThat(counts(s)).isEqualTo(truth);
+        assertThat(nameNear(s, RIGHT_OF_RIB_3)).isEqualTo("rib_03_R");
+    }
+
+    /** Gives what of a right rib lies before a row the label of a left one, and the other way round. */
+    private static void exchange(byte[] from, byte[] to, int right, int left, int row) {
+        for (int v = 0; v < from.length; v++) {
+            int label = from[v] & LabelGrid.MAX_BYTE_LABEL;
+            if (label == CageVoxels.rib(right, true) && v / CageVoxels.COLUMNS % CageVoxels.ROWS < row) {
+                to[v] = (byte) CageVoxels.rib(left, false);
+            } else if (label == CageVoxels.rib(left, false) && v / CageVoxels.COLUMNS % CageVoxels.ROWS < row) {
+                to[v] = (byte) CageVoxels.rib(right, true);
+            }
+        }
     }
 
     /**
@@ -361,5 +396,34 @@ class SegmentationRepairTest {
         Segmentation s = cage.segmentation(new LabelTable(structures));
         CartilageSplitter.split(s);
         assertThat(counts(s)).containsKey("costal_cartilage_06_R").doesNotContainKey("costal_cartilage_03_L");
+    }
+
+    /**
+     * Spleen, liver and lungs as balls, and small balls under their labels: one near the spleen, one of the left lung
+     * near the right one, and three far from their organs, of which one lies within the liver.
+     */
+    @Test
+    void smallPartsAwayFromTheirOrganAreLeftOut() {
+        LabelTable table = new LabelTable(Map.of(1, "spleen", 2, "liver", 3, "lung_L", 4, "lung_R"));
+        CageVoxels clean = new CageVoxels();
+        clean.ball(70, 40, 30, 8, 1);
+        clean.ball(82, 40, 30, 1.5, 1);
+        clean.ball(25, 30, 40, 12, 2);
+        clean.ball(65, 30, 95, 14, 3);
+        clean.ball(43, 30, 95, 2.2, 3);
+        clean.ball(25, 30, 95, 14, 4);
+        CageVoxels scan = new CageVoxels();
+        scan.ball(25, 30, 40, 1.5, 1);
+        scan.ball(20, 45, 70, 1.5, 1);
+        scan.ball(60, 20, 10, 2.2, 4);
+        for (int v = 0; v < scan.labels.length; v++) {
+            scan.labels[v] = scan.labels[v] == 0 ? clean.labels[v] : scan.labels[v];
+        }
+        Segmentation s = scan.segmentation(table);
+        List<String> notes = SegmentationRepair.mend(s);
+        assertThat(counts(s)).isEqualTo(counts(clean.segmentation(table)));
+        assertThat(pieces(s)).isEqualTo(Map.of("spleen", 2, "liver", 1, "lung_L", 2, "lung_R", 1));
+        assertThat(notes)
+                .containsExactly("parts that lie away from their organ are left out: spleen (1.0 ml), lung_R (0.9 ml)");
     }
 }

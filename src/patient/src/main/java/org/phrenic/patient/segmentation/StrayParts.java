@@ -1,0 +1,166 @@
+package org.phrenic.patient.segmentation;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.StructureName;
+
+/**
+ * Stray parts of organs: components that are small beside the organ and lie away from its main ones, as where a
+ * segmentation takes gas of the bowel for lung. The lobes of both lungs count as one organ. Distances are judged on a
+ * grid of coarse cells: a component is near another if their cells touch.
+ */
+final class StrayParts {
+    /** A component of at least this share of its structure is a main one, as is the largest. */
+    private static final double MAIN_SHARE = 0.1;
+    /** Edge of the coarse cells, mm. */
+    private static final double CELL_MM = 10;
+
+    private final Segmentation s;
+    private final VoxelRuns runs;
+    /** Number of voxels along each edge of a coarse cell. */
+    private final int[] voxels = new int[3];
+
+    private final int columns;
+    private final int rows;
+    /** The organ of each segment: the number of its first segment; 0 for bones, vessels and others. */
+    private final int[] organ;
+
+    StrayParts(Segmentation s, VoxelRuns runs) {
+        this.s = s;
+        this.runs = runs;
+        for (int axis = 0; axis < 3; axis++) {
+            voxels[axis] = Math.max(1, (int) Math.round(CELL_MM / s.grid().spacing(axis)));
+        }
+        // A margin of one cell at either end spares the neighbours of a cell a test.
+        columns = s.columns / voxels[0] + 3;
+        rows = s.rows / voxels[1] + 3;
+        organ = organs(s.names().size() + 1);
+    }
+
+    /**
+     * Marks the components that are to be left out.
+     *
+     * @param kept by component; set to false for stray ones
+     * @return a sentence that names them, if there are any
+     */
+    Optional<String> leaveOut(boolean[] kept) {
+        BitSet near = main();
+        BitSet[] cells = occupied(near);
+        for (int run = 0; run < runs.count(); run++) {
+            if (!near.get(runs.component(run)) && touches(cells[organ[s.segmentAt(runs.from(run))]], run)) {
+                near.set(runs.component(run));
+            }
+        }
+        int[] stray = new int[organ.length];
+        for (int run = 0; run < runs.count(); run++) {
+            int component = runs.component(run);
+            if (component == run && kept[component] && !near.get(component)) {
+                stray[s.segmentAt(runs.from(run))] += runs.size(component);
+                kept[component] = false;
+            }
+        }
+        return sentence(stray);
+    }
+
+    /** The main components of organs, and all components of other structures. */
+    private BitSet main() {
+        int[] largest = new int[organ.length];
+        int[] total = new int[organ.length];
+        for (int run = 0; run < runs.count(); run++) {
+            int segment = s.segmentAt(runs.from(run));
+            total[segment] += runs.to(run) - runs.from(run);
+            largest[segment] = Math.max(largest[segment], runs.size(runs.component(run)));
+        }
+        BitSet main = new BitSet();
+        for (int run = 0; run < runs.count(); run++) {
+            int segment = s.segmentAt(runs.from(run));
+            int size = runs.size(runs.component(run));
+            if (organ[segment] == 0 || size == largest[segment] || size >= MAIN_SHARE * total[segment]) {
+                main.set(runs.component(run));
+            }
+        }
+        return main;
+    }
+
+    /** The coarse cells of the main components of each organ. */
+    private BitSet[] occupied(BitSet main) {
+        BitSet[] cells = new BitSet[organ.length];
+        Arrays.setAll(cells, i -> new BitSet());
+        for (int run = 0; run < runs.count(); run++) {
+            int number = organ[s.segmentAt(runs.from(run))];
+            if (number > 0 && main.get(runs.component(run))) {
+                int row = rowOfCells(run);
+                cells[number].set(row + firstCell(run), row + lastCell(run) + 1);
+            }
+        }
+        return cells;
+    }
+
+    private int[] organs(int segments) {
+        int[] organ = new int[segments];
+        int lung = 0;
+        for (int segment = 1; segment < segments; segment++) {
+            StructureKind kind = StructureName.parse(s.names().get(segment - 1))
+                    .map(StructureName::kind)
+                    .orElse(StructureKind.OTHER);
+            if (kind == StructureKind.LUNG) {
+                lung = lung == 0 ? segment : lung;
+                organ[segment] = lung;
+            } else if (kind == StructureKind.LIVER || kind == StructureKind.ORGAN) {
+                organ[segment] = segment;
+            }
+        }
+        return organ;
+    }
+
+    private int rowOfCells(int run) {
+        int row = runs.from(run) / s.columns;
+        int j = row % s.rows / voxels[1] + 1;
+        int k = row / s.rows / voxels[2] + 1;
+        return columns * (j + rows * k);
+    }
+
+    private int firstCell(int run) {
+        return runs.from(run) % s.columns / voxels[0] + 1;
+    }
+
+    private int lastCell(int run) {
+        return (runs.to(run) - 1) % s.columns / voxels[0] + 1;
+    }
+
+    private boolean touches(BitSet cells, int run) {
+        int from = firstCell(run) - 1;
+        int to = lastCell(run) + 1;
+        for (int k = -1; k <= 1; k++) {
+            for (int j = -1; j <= 1; j++) {
+                int row = rowOfCells(run) + columns * (j + rows * k);
+                int next = cells.nextSetBit(row + from);
+                if (next >= 0 && next <= row + to) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private Optional<String> sentence(int[] stray) {
+        List<String> named = new ArrayList<>();
+        for (int segment = 1; segment < stray.length; segment++) {
+            if (stray[segment] > 0) {
+                named.add(String.format(
+                        Locale.ROOT,
+                        "%s (%.1f ml)",
+                        s.names().get(segment - 1),
+                        s.grid().volumeMl(stray[segment])));
+            }
+        }
+        return named.isEmpty()
+                ? Optional.empty()
+                : Optional.of("parts that lie away from their organ are left out: " + String.join(", ", named));
+    }
+}
