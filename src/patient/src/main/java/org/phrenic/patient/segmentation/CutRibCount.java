@@ -15,7 +15,7 @@ final class CutRibCount {
      * Length of the lowest rib over that of the one above, between the twelfth over the eleventh (0.60 to 0.64) and the
      * eleventh over the tenth (0.83 to 0.84), from end to end in adults.
      */
-    private static final double SHORT = 0.73;
+    static final double SHORT = 0.73;
 
     private CutRibCount() {}
 

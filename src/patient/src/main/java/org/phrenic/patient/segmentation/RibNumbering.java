@@ -64,6 +64,26 @@ final class RibNumbering {
      * @throws BadInputException with a message without the file's name, if the ribs cannot be told apart
      */
     static Optional<String> check(Segmentation s) {
+        RibComponents components = components(s);
+        Optional<String> reason = reason(s, components);
+        if (reason.isEmpty()) {
+            components.relabelBleeding();
+            return Optional.empty();
+        }
+        return Optional.of(new RibNumbering(s, components).renumber(reason.get()));
+    }
+
+    /**
+     * Numbers the ribs anew.
+     *
+     * @param found begins the note
+     * @return a note
+     */
+    static String renumber(Segmentation s, String found) {
+        return new RibNumbering(s, components(s)).renumber(found);
+    }
+
+    private static RibComponents components(Segmentation s) {
         byte[] group = new byte[LabelGrid.MAX_BYTE_LABEL + 1];
         for (String name : s.names()) {
             boolean rib = name.equals(LabelTable.RIBS)
@@ -72,30 +92,24 @@ final class RibNumbering {
                             .isPresent();
             group[s.find(name)] = (byte) (rib ? 1 : 0);
         }
-        RibComponents components = new RibComponents(s, group);
-        RibNumbering numbering = new RibNumbering(s, components);
-        Optional<String> reason = numbering.reason();
-        if (reason.isEmpty()) {
-            components.relabelBleeding();
-            return Optional.empty();
-        }
-        return Optional.of(numbering.renumber(reason.get()));
+        return new RibComponents(s, group);
     }
 
     /** Why the labels do not number the ribs; empty if they do. */
-    private Optional<String> reason() {
-        if (common > 0) {
+    private static Optional<String> reason(Segmentation s, RibComponents components) {
+        if (s.find(LabelTable.RIBS) > 0) {
             return Optional.of("ribs");
         }
         Optional<Integer> divided = components.dividedSegment();
         if (divided.isPresent()) {
-            return Optional.of("label " + label(divided.get()) + " holds parts of two ribs");
+            return Optional.of("label " + label(s, divided.get()) + " holds parts of two ribs");
         }
-        return sides.misplaced(components.ribs())
-                .map(segment -> "label " + label(segment) + " names a rib of the other side");
+        return new RibSides(s, components.ribs())
+                .misplaced(components.ribs())
+                .map(segment -> "label " + label(s, segment) + " names a rib of the other side");
     }
 
-    private int label(int segment) {
+    private static int label(Segmentation s, int segment) {
         return s.labels(s.names().get(segment - 1)).get(0);
     }
 

@@ -43,16 +43,18 @@ public final class SegmentationRepair {
     }
 
     /**
-     * Numbers the ribs where their labels do not, after separating them from bones that share a label with them. To be
-     * called before cartilages and after lungs are separated.
+     * Numbers the ribs where their labels do not, after separating them from bones that share a label with them, and
+     * brings their numbers and those of the vertebrae into line. To be called before cartilages and after lungs are
+     * separated.
      *
-     * @return notes if ribs were numbered
+     * @return notes if ribs or vertebrae were numbered
      * @throws org.phrenic.file.BadInputException if ribs cannot be told apart
      */
     public static List<String> numberRibs(Segmentation s) {
         List<String> notes = new ArrayList<>();
         SkeletonSplitter.split(s).ifPresent(notes::add);
         RibNumbering.check(s).ifPresent(notes::add);
+        VertebraNumbering.check(s).ifPresent(notes::add);
         return notes;
     }
 

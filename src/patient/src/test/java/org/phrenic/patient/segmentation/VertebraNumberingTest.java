@@ -1,0 +1,108 @@
+package org.phrenic.patient.segmentation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.TreeMap;
+import java.util.function.IntUnaryOperator;
+import org.junit.jupiter.api.Test;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/** A cage whose ribs or vertebrae carry the label of their neighbour. */
+class VertebraNumberingTest {
+    /** The slices below end with the heads of rib 8. */
+    private static final int ABDOMEN = 58;
+
+    private static final int FIRST_LEFT = CageVoxels.rib(1, false);
+    private static final int LAST_RIGHT = CageVoxels.rib(12, true);
+    private static final int T1 = CageVoxels.vertebra(1);
+    private static final int T12 = CageVoxels.vertebra(12);
+
+    private static CageVoxels cage() {
+        CageVoxels cage = CageVoxels.withFloatingRibs();
+        return cage.withVertebrae(1);
+    }
+
+    private static Segmentation scan(CageVoxels cage, int slices, IntUnaryOperator relabel) {
+        byte[] labels = Arrays.copyOf(cage.labels, CageVoxels.COLUMNS * CageVoxels.ROWS * slices);
+        for (int v = 0; v < labels.length; v++) {
+            labels[v] = (byte) relabel.applyAsInt(labels[v] & LabelGrid.MAX_BYTE_LABEL);
+        }
+        return new Segmentation(CageVoxels.volume(labels), CageVoxels.table(false), "scan");
+    }
+
+    /** Labels of vertebrae one higher in the spine (-1) or one lower; without a label beyond the thoracic ones. */
+    private static IntUnaryOperator vertebraeMoved(int down) {
+        return label -> {
+            int moved = label - down;
+            return label < T12 || label > T1 ? label : moved < T12 || moved > T1 ? 0 : moved;
+        };
+    }
+
+    private static IntUnaryOperator ribsMovedDown() {
+        return label -> {
+            boolean last = label == CageVoxels.rib(12, false) || label == LAST_RIGHT;
+            return label < FIRST_LEFT || label > LAST_RIGHT ? label : last ? 0 : label + 1;
+        };
+    }
+
+    /** Voxels of each structure; of one whose true voxels have no label there are none. */
+    private static TreeMap<String, Integer> counts(Segmentation s) {
+        TreeMap<String, Integer> counts = new TreeMap<>();
+        int[] all = s.counts();
+        for (String name : s.names()) {
+            if (all[s.find(name)] > 0) {
+                counts.put(name, all[s.find(name)]);
+            }
+        }
+        return counts;
+    }
+
+    private static TreeMap<String, Integer> truth(int slices, String... without) {
+        TreeMap<String, Integer> truth = counts(scan(cage(), slices, label -> label));
+        truth.keySet().removeAll(List.of(without));
+        return truth;
+    }
+
+    @Test
+    void numbersThatFitAreLeftAlone() {
+        Segmentation s = scan(cage(), CageVoxels.SLICES, label -> label);
+        assertThat(VertebraNumbering.check(s)).isEmpty();
+        assertThat(counts(s)).isEqualTo(truth(CageVoxels.SLICES));
+    }
+
+    @Test
+    void vertebraeOneOffTwelvePairsOfRibsAreNumberedAnew() {
+        Segmentation below = scan(cage(), CageVoxels.SLICES, vertebraeMoved(-1));
+        assertThat(SegmentationRepair.numberRibs(below)).singleElement().satisfies(note -> assertThat(note)
+                .contains("one below the ribs", "vertebra_T12 is vertebra_L01 now"));
+        assertThat(counts(below)).isEqualTo(truth(CageVoxels.SLICES, "vertebra_T01"));
+        assertThat(below.labels("vertebra_T12")).containsExactly(CageVoxels.vertebra(11));
+        Segmentation above = scan(cage(), CageVoxels.SLICES, vertebraeMoved(1));
+        assertThat(SegmentationRepair.numberRibs(above)).singleElement().satisfies(note -> assertThat(note)
+                .contains("one above the ribs", "vertebra_L01 is vertebra_T12 now"));
+        assertThat(counts(above)).isEqualTo(truth(CageVoxels.SLICES, "vertebra_T12"));
+    }
+
+    @Test
+    void elevenPairsOfRibsOneOffTheVertebraeAreNumberedAnew() {
+        Segmentation s = scan(cage(), CageVoxels.SLICES, ribsMovedDown());
+        assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
+                .contains("ribs, whose vertebrae lie one below their numbers", "22"));
+        assertThat(counts(s)).isEqualTo(truth(CageVoxels.SLICES, "rib_12_L", "rib_12_R"));
+    }
+
+    /** Where the scan cuts off the first ribs the length of the last one tells which numbers are right. */
+    @Test
+    void inAnAbdomenALastRibAsShortAsTheTwelfthTellsThatVertebraeAreWrong() {
+        Segmentation vertebrae = scan(cage(), ABDOMEN, vertebraeMoved(-1));
+        assertThat(SegmentationRepair.numberRibs(vertebrae)).singleElement().satisfies(note -> assertThat(note)
+                .contains("the vertebrae lie one below"));
+        assertThat(counts(vertebrae)).isEqualTo(truth(ABDOMEN));
+        Segmentation ribs = scan(cage(), ABDOMEN, ribsMovedDown());
+        assertThat(SegmentationRepair.numberRibs(ribs)).singleElement().satisfies(note -> assertThat(note)
+                .contains("ribs, whose vertebrae lie one below"));
+        assertThat(counts(ribs)).isEqualTo(truth(ABDOMEN, "rib_12_L", "rib_12_R"));
+    }
+}
