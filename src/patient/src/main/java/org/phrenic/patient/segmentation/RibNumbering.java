@@ -36,7 +36,7 @@ final class RibNumbering {
     /** Cost of a number without a rib between two ribs. */
     private static final double GAP = 0.3;
     /** Greatest distance of a vertebral end from the median plane, mm. */
-    private static final double HEAD_MM = 60;
+    static final double HEAD_MM = 60;
     /** Weight of the height above what is left of a rib whose vertebral end is cut off. */
     private static final double ABOVE_CUT = 0.2;
     /** Distance of the medial ends of ribs from the median plane, mm. */

@@ -6,19 +6,22 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 
 /**
  * Stray parts of organs: components that are small beside the organ and lie away from its main ones, as where a
- * segmentation takes gas of the bowel for lung. The lobes of both lungs count as one organ. Distances are judged on a
- * grid of coarse cells: a component is near another if their cells touch.
+ * segmentation takes gas of the bowel for lung. The lobes of both lungs count as one organ. Loops of bowel may lie
+ * apart. Distances are judged on a grid of coarse cells: a component is near another if their cells touch.
  */
 final class StrayParts {
     /** A component of at least this share of its structure is a main one, as is the largest. */
     private static final double MAIN_SHARE = 0.1;
     /** Edge of the coarse cells, mm. */
     private static final double CELL_MM = 10;
+
+    private static final Set<String> BOWEL = Set.of("colon", "small_bowel", "duodenum");
 
     private final Segmentation s;
     private final VoxelRuns runs;
@@ -111,11 +114,15 @@ final class StrayParts {
             if (kind == StructureKind.LUNG) {
                 lung = lung == 0 ? segment : lung;
                 organ[segment] = lung;
-            } else if (kind == StructureKind.LIVER || kind == StructureKind.ORGAN) {
+            } else if (kind == StructureKind.LIVER || (kind == StructureKind.ORGAN && !isBowel(segment))) {
                 organ[segment] = segment;
             }
         }
         return organ;
+    }
+
+    private boolean isBowel(int segment) {
+        return BOWEL.contains(s.names().get(segment - 1));
     }
 
     private int rowOfCells(int run) {

@@ -35,9 +35,6 @@ final class VertebraNumbering {
     private static final double MOST_DEVIATION = 1.35;
     private static final double SCATTER = 0.5;
     private static final double MOST = 0.75;
-    /** Greatest distance of a vertebral end from the vertebrae, mm. */
-    private static final double HEAD_MM = 60;
-
     private static final List<String> SPINE = IntStream.range(0, 24)
             .mapToObj(i -> String.format(
                     Locale.ROOT,
@@ -141,7 +138,7 @@ final class VertebraNumbering {
                 .filter(p -> p[1] >= y)
                 .map(p -> new double[] {Math.abs(p[0] - middle), p[2]})
                 .toList();
-        boolean isShown = posterior.stream().anyMatch(p -> p[0] < HEAD_MM);
+        boolean isShown = posterior.stream().anyMatch(p -> p[0] < RibNumbering.HEAD_MM);
         return isShown ? RibNumbering.endHeight(posterior, voxels.size()) : OptionalDouble.empty();
     }
 

@@ -399,12 +399,13 @@ class SegmentationRepairTest {
     }
 
     /**
-     * Spleen, liver and lungs as balls, and small balls under their labels: one near the spleen, one of the left lung
-     * near the right one, and three far from their organs, of which one lies within the liver.
+     * Spleen, liver, lungs and colon as balls, and small balls under their labels: one near the spleen, one of the left
+     * lung near the right one, a loop of the colon, and three far from their organs, of which one lies within the
+     * liver.
      */
     @Test
     void smallPartsAwayFromTheirOrganAreLeftOut() {
-        LabelTable table = new LabelTable(Map.of(1, "spleen", 2, "liver", 3, "lung_L", 4, "lung_R"));
+        LabelTable table = new LabelTable(Map.of(1, "spleen", 2, "liver", 3, "lung_L", 4, "lung_R", 5, "colon"));
         CageVoxels clean = new CageVoxels();
         clean.ball(70, 40, 30, 8, 1);
         clean.ball(82, 40, 30, 1.5, 1);
@@ -412,6 +413,8 @@ class SegmentationRepairTest {
         clean.ball(65, 30, 95, 14, 3);
         clean.ball(43, 30, 95, 2.2, 3);
         clean.ball(25, 30, 95, 14, 4);
+        clean.ball(60, 30, 50, 6, 5);
+        clean.ball(75, 30, 60, 1.5, 5);
         CageVoxels scan = new CageVoxels();
         scan.ball(25, 30, 40, 1.5, 1);
         scan.ball(20, 45, 70, 1.5, 1);
@@ -422,7 +425,7 @@ class SegmentationRepairTest {
         Segmentation s = scan.segmentation(table);
         List<String> notes = SegmentationRepair.mend(s);
         assertThat(counts(s)).isEqualTo(counts(clean.segmentation(table)));
-        assertThat(pieces(s)).isEqualTo(Map.of("spleen", 2, "liver", 1, "lung_L", 2, "lung_R", 1));
+        assertThat(pieces(s)).isEqualTo(Map.of("spleen", 2, "liver", 1, "lung_L", 2, "lung_R", 1, "colon", 2));
         assertThat(notes)
                 .containsExactly("parts that lie away from their organ are left out: spleen (1.0 ml), lung_R (0.9 ml)");
     }
