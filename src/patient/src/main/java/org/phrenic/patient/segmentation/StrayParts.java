@@ -21,7 +21,7 @@ final class StrayParts {
     /** Edge of the coarse cells, mm. */
     private static final double CELL_MM = 10;
 
-    private static final Set<String> BOWEL = Set.of("colon", "small_bowel", "duodenum");
+    private static final Set<String> BOWEL = Set.of("colon", "small_bowel", "duodenum", "organ_bowel");
 
     private final Segmentation s;
     private final VoxelRuns runs;
