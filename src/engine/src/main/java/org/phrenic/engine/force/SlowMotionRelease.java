@@ -90,20 +90,22 @@ public final class SlowMotionRelease implements ForceField {
         Optional<SelectiveMass> group = system.selectiveMass();
         if (weight > 0 && group.isPresent()) {
             group.get().mean(velocities, groupVelocity);
-            for (int axis = 0; axis < 3; axis++) {
-                groupMean[axis] = advanced(groupMean[axis], groupVelocity[axis], weight);
-            }
+            advance(groupMean, groupVelocity, 0, groupMean.length);
         }
     }
 
-    /** The next mean; with weight 1 it is v to the last bit, whatever the mean was, so a restored state forgets. */
-    private static double advanced(double mean, double v, double weight) {
-        return weight == 1 ? v : mean + weight * (v - mean);
+    /** Advances means; with weight 1 they are v to the last bit, whatever they were, so a restored state forgets. */
+    private void advance(double[] mean, double[] v, int from, int end) {
+        if (weight == 1) {
+            System.arraycopy(v, from, mean, from, end - from);
+        } else {
+            addShare(mean, v, weight, from, end);
+        }
     }
 
-    private static void advance(double[] mean, double[] v, double weight, int from, int end) {
+    private static void addShare(double[] mean, double[] v, double share, int from, int end) {
         for (int i = from; i < end; i++) {
-            mean[i] += weight * (v[i] - mean[i]);
+            mean[i] += share * (v[i] - mean[i]);
         }
     }
 
@@ -122,12 +124,8 @@ public final class SlowMotionRelease implements ForceField {
         if (!active || v != velocities) {
             return;
         }
-        int from = 3 * layout.start(block);
-        int end = 3 * layout.end(block);
-        if (weight == 1) {
-            System.arraycopy(v, from, u, from, end - from);
-        } else if (weight > 0) {
-            advance(u, v, weight, from, end);
+        if (weight > 0) {
+            advance(u, v, 3 * layout.start(block), 3 * layout.end(block));
         }
         double[] gamma = system.viscosities();
         addProducts(gamma, u, force, layout.start(block), layout.end(block));

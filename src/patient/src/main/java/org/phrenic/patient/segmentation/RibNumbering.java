@@ -15,6 +15,7 @@ import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
 
@@ -36,7 +37,7 @@ final class RibNumbering {
     /** Cost of a number without a rib between two ribs. */
     private static final double GAP = 0.3;
     /** Greatest distance of a vertebral end from the median plane, mm. */
-    static final double HEAD_MM = 60;
+    private static final double HEAD_MM = 60;
     /** Weight of the height above what is left of a rib whose vertebral end is cut off. */
     private static final double ABOVE_CUT = 0.2;
     /** Distance of the medial ends of ribs from the median plane, mm. */
@@ -105,7 +106,7 @@ final class RibNumbering {
             return Optional.of("label " + label(s, divided.get()) + " holds parts of two ribs");
         }
         return new RibSides(s, components.ribs())
-                .misplaced(components.ribs())
+                .misplaced()
                 .map(segment -> "label " + label(s, segment) + " names a rib of the other side");
     }
 
@@ -227,16 +228,27 @@ final class RibNumbering {
 
     /** The vertebral end of a rib: the part of its posterior half that is nearest to the median plane. */
     private VertebralEnd vertebralEnd(RibComponents.Rib rib, double middle) {
+        List<double[]> posterior = posterior(s, rib.voxels, rib.centre[1], middle);
+        return new VertebralEnd(
+                endHeight(posterior, rib.voxels.size()).orElse(rib.centre[2]),
+                rib.ends != 0 && isFarFromSpine(posterior));
+    }
+
+    /** Distance from the median plane and height of each voxel of a rib behind its centre, mm. */
+    static List<double[]> posterior(Segmentation s, IntList voxels, double centreY, double middle) {
         List<double[]> posterior = new ArrayList<>();
-        for (int i = 0; i < rib.voxels.size(); i++) {
-            double[] p = s.point(rib.voxels.get(i));
-            if (p[1] >= rib.centre[1]) {
+        for (int i = 0; i < voxels.size(); i++) {
+            double[] p = s.point(voxels.get(i));
+            if (p[1] >= centreY) {
                 posterior.add(new double[] {Math.abs(p[0] - middle), p[2]});
             }
         }
-        double nearest = posterior.stream().mapToDouble(p -> p[0]).min().orElse(0);
-        return new VertebralEnd(
-                endHeight(posterior, rib.voxels.size()).orElse(rib.centre[2]), rib.ends != 0 && nearest > HEAD_MM);
+        return posterior;
+    }
+
+    /** Whether the posterior half of a rib ends far from the spine. */
+    static boolean isFarFromSpine(List<double[]> posterior) {
+        return !posterior.isEmpty() && posterior.stream().allMatch(p -> p[0] > HEAD_MM);
     }
 
     /**

@@ -14,17 +14,19 @@ final class RibSides {
     private static final double NEARER = 0.5;
 
     private final Segmentation s;
+    private final List<RibComponents.Rib> ribs;
     private final double medianRight;
     private final double medianLeft;
 
     RibSides(Segmentation s, List<RibComponents.Rib> ribs) {
         this.s = s;
-        medianRight = median(ribs, Side.RIGHT);
-        medianLeft = median(ribs, Side.LEFT);
+        this.ribs = ribs;
+        medianRight = median(Side.RIGHT);
+        medianLeft = median(Side.LEFT);
     }
 
     /** Median x of the centres of the ribs whose label names a side, mm; NaN if there is none. */
-    private double median(List<RibComponents.Rib> ribs, Side side) {
+    private double median(Side side) {
         double[] x = ribs.stream()
                 .filter(rib -> labelled(rib).filter(side::equals).isPresent())
                 .mapToDouble(rib -> rib.centre[0])
@@ -56,7 +58,7 @@ final class RibSides {
     }
 
     /** The segment of a rib that lies among those of the other side, if there is one. */
-    Optional<Integer> misplaced(List<RibComponents.Rib> ribs) {
+    Optional<Integer> misplaced() {
         return ribs.stream()
                 .filter(rib ->
                         labelled(rib).filter(side -> isMisplaced(rib, side)).isPresent())

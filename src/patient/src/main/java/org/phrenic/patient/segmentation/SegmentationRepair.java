@@ -75,7 +75,7 @@ public final class SegmentationRepair {
         return repair.notes;
     }
 
-    private static Optional<StructureKind> kind(String name) {
+    static Optional<StructureKind> kind(String name) {
         return StructureName.parse(name).map(StructureName::kind);
     }
 

@@ -8,7 +8,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import org.phrenic.anatomy.StructureKind;
-import org.phrenic.anatomy.StructureName;
 
 /**
  * Stray parts of organs: components that are small beside the organ and lie away from its main ones, as where a
@@ -108,9 +107,8 @@ final class StrayParts {
         int[] organ = new int[segments];
         int lung = 0;
         for (int segment = 1; segment < segments; segment++) {
-            StructureKind kind = StructureName.parse(s.names().get(segment - 1))
-                    .map(StructureName::kind)
-                    .orElse(StructureKind.OTHER);
+            StructureKind kind =
+                    SegmentationRepair.kind(s.names().get(segment - 1)).orElse(StructureKind.OTHER);
             if (kind == StructureKind.LUNG) {
                 lung = lung == 0 ? segment : lung;
                 organ[segment] = lung;

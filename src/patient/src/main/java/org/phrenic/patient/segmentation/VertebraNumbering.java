@@ -2,16 +2,17 @@ package org.phrenic.patient.segmentation;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
+import org.phrenic.mesh.IntList;
 
 /**
  * Numbers of vertebrae that are one off those of the ribs, a frequent error of segmentations. It is seen in the lower
@@ -35,6 +36,7 @@ final class VertebraNumbering {
     private static final double MOST_DEVIATION = 1.35;
     private static final double SCATTER = 0.5;
     private static final double MOST = 0.75;
+
     private static final List<String> SPINE = IntStream.range(0, 24)
             .mapToObj(i -> String.format(
                     Locale.ROOT,
@@ -43,16 +45,19 @@ final class VertebraNumbering {
             .toList();
 
     private final Segmentation s;
+    /** Name of each segment. */
+    private final StructureName[] names;
     /** Voxels of each rib, by segment. */
-    private final TreeMap<Integer, List<double[]>> ribs = new TreeMap<>();
-
+    private final TreeMap<Integer, IntList> ribs = new TreeMap<>();
     /** The ends of the scan that each rib reaches, as {@link Segmentation#ends}. */
     private final TreeMap<Integer, Integer> ends = new TreeMap<>();
 
-    private final boolean[][] isThere = new boolean[2][RibNumbering.RIBS + 1];
-
     private VertebraNumbering(Segmentation s) {
         this.s = s;
+        StructureName unknown = new StructureName(StructureKind.OTHER, 0, Side.MIDLINE);
+        names = Stream.concat(Stream.of(unknown), s.names().stream().map(name -> StructureName.parse(name)
+                        .orElse(unknown)))
+                .toArray(StructureName[]::new);
     }
 
     /**
@@ -68,30 +73,24 @@ final class VertebraNumbering {
     }
 
     private Optional<String> check() {
-        StructureName[] names = s.names().stream()
-                .map(name -> StructureName.parse(name).orElse(new StructureName(StructureKind.OTHER, 0, Side.MIDLINE)))
-                .toArray(StructureName[]::new);
         double sumX = 0;
         int vertebral = 0;
         for (int v = 0; v < s.voxels.length; v++) {
             int segment = s.segmentAt(v);
-            if (segment == 0) {
-                continue;
-            }
-            StructureName name = names[segment - 1];
-            if (name.kind() == StructureKind.VERTEBRA) {
+            if (names[segment].kind() == StructureKind.VERTEBRA) {
                 sumX += s.coordinate(v, 0);
                 vertebral++;
-            } else if (name.kind() == StructureKind.RIB) {
-                enter(v, segment, name);
+            } else if (names[segment].kind() == StructureKind.RIB) {
+                ribs.computeIfAbsent(segment, rib -> new IntList()).add(v);
+                ends.merge(segment, s.ends(v), (a, b) -> a | b);
             }
         }
-        int slip = vertebral == 0 ? 0 : slip(names, sumX / vertebral);
+        int slip = vertebral == 0 ? 0 : slip(sumX / vertebral);
         if (slip == 0) {
             return Optional.empty();
         }
         String where = slip > 0 ? "above" : "below";
-        if (!ribsAreRight(names)) {
+        if (!ribsAreRight()) {
             return Optional.of(RibNumbering.renumber(s, "ribs, whose vertebrae lie one " + where + " their numbers"));
         }
         shift(-slip);
@@ -99,22 +98,14 @@ final class VertebraNumbering {
                 + (slip > 0 ? "vertebra_L01 is vertebra_T12" : "vertebra_T12 is vertebra_L01") + " now");
     }
 
-    private void enter(int voxel, int segment, StructureName name) {
-        isThere[name.side() == Side.RIGHT ? 0 : 1][name.level()] = true;
-        ends.merge(segment, s.ends(voxel), (a, b) -> a | b);
-        if (name.level() >= FIRST) {
-            ribs.computeIfAbsent(segment, number -> new ArrayList<>()).add(s.point(voxel));
-        }
-    }
-
     /** 1 if the vertebrae lie one above the ribs of their numbers, -1 if one below, otherwise 0. */
-    private int slip(StructureName[] names, double middle) {
+    private int slip(double middle) {
         double[] height = VertebraHeights.of(s);
+        double spacing = (height[FIRST] - height[RibNumbering.RIBS]) / (RibNumbering.RIBS - FIRST);
         double[] deviation = ribs.entrySet().stream()
-                .filter(rib -> ends.get(rib.getKey()) == 0)
+                .filter(rib -> names[rib.getKey()].level() >= FIRST && ends.get(rib.getKey()) == 0)
                 .flatMapToDouble(rib -> {
-                    int number = names[rib.getKey() - 1].level();
-                    double spacing = (height[FIRST] - height[RibNumbering.RIBS]) / (RibNumbering.RIBS - FIRST);
+                    int number = names[rib.getKey()].level();
                     OptionalDouble end = vertebralEnd(rib.getValue(), middle);
                     return end.stream().map(z -> (height[number] - z) / spacing - USUAL[number - FIRST]);
                 })
@@ -132,49 +123,38 @@ final class VertebraNumbering {
     }
 
     /** Height of the end of a rib toward the spine, mm; empty if it is far from it. */
-    private static OptionalDouble vertebralEnd(List<double[]> voxels, double middle) {
-        double y = voxels.stream().mapToDouble(p -> p[1]).average().orElseThrow();
-        List<double[]> posterior = voxels.stream()
-                .filter(p -> p[1] >= y)
-                .map(p -> new double[] {Math.abs(p[0] - middle), p[2]})
-                .toList();
-        boolean isShown = posterior.stream().anyMatch(p -> p[0] < RibNumbering.HEAD_MM);
-        return isShown ? RibNumbering.endHeight(posterior, voxels.size()) : OptionalDouble.empty();
+    private OptionalDouble vertebralEnd(IntList voxels, double middle) {
+        double y = 0;
+        for (int i = 0; i < voxels.size(); i++) {
+            y += s.coordinate(voxels.get(i), 1) / voxels.size();
+        }
+        List<double[]> posterior = RibNumbering.posterior(s, voxels, y, middle);
+        return RibNumbering.isFarFromSpine(posterior)
+                ? OptionalDouble.empty()
+                : RibNumbering.endHeight(posterior, voxels.size());
     }
 
-    private boolean ribsAreRight(StructureName[] names) {
-        for (boolean[] side : isThere) {
-            if (IntStream.rangeClosed(1, RibNumbering.RIBS).allMatch(number -> side[number])) {
-                return true;
-            }
-        }
+    private boolean ribsAreRight() {
         boolean cutAbove = ends.values().stream().anyMatch(at -> (at & s.endsToward(true)) != 0);
-        return cutAbove && lastIsShort(names);
+        return Stream.of(Side.RIGHT, Side.LEFT)
+                .anyMatch(side -> IntStream.rangeClosed(1, RibNumbering.RIBS).allMatch(n -> rib(n, side) > 0)
+                        || (cutAbove && showsTwelfth(side)));
     }
 
-    /** Whether a rib with the number twelve is as short beside the eleventh as the twelfth is. */
-    private boolean lastIsShort(StructureName[] names) {
-        double[][] length = new double[2][RibNumbering.RIBS + 1];
-        ribs.forEach((segment, voxels) -> {
-            StructureName name = names[segment - 1];
-            boolean cut = (ends.get(segment) & s.endsToward(false)) != 0;
-            length[name.side() == Side.RIGHT ? 0 : 1][name.level()] = cut ? 0 : diagonal(voxels);
-        });
-        return Arrays.stream(length)
-                .anyMatch(side -> side[RibNumbering.RIBS] > 0
-                        && side[RibNumbering.RIBS] < CutRibCount.SHORT * side[RibNumbering.RIBS - 1]);
+    /** Segment of a rib; 0 if it is not there. */
+    private int rib(int number, Side side) {
+        return ribs.keySet().stream()
+                .filter(segment -> names[segment].level() == number && names[segment].side() == side)
+                .findFirst()
+                .orElse(0);
     }
 
-    /** Diagonal of the box of some points, mm. */
-    private static double diagonal(List<double[]> points) {
-        double square = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            int along = axis;
-            DoubleSummaryStatistics range =
-                    points.stream().mapToDouble(p -> p[along]).summaryStatistics();
-            square += (range.getMax() - range.getMin()) * (range.getMax() - range.getMin());
-        }
-        return Math.sqrt(square);
+    /** Whether the rib with the number twelve is shown to its tip and as short as a twelfth. */
+    private boolean showsTwelfth(Side side) {
+        int last = rib(RibNumbering.RIBS, side);
+        int above = rib(RibNumbering.RIBS - 1, side);
+        boolean shown = last > 0 && above > 0 && ((ends.get(last) | ends.get(above)) & s.endsToward(false)) == 0;
+        return shown && CutRibCount.isTwelfth(s, ribs.get(last), ribs.get(above));
     }
 
     /** Gives each vertebra the name of the one so many below it; what is beyond the fifth lumbar one is sacral. */
