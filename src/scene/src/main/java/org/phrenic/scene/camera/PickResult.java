@@ -5,16 +5,23 @@ import org.phrenic.scene.style.StructureLabels;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * A picked point of a surface. Arrays hold x, y, z and must not be modified.
+ * A picked point of a surface or of the cut face of its body. Arrays hold x, y, z and must not be modified.
  *
  * @param index index of the surface in the scene
- * @param position intersection of the line of sight with the surface, LPS, mm
+ * @param position intersection of the line of sight with the surface or the cut face, LPS, mm
  * @param vertex vertex of the surface nearest to the position
- * @param restPosition position of the same surface point at end-expiration, mm
+ * @param restPosition position of the same point at end-expiration, mm
  * @param rayDirection direction of the line of sight
+ * @param isOnCutFace whether the point lies inside the body, where a clip plane cuts it
  */
 public record PickResult(
-        int index, Surface surface, double[] position, int vertex, double[] restPosition, double[] rayDirection) {
+        int index,
+        Surface surface,
+        double[] position,
+        int vertex,
+        double[] restPosition,
+        double[] rayDirection,
+        boolean isOnCutFace) {
     /** Display name of the surface, such as "Rib 5 right". */
     public String displayName() {
         return StructureLabels.of(surface);

@@ -1,10 +1,15 @@
 package org.phrenic.scene.camera;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import org.joml.Vector3d;
+import org.phrenic.mesh.EdgeTable;
+import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.MovingLeastSquares;
 import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.scene.style.ClipPlane;
 import org.phrenic.simulation.observe.Frame;
@@ -14,7 +19,8 @@ import org.phrenic.simulation.observe.Surface;
  * Ray picking on the CPU. For a rigid surface, the ray is transformed to the rest pose and intersected through a
  * bounding volume tree. For a deforming surface, every triangle is tested (Moeller and Trumbore 1997, doi
  * 10.1080/10867651.1997.10487468), which costs less than refitting a tree. A nearly transparent surface is picked only
- * if the ray hits no surface of higher opacity. What a clip plane removes is not hit.
+ * if the ray hits no surface of higher opacity. What a clip plane removes is not hit. Where the ray enters closed
+ * bodies through the plane, the one that it leaves first is hit on its cut face.
  */
 public final class Picker {
     /** Surfaces with a lower opacity are picked only if no other surface is hit. */
@@ -22,24 +28,34 @@ public final class Picker {
 
     private final List<Surface> surfaces;
     private final TriangleTree[] trees;
+    /** Whether the triangles of a closed surface face outward; null until it is asked, empty if it is open. */
+    private final List<Optional<Boolean>> outward;
 
     public Picker(List<Surface> surfaces) {
         this.surfaces = List.copyOf(surfaces);
         trees = this.surfaces.stream()
                 .map(s -> s.motion() == Surface.Motion.DEFORMING ? null : new TriangleTree(s.rest()))
                 .toArray(TriangleTree[]::new);
+        outward = new ArrayList<>(Collections.nCopies(trees.length, null));
     }
 
-    /** The part of a ray that is not cut away, and the nearest hit so far: distance, surface, triangle, weights. */
+    /**
+     * The first intersection of a ray with a surface.
+     *
+     * @param alongNormal whether the ray goes the way of the triangle's normal
+     */
+    private record Crossing(int surface, int triangle, double distance, double[] weights, boolean alongNormal) {}
+
+    /** The part of a ray that is not cut away, and the nearest hit so far. */
     private static final class Search {
         private final Vector3d origin;
         private final Vector3d direction;
         /** Of the nearest hit, before that of the end of the ray. */
         private double distance = Double.POSITIVE_INFINITY;
 
-        private int surface = -1;
-        private int triangle;
-        private double[] weights;
+        private Crossing crossing;
+        private boolean entersThroughPlane;
+        private boolean isOnCutFace;
 
         Search(double[] ray, Optional<ClipPlane> clip) {
             origin = new Vector3d(ray[0], ray[1], ray[2]);
@@ -54,16 +70,19 @@ public final class Picker {
                 distance = -beyond / slope;
             } else if (beyond > 0 && slope < 0) {
                 origin.fma(-beyond / slope, direction);
+                entersThroughPlane = true;
             } else if (beyond > 0) {
                 distance = Double.NEGATIVE_INFINITY;
             }
         }
 
-        void hit(int surfaceHit, int triangleHit, double at, double... barycentric) {
-            surface = surfaceHit;
-            triangle = triangleHit;
-            distance = at;
-            weights = barycentric;
+        /** @param cut whether the ray enters the body of the surface through the plane: before any other hit */
+        void offer(Crossing next, boolean cut) {
+            if (cut == isOnCutFace ? next.distance < distance : cut) {
+                crossing = next;
+                distance = next.distance;
+                isOnCutFace = cut;
+            }
         }
     }
 
@@ -84,38 +103,71 @@ public final class Picker {
     private Optional<PickResult> nearest(
             Frame frame, Search search, ToDoubleFunction<Surface> opacity, double minOpacity) {
         for (int i = 0; i < trees.length; i++) {
-            Surface s = surfaces.get(i);
-            if (opacity.applyAsDouble(s) >= minOpacity) {
-                if (trees[i] == null) {
-                    intersectTriangles(i, s.rest().triangles(), frame.positions(i), search);
-                } else {
-                    intersectTree(i, frame.pose(i), search);
-                }
+            double shown = opacity.applyAsDouble(surfaces.get(i));
+            if (shown >= minOpacity) {
+                Optional<Crossing> crossing = trees[i] == null
+                        ? intersectTriangles(i, frame.positions(i), search)
+                        : intersectTree(i, frame.pose(i), search);
+                // Translucent bodies have no cut face.
+                boolean capped = shown == 1 && search.entersThroughPlane;
+                crossing.ifPresent(c -> search.offer(c, capped && leaves(c)));
             }
         }
-        return search.surface < 0 ? Optional.empty() : Optional.of(result(search));
+        return search.crossing == null ? Optional.empty() : Optional.of(result(search, frame));
     }
 
-    private PickResult result(Search search) {
-        Surface surface = surfaces.get(search.surface);
+    private PickResult result(Search search, Frame frame) {
+        Crossing hit = search.crossing;
+        Surface surface = surfaces.get(hit.surface);
+        double[] sight = numbers(search.direction);
+        if (search.isOnCutFace) {
+            return onCutFace(hit.surface, numbers(search.origin), sight, frame);
+        }
         TriangleMesh mesh = surface.rest();
         Vector3d at = new Vector3d(search.origin).fma(search.distance, search.direction);
         Vector3d rest = new Vector3d();
         int nearest = 0;
         for (int k = 0; k < 3; k++) {
-            int v = mesh.triangles()[3 * search.triangle + k];
-            rest.fma(search.weights[k], new Vector3d(mesh.x(v), mesh.y(v), mesh.z(v)));
-            nearest = search.weights[k] > search.weights[nearest] ? k : nearest;
+            int v = mesh.triangles()[3 * hit.triangle + k];
+            rest.fma(hit.weights[k], new Vector3d(mesh.x(v), mesh.y(v), mesh.z(v)));
+            nearest = hit.weights[k] > hit.weights[nearest] ? k : nearest;
         }
-        int vertex = mesh.triangles()[3 * search.triangle + nearest];
-        return new PickResult(search.surface, surface, numbers(at), vertex, numbers(rest), numbers(search.direction));
+        int vertex = mesh.triangles()[3 * hit.triangle + nearest];
+        return new PickResult(hit.surface, surface, numbers(at), vertex, numbers(rest), sight, false);
+    }
+
+    private PickResult onCutFace(int index, double[] at, double[] sight, Frame frame) {
+        Surface surface = surfaces.get(index);
+        double[] now = new double[surface.rest().positions().length];
+        frame.writePositions(surface, index, now);
+        double[] rest = MovingLeastSquares.position(
+                MovingLeastSquares.coefficients(now, at), surface.rest().positions());
+        int nearest = 0;
+        double least = Double.POSITIVE_INFINITY;
+        for (int v = 0; v < now.length; v += 3) {
+            double square = Vector3d.distanceSquared(at[0], at[1], at[2], now[v], now[v + 1], now[v + 2]);
+            nearest = square < least ? v / 3 : nearest;
+            least = Math.min(square, least);
+        }
+        return new PickResult(index, surface, at, nearest, rest, sight, true);
+    }
+
+    /** Whether a ray leaves the body of a surface, which is closed, through a triangle. */
+    private boolean leaves(Crossing crossing) {
+        Optional<Boolean> faces = outward.get(crossing.surface);
+        if (faces == null) {
+            TriangleMesh mesh = surfaces.get(crossing.surface).rest();
+            faces = new EdgeTable(mesh).isClosed() ? Optional.of(MeshMeasure.signedVolume(mesh) > 0) : Optional.empty();
+            outward.set(crossing.surface, faces);
+        }
+        return faces.isPresent() && faces.get() == crossing.alongNormal;
     }
 
     private static double[] numbers(Vector3d v) {
         return new double[] {v.x, v.y, v.z};
     }
 
-    private void intersectTree(int surface, float[] pose, Search search) {
+    private Optional<Crossing> intersectTree(int surface, float[] pose, Search search) {
         Vector3d o = search.origin;
         Vector3d d = search.direction;
         if (pose.length > 0) {
@@ -123,9 +175,12 @@ public final class Picker {
             d = toRest(pose, d);
         }
         TriangleTree.Hit hit = new TriangleTree.Hit();
-        if (trees[surface].nearestAlongRay(o.x, o.y, o.z, d.x, d.y, d.z, hit) && hit.rayParameter < search.distance) {
-            search.hit(surface, hit.triangle, hit.rayParameter, hit.weightA, hit.weightB, hit.weightC);
+        if (!trees[surface].nearestAlongRay(o.x, o.y, o.z, d.x, d.y, d.z, hit)) {
+            return Optional.empty();
         }
+        double[] weights = {hit.weightA, hit.weightB, hit.weightC};
+        boolean alongNormal = normal(surfaces.get(surface).rest(), hit.triangle).dot(d) > 0;
+        return Optional.of(new Crossing(surface, hit.triangle, hit.rayParameter, weights, alongNormal));
     }
 
     /** Transforms a direction to the rest pose: R^T v. */
@@ -136,7 +191,21 @@ public final class Picker {
                 pose[2] * v.x + pose[6] * v.y + pose[10] * v.z);
     }
 
-    private static void intersectTriangles(int surface, int[] triangles, float[] positions, Search search) {
+    private static Vector3d normal(TriangleMesh mesh, int triangle) {
+        Vector3d a = corner(mesh, 3 * triangle);
+        return corner(mesh, 3 * triangle + 1)
+                .sub(a)
+                .cross(corner(mesh, 3 * triangle + 2).sub(a));
+    }
+
+    private static Vector3d corner(TriangleMesh mesh, int place) {
+        int v = mesh.triangles()[place];
+        return new Vector3d(mesh.x(v), mesh.y(v), mesh.z(v));
+    }
+
+    private Optional<Crossing> intersectTriangles(int surface, float[] positions, Search search) {
+        int[] triangles = surfaces.get(surface).rest().triangles();
+        Crossing nearest = null;
         Vector3d a = new Vector3d();
         Vector3d e1 = new Vector3d();
         Vector3d e2 = new Vector3d();
@@ -156,10 +225,11 @@ public final class Picker {
             q.cross(e1);
             double w = search.direction.dot(q) / determinant;
             double distance = e2.dot(q) / determinant;
-            if (w >= 0 && v + w <= 1 && distance >= 0 && distance < search.distance) {
-                search.hit(surface, t / 3, distance, 1 - v - w, v, w);
+            if (w >= 0 && v + w <= 1 && distance >= 0 && (nearest == null || distance < nearest.distance)) {
+                nearest = new Crossing(surface, t / 3, distance, new double[] {1 - v - w, v, w}, determinant < 0);
             }
         }
+        return Optional.ofNullable(nearest);
     }
 
     private static Vector3d set(Vector3d v, float[] positions, int vertex) {

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.ScenePlayer;
 import org.phrenic.scene.style.ClipPlane;
@@ -180,6 +181,41 @@ class PickerTest {
         assertThat(picker.pick(frame, fromBehind, cut, skin).orElseThrow().y()).isGreaterThan(coronal);
         Optional<ClipPlane> all = Optional.of(ClipPlane.coronal(box[4] + 50));
         assertThat(picker.pick(frame, fromBehind, all, s -> 1)).isEmpty();
+    }
+
+    /** A coronal plane through the middle of the liver, seen from the front, within the skin. */
+    @Test
+    void aClickOnACutFaceHitsTheInnermostBodyThatThePlaneCutsOpen() {
+        int liver = player.surfaces().stream().map(Surface::kind).toList().indexOf(StructureKind.LIVER);
+        Surface surface = player.surfaces().get(liver);
+        double[] now = new double[surface.rest().positions().length];
+        frame.writePositions(surface, liver, now);
+        double[] moved = new double[3];
+        for (int i = 0; i < now.length; i++) {
+            moved[i % 3] += 3 * (now[i] - surface.rest().positions()[i]) / now.length;
+        }
+        assertThat(moved[2]).as("the liver has gone down, mm").isLessThan(-0.5);
+        double[] centre = MeshMeasure.centreOfMass(surface.rest().withPositions(now));
+        double[] ray = {centre[0], centre[1] - 500, centre[2], 0, 1, 0};
+        Optional<ClipPlane> cut = Optional.of(ClipPlane.coronal(centre[1]));
+        PickResult pick = picker.pick(frame, ray, cut, only(StructureKind.LIVER, StructureKind.SKIN))
+                .orElseThrow();
+        assertThat(pick.surface()).isSameAs(surface);
+        assertThat(pick.isOnCutFace()).isTrue();
+        assertThat(pick.position()).containsExactly(centre, within(1e-9));
+        for (int axis = 0; axis < 3; axis++) {
+            assertThat(pick.restPosition()[axis]).isCloseTo(centre[axis] - moved[axis], within(0.15));
+        }
+        PickResult skin = picker.pick(frame, ray, cut, only(StructureKind.SKIN)).orElseThrow();
+        assertThat(skin.isOnCutFace()).isTrue();
+
+        PickResult translucent =
+                picker.pick(frame, ray, cut, s -> s == surface ? 0.8 : 0).orElseThrow();
+        assertThat(translucent.isOnCutFace()).isFalse();
+        assertThat(translucent.y()).as("its wall behind the plane").isGreaterThan(centre[1] + 10);
+        PickResult whole = pick(ray, only(StructureKind.LIVER)).orElseThrow();
+        assertThat(whole.isOnCutFace()).isFalse();
+        assertThat(whole.y()).isLessThan(centre[1] - 10);
     }
 
     @Test
