@@ -67,13 +67,24 @@ public record PatientBody(String name, List<PatientStructure> structures, List<S
                 name, structures.stream().map(PatientStructure::structure).toList(), notes, Set.copyOf(notInScan()));
     }
 
-    /** Names of the structures that the scan does not show: those of a template, and those built from others. */
+    /**
+     * What the scan does not show: the names of structures of a template and of those built from others, and words for
+     * the organs that a template continues beyond the end of the scan, such as "part of the lungs".
+     */
     public List<String> notInScan() {
-        return structures.stream()
+        Stream<String> absent = structures.stream()
                 .filter(s ->
                         s.source() == PatientStructure.Source.VIRTUAL || s.source() == PatientStructure.Source.BUILT)
-                .map(s -> s.structure().name())
-                .toList();
+                .map(s -> s.structure().name());
+        Stream<String> continued = structures.stream()
+                .filter(s -> s.source() == PatientStructure.Source.EXTENDED && !s.isComplete())
+                .map(s -> "part of the " + organ(s.structure()))
+                .distinct();
+        return Stream.concat(absent, continued).toList();
+    }
+
+    private static String organ(Structure s) {
+        return s.kind() == StructureKind.LUNG ? "lungs" : s.name().replace('_', ' ');
     }
 
     /** Merges the surfaces of structures into one mesh; empty if there are none. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -160,8 +161,8 @@ public final class BodyCompletion {
                     + ": the scan has no bone, lung or liver by which a virtual thorax can be placed"));
         }
         completion.fitBones(template);
-        new OrganFit(completion.template, completion.shared).fit();
-        return completion.completed(template.name());
+        Set<String> continued = new OrganFit(completion.template, completion.shared).fit();
+        return completion.completed(template.name(), continued);
     }
 
     private void fitBones(Thorax whole) {
@@ -222,7 +223,8 @@ public final class BodyCompletion {
                 .orElse(0);
     }
 
-    private PatientBody completed(String templateName) {
+    /** @param continued names of the organs of the template that continue those which the scan truncates */
+    private PatientBody completed(String templateName, Set<String> continued) {
         List<PatientStructure> all = new ArrayList<>();
         List<String> extended = new ArrayList<>();
         for (PatientStructure s : body.structures()) {
@@ -242,11 +244,13 @@ public final class BodyCompletion {
                 Optional<PatientStructure> cut = firstCut(structure);
                 all.add(new PatientStructure(
                         structure,
-                        PatientStructure.Source.VIRTUAL,
+                        continued.contains(structure.name())
+                                ? PatientStructure.Source.EXTENDED
+                                : PatientStructure.Source.VIRTUAL,
                         cut.flatMap(PatientStructure::scan),
                         cut.map(s -> SurfacePair.distanceToScan(
                                 s, merged(template, s.structure()).orElseThrow()))));
-                added++;
+                added += continued.contains(structure.name()) ? 0 : 1;
             }
         }
         all.sort(Comparator.comparing(s -> s.structure().name()));
@@ -257,6 +261,10 @@ public final class BodyCompletion {
                 added,
                 templateName,
                 shared.size()));
+        if (!continued.isEmpty()) {
+            notes.add("cut off by the scan, continued by " + templateName + " beyond its end: "
+                    + String.join(", ", new TreeSet<>(continued)));
+        }
         if (!extended.isEmpty()) {
             notes.add("ribs that end short of the spine, given neck and head: " + String.join(", ", extended));
         }

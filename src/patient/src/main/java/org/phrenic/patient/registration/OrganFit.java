@@ -3,15 +3,20 @@ package org.phrenic.patient.registration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.TriangleTree;
+import org.phrenic.patient.OrganExtension;
 
 /**
  * Brings the soft organs of a template whose bones are placed to what a scan has of organs. First all of them follow a
@@ -42,6 +47,9 @@ final class OrganFit {
     /** Greatest indentation by a lung, mm; a deeper one flattens the liver. */
     private static final double INDENTATION_MM = 12;
 
+    private static final Set<StructureKind> EXTENSIBLE =
+            EnumSet.of(StructureKind.LUNG, StructureKind.LIVER, StructureKind.ORGAN);
+
     static final Set<StructureKind> BONES = EnumSet.of(
             StructureKind.RIB,
             StructureKind.COSTAL_CARTILAGE,
@@ -61,10 +69,13 @@ final class OrganFit {
         this.shared = shared.stream().filter(s -> !BONES.contains(s.kind())).toList();
     }
 
-    void fit() {
+    /** Places the organs; returns the names of those that continue an organ which the scan truncates. */
+    Set<String> fit() {
+        Set<String> extended = new HashSet<>();
         if (!shared.isEmpty()) {
             followSmoothly();
             followClosely();
+            extended.addAll(extend());
         }
         if (shared.stream().noneMatch(s -> s.kind() == StructureKind.LIVER)) {
             for (int i = 0; i < template.size(); i++) {
@@ -73,6 +84,32 @@ final class OrganFit {
                 }
             }
         }
+        return extended;
+    }
+
+    /** Keeps what the scan shows of the closed organs that it truncates; returns their names. */
+    private Set<String> extend() {
+        return IntStream.range(0, template.size())
+                .parallel()
+                .filter(i -> truncated(template.get(i)).isPresent())
+                .mapToObj(i -> {
+                    Structure s = template.get(i);
+                    SharedStructure organ = truncated(s).orElseThrow();
+                    template.set(i, s.withMesh(OrganExtension.extended(organ.organ(), s.mesh())));
+                    return s.name();
+                })
+                .collect(Collectors.toSet());
+    }
+
+    /** The structure of the scan that an organ of the template continues. */
+    private Optional<SharedStructure> truncated(Structure s) {
+        boolean closed = EXTENSIBLE.contains(s.kind()) && new EdgeTable(s.mesh()).isClosed();
+        return shared.stream()
+                .filter(other -> closed
+                        && !other.isComplete()
+                        && BodyCompletion.isSame(other.organ().structure(), s)
+                        && new EdgeTable(other.scan()).isClosed())
+                .findFirst();
     }
 
     /** Lowers a liver that the scan does not show as a whole until it lies below the bases of the lungs. */

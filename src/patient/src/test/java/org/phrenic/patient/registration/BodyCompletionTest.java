@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -25,6 +26,7 @@ import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.edit.MeshRepair;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
+import org.phrenic.mesh.query.SurfaceDistance;
 import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.MeshedSegment;
 import org.phrenic.patient.PatientBody;
@@ -203,6 +205,41 @@ class BodyCompletionTest {
         seen.add(scanned(left.withMesh(left.mesh().withPositions(p)), "L"));
         // 1.1 mm without the piece; 5.2 mm where the lung is fitted to the piece.
         assertThat(lungError(seen, patient)).isLessThan(2);
+    }
+
+    /** An abdomen: the scan ends 25 mm above the liver, and shows ribs 7 to 12 and the lower ends of the lungs. */
+    @Test
+    void lungsThatTheScanCutsOffKeepTheirLowerEndsAndAreContinuedAbove() {
+        Thorax patient = thorax("adult-female");
+        double end = patient.find("liver").orElseThrow().mesh().bounds()[5] + 25;
+        List<PatientStructure> seen = new ArrayList<>();
+        for (Structure s : patient.structures()) {
+            boolean bone = s.kind() == StructureKind.RIB || s.kind() == StructureKind.VERTEBRA;
+            if ((bone && s.level() >= 7) || s.kind() == StructureKind.LIVER) {
+                seen.add(scanned(s, ""));
+            } else if (s.kind() == StructureKind.LUNG) {
+                seen.add(scanned(lobe(s, s.name(), s.mesh().bounds()[2], end), "S"));
+            }
+        }
+        PatientBody scan = new PatientBody("patient", seen, ExpectedStructures.missing(seen), List.of());
+        PatientBody body = BodyCompletion.complete(scan, thorax("adult-male"));
+        assertThat(body.notInScan()).contains("part of the lungs").doesNotContain("lung_L", "lung_R", "liver");
+        for (Side side : List.of(Side.LEFT, Side.RIGHT)) {
+            Structure truth = patient.find(StructureKind.LUNG, 0, side).orElseThrow();
+            PatientStructure lung = body.structure(truth.name()).orElseThrow();
+            TriangleMesh mesh = lung.structure().mesh();
+            assertThat(lung.source()).isEqualTo(PatientStructure.Source.EXTENDED);
+            double[] below = IntStream.range(0, mesh.vertexCount())
+                    .filter(v -> mesh.z(v) < end - 20)
+                    .flatMap(v -> IntStream.range(3 * v, 3 * v + 3))
+                    .mapToDouble(i -> mesh.positions()[i])
+                    .toArray();
+            assertThat(below).hasSizeGreaterThan(300);
+            double[] off = new SurfaceDistance(truth.mesh()).unsignedDistance(below);
+            assertThat(Arrays.stream(off).max().orElseThrow()).isCloseTo(0, within(1e-9));
+            assertThat(MeshMeasure.signedVolume(mesh))
+                    .isCloseTo(MeshMeasure.signedVolume(truth.mesh()), withinPercentage(12));
+        }
     }
 
     /** The right lung in two lobes, of which the end of the scan cuts the lower one off. */

@@ -1,0 +1,156 @@
+package org.phrenic.patient;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.TriangleTree;
+import org.phrenic.mesh.voxel.DistanceTransform;
+import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.mesh.voxel.MeshVoxelizer;
+import org.phrenic.patient.segmentation.CutPlane;
+
+/**
+ * An organ that the end of a scan truncates, continued by a registered template. Its surface is the zero level of
+ *
+ * <pre>
+ * (1 - w) s + w t,   w = 1 - h(d / {@value #BAND_MM} mm),   h(x) = 3 x^2 - 2 x^3 for x in 0 to 1
+ * </pre>
+ *
+ * with the signed distances s to the surface of the scan and t to that of the template, in a grid of {@value #CELL_MM}
+ * mm, and the depth d of a point below the end of the scan. So the surface is the template's beyond the end of the scan
+ * and the scan's from the depth of {@value #BAND_MM} mm on; vertices there are put on the surface of the scan.
+ */
+public final class OrganExtension {
+    private static final double CELL_MM = 2;
+    private static final double BAND_MM = 20;
+    private static final int MARGIN = 3;
+    /** Greatest distance from the surface of the scan at which a vertex is put on it, mm. */
+    private static final double NEAR_MM = 2 * CELL_MM;
+
+    private final PatientStructure organ;
+    private final TriangleMesh scan;
+    private final TriangleTree tree;
+    private final double[] shown;
+    private final TriangleTree.Hit hit = new TriangleTree.Hit();
+
+    private OrganExtension(PatientStructure organ) {
+        this.organ = organ;
+        scan = organ.structure().mesh();
+        tree = new TriangleTree(scan);
+        shown = organ.shown().positions();
+    }
+
+    /**
+     * Returns the surface of the continued organ.
+     *
+     * @param organ an organ that the scan truncates, with a closed surface, mm
+     * @param template closed surface of the whole organ where the scan shows it, mm
+     * @throws IllegalArgumentException if the scan does not truncate the organ
+     */
+    public static TriangleMesh extended(PatientStructure organ, TriangleMesh template) {
+        if (organ.isComplete()) {
+            throw new IllegalArgumentException(organ.structure().name() + " is whole, expected one that is cut off");
+        }
+        return new OrganExtension(organ).extended(template);
+    }
+
+    private TriangleMesh extended(TriangleMesh template) {
+        double[] low = new double[3];
+        int[] size = new int[3];
+        double[] a = scan.bounds();
+        double[] b = template.bounds();
+        for (int axis = 0; axis < 3; axis++) {
+            low[axis] = Math.min(a[axis], b[axis]) - MARGIN * CELL_MM;
+            double high = Math.max(a[3 + axis], b[3 + axis]) + MARGIN * CELL_MM;
+            size[axis] = 1 + (int) Math.ceil((high - low[axis]) / CELL_MM);
+        }
+        float[] s = signedDistances(scan, low, size);
+        float[] t = signedDistances(template, low, size);
+        byte[] labels = new byte[s.length];
+        double[] p = new double[3];
+        for (int cell = 0; cell < labels.length; cell++) {
+            boolean inside = s[cell] < 0;
+            if (inside != (t[cell] < 0)) {
+                int row = cell / size[0];
+                int layer = row / size[1];
+                p[0] = low[0] + CELL_MM * (cell % size[0]);
+                p[1] = low[1] + CELL_MM * (row % size[1]);
+                p[2] = low[2] + CELL_MM * layer;
+                double weight = templateWeight(depth(p));
+                inside = (1 - weight) * s[cell] + weight * t[cell] < 0;
+            }
+            labels[cell] = (byte) (inside ? 1 : 0);
+        }
+        LabelGrid grid = LabelGrid.of(size[0], size[1], size[2], labels, affine(CELL_MM, low));
+        return onScan(new SegmentMesher(grid, new int[] {0, 1}, MeshingSettings.PAPER)
+                .mesh(1, edge(scan))
+                .mesh());
+    }
+
+    private static double edge(TriangleMesh mesh) {
+        return MeshMeasure.edgeLengthSummary(mesh, new MeshTopology(mesh)).mean();
+    }
+
+    private static double[] affine(double scale, double[] offset) {
+        return new double[] {scale, 0, 0, offset[0], 0, scale, 0, offset[1], 0, 0, scale, offset[2]};
+    }
+
+    /** Signed distances of the cells from a surface, in cells, negative inside. */
+    private static float[] signedDistances(TriangleMesh mesh, double[] low, int[] size) {
+        byte[] labels = new byte[size[0] * size[1] * size[2]];
+        double[] first = Arrays.stream(low).map(x -> -x / CELL_MM).toArray();
+        new MeshVoxelizer(size[0], size[1], size[2], affine(1 / CELL_MM, first), labels).fill(mesh, 1);
+        boolean[] inside = new boolean[labels.length];
+        boolean[] outside = new boolean[labels.length];
+        for (int cell = 0; cell < labels.length; cell++) {
+            inside[cell] = labels[cell] != 0;
+            outside[cell] = !inside[cell];
+        }
+        float[] distance = DistanceTransform.of(inside, size);
+        float[] depth = DistanceTransform.of(outside, size);
+        for (int cell = 0; cell < distance.length; cell++) {
+            distance[cell] -= depth[cell];
+        }
+        return distance;
+    }
+
+    private static double templateWeight(double depthMm) {
+        double x = Math.max(0, Math.min(1, depthMm / BAND_MM));
+        return 1 - x * x * (3 - 2 * x);
+    }
+
+    /** Depth of a point below the ends of the scan, mm, wherever what the scan shows has been moved since. */
+    private double depth(double[] p) {
+        double[] there = p.clone();
+        tree.closest(p[0], p[1], p[2], hit);
+        int[] corners = scan.triangles();
+        double[] now = scan.positions();
+        double[] weights = {hit.weightA, hit.weightB, hit.weightC};
+        for (int corner = 0; corner < 3; corner++) {
+            int at = 3 * corners[3 * hit.triangle + corner];
+            for (int axis = 0; axis < 3; axis++) {
+                there[axis] += weights[corner] * (shown[at + axis] - now[at + axis]);
+            }
+        }
+        return organ.cuts().stream()
+                .mapToDouble((CutPlane cut) -> cut.depth(there))
+                .min()
+                .orElseThrow();
+    }
+
+    /** Puts the vertices of which the scan shows the surface onto it. */
+    private TriangleMesh onScan(TriangleMesh mesh) {
+        double[] p = mesh.positions().clone();
+        IntStream.range(0, mesh.vertexCount()).map(v -> 3 * v).forEach(i -> {
+            boolean isShown = depth(new double[] {p[i], p[i + 1], p[i + 2]}) >= BAND_MM;
+            if (isShown && hit.distanceSquared < NEAR_MM * NEAR_MM) {
+                p[i] = hit.x;
+                p[i + 1] = hit.y;
+                p[i + 2] = hit.z;
+            }
+        });
+        return mesh.withPositions(p);
+    }
+}
