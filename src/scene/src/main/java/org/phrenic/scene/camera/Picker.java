@@ -1,8 +1,8 @@
 package org.phrenic.scene.camera;
 
-import java.util.ArrayList;
-import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import org.joml.Vector3d;
@@ -28,15 +28,14 @@ public final class Picker {
 
     private final List<Surface> surfaces;
     private final TriangleTree[] trees;
-    /** Whether the triangles of a closed surface face outward; null until it is asked, empty if it is open. */
-    private final List<Optional<Boolean>> outward;
+    /** Whether the triangles of a surface face outward, by its index; empty if it is open. */
+    private final Map<Integer, Optional<Boolean>> outward = new HashMap<>();
 
     public Picker(List<Surface> surfaces) {
         this.surfaces = List.copyOf(surfaces);
         trees = this.surfaces.stream()
                 .map(s -> s.motion() == Surface.Motion.DEFORMING ? null : new TriangleTree(s.rest()))
                 .toArray(TriangleTree[]::new);
-        outward = new ArrayList<>(Collections.nCopies(trees.length, null));
     }
 
     /**
@@ -154,13 +153,13 @@ public final class Picker {
 
     /** Whether a ray leaves the body of a surface, which is closed, through a triangle. */
     private boolean leaves(Crossing crossing) {
-        Optional<Boolean> faces = outward.get(crossing.surface);
-        if (faces == null) {
-            TriangleMesh mesh = surfaces.get(crossing.surface).rest();
-            faces = new EdgeTable(mesh).isClosed() ? Optional.of(MeshMeasure.signedVolume(mesh) > 0) : Optional.empty();
-            outward.set(crossing.surface, faces);
-        }
+        Optional<Boolean> faces = outward.computeIfAbsent(crossing.surface, this::facesOutward);
         return faces.isPresent() && faces.get() == crossing.alongNormal;
+    }
+
+    private Optional<Boolean> facesOutward(int surface) {
+        TriangleMesh mesh = surfaces.get(surface).rest();
+        return new EdgeTable(mesh).isClosed() ? Optional.of(MeshMeasure.signedVolume(mesh) > 0) : Optional.empty();
     }
 
     private static double[] numbers(Vector3d v) {
