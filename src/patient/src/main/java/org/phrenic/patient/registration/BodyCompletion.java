@@ -53,6 +53,9 @@ public final class BodyCompletion {
     /** The same where a side of the scan cuts it: a slab beside the midline does not show how low the lung reaches. */
     private static final double LEAST_SHARE_AT_SIDE = 0.15;
 
+    /** The same of a vertebra: of the one above its end a scan shows the tip of the spinous process alone. */
+    private static final double LEAST_SHARE_OF_VERTEBRA = 0.4;
+
     private final PatientBody body;
     private final List<Structure> rest;
     private final List<Structure> template = new ArrayList<>();
@@ -79,8 +82,9 @@ public final class BodyCompletion {
     private static boolean tells(SharedStructure s) {
         boolean organ = s.kind() == StructureKind.LUNG || s.kind() == StructureKind.LIVER;
         boolean atSide = s.cutAt().contains("L") || s.cutAt().contains("R");
-        double least = atSide ? LEAST_SHARE_AT_SIDE : LEAST_SHARE;
-        return !organ
+        boolean vertebra = s.kind() == StructureKind.VERTEBRA;
+        double least = vertebra ? LEAST_SHARE_OF_VERTEBRA : atSide ? LEAST_SHARE_AT_SIDE : LEAST_SHARE;
+        return !(organ || vertebra)
                 || s.isComplete()
                 || MeshMeasure.signedVolume(s.scan()) >= least * MeshMeasure.signedVolume(s.template());
     }

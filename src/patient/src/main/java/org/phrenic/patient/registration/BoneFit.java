@@ -39,6 +39,10 @@ final class BoneFit {
     private static final int LUNG_POINTS = 80;
     private static final double LUNG_SIGMA_MM = 6;
     private static final double LIVER_SIGMA_MM = 15;
+    /** Whole vertebrae and ribs, whole or in part, from which on the heights of organs say nothing more of bones. */
+    private static final int LEAST_VERTEBRAE = 3;
+
+    private static final int LEAST_RIBS = 6;
     /** Of a spine under one label, whose vertebrae may lie at other heights. */
     private static final double SPINE_SIGMA_MM = 4;
 
@@ -92,8 +96,17 @@ final class BoneFit {
                 }
             }
         }
-        surfaces.addAll(organs);
+        boolean bones = vertebrae.size() >= LEAST_VERTEBRAE && ribs.size() >= LEAST_RIBS;
+        organs.stream().filter(organ -> !bones || tellsBesideBones(organ)).forEach(surfaces::add);
         belowSternum = belowSternum(shared);
+    }
+
+    /**
+     * Whether an organ tells where bones lie in a scan that shows enough of them. Liver and lower ends of lungs stand
+     * at other heights against the spine in other people, and lower at inspiration.
+     */
+    private static boolean tellsBesideBones(SurfacePair organ) {
+        return organ.kind() != StructureKind.LIVER && (organ.kind() != StructureKind.LUNG || organ.isComplete());
     }
 
     /** The upper end of the scan, if it shows costal cartilages below it and the sternum must lie above it. */
