@@ -96,14 +96,16 @@ final class BoneFit {
                 }
             }
         }
-        boolean bones = vertebrae.size() >= LEAST_VERTEBRAE && ribs.size() >= LEAST_RIBS;
-        organs.stream().filter(organ -> !bones || tellsBesideBones(organ)).forEach(surfaces::add);
+        boolean endsInLungs =
+                organs.stream().anyMatch(organ -> organ.kind() == StructureKind.LUNG && !organ.isComplete());
+        boolean bonesTell = endsInLungs && vertebrae.size() >= LEAST_VERTEBRAE && ribs.size() >= LEAST_RIBS;
+        organs.stream().filter(organ -> !bonesTell || tellsBesideBones(organ)).forEach(surfaces::add);
         belowSternum = belowSternum(shared);
     }
 
     /**
-     * Whether an organ tells where bones lie in a scan that shows enough of them. Liver and lower ends of lungs stand
-     * at other heights against the spine in other people, and lower at inspiration.
+     * Whether an organ tells where bones lie beyond the end of a scan that cuts lungs off and shows enough bones. Liver
+     * and lower ends of lungs stand at other heights against the spine in other people, and lower at inspiration.
      */
     private static boolean tellsBesideBones(SurfacePair organ) {
         return organ.kind() != StructureKind.LIVER && (organ.kind() != StructureKind.LUNG || organ.isComplete());
