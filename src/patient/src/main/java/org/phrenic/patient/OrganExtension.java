@@ -1,7 +1,6 @@
 package org.phrenic.patient;
 
 import java.util.Arrays;
-import java.util.stream.IntStream;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
@@ -9,6 +8,7 @@ import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.mesh.voxel.DistanceTransform;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.mesh.voxel.MeshVoxelizer;
+import org.phrenic.mesh.voxel.VoxelBox;
 import org.phrenic.patient.segmentation.CutPlane;
 
 /**
@@ -31,15 +31,12 @@ public final class OrganExtension {
 
     private final PatientStructure organ;
     private final TriangleMesh scan;
-    private final TriangleTree tree;
-    private final double[] shown;
-    private final TriangleTree.Hit hit = new TriangleTree.Hit();
+    private final ShownPlaces places;
 
     private OrganExtension(PatientStructure organ) {
         this.organ = organ;
         scan = organ.structure().mesh();
-        tree = new TriangleTree(scan);
-        shown = organ.shown().positions();
+        places = new ShownPlaces(scan, organ.shown().positions());
     }
 
     /**
@@ -57,59 +54,56 @@ public final class OrganExtension {
     }
 
     private TriangleMesh extended(TriangleMesh template) {
-        double[] low = new double[3];
-        int[] size = new int[3];
-        double[] a = scan.bounds();
-        double[] b = template.bounds();
-        for (int axis = 0; axis < 3; axis++) {
-            low[axis] = Math.min(a[axis], b[axis]) - MARGIN * CELL_MM;
-            double high = Math.max(a[3 + axis], b[3 + axis]) + MARGIN * CELL_MM;
-            size[axis] = 1 + (int) Math.ceil((high - low[axis]) / CELL_MM);
-        }
-        float[] s = signedDistances(scan, low, size);
-        float[] t = signedDistances(template, low, size);
+        VoxelBox box = around(scan.bounds(), template.bounds());
+        float[] s = signedDistances(scan, box);
+        float[] t = signedDistances(template, box);
         byte[] labels = new byte[s.length];
         double[] p = new double[3];
         for (int cell = 0; cell < labels.length; cell++) {
             boolean inside = s[cell] < 0;
             if (inside != (t[cell] < 0)) {
-                int row = cell / size[0];
-                int layer = row / size[1];
-                p[0] = low[0] + CELL_MM * (cell % size[0]);
-                p[1] = low[1] + CELL_MM * (row % size[1]);
-                p[2] = low[2] + CELL_MM * layer;
+                int row = cell / box.columns();
+                int layer = row / box.rows();
+                box.voxelToMm(cell % box.columns(), row % box.rows(), layer, p);
                 double weight = templateWeight(depth(p));
                 inside = (1 - weight) * s[cell] + weight * t[cell] < 0;
             }
             labels[cell] = (byte) (inside ? 1 : 0);
         }
-        LabelGrid grid = LabelGrid.of(size[0], size[1], size[2], labels, affine(CELL_MM, low));
+        LabelGrid grid = LabelGrid.of(box.columns(), box.rows(), box.slices(), labels, box.toMm());
         return onScan(new SegmentMesher(grid, new int[] {0, 1}, MeshingSettings.PAPER)
                 .mesh(1, edge(scan))
                 .mesh());
+    }
+
+    /** A box around two others. */
+    private static VoxelBox around(double[] a, double[] b) {
+        double[] low = new double[3];
+        int[] size = new int[3];
+        for (int axis = 0; axis < 3; axis++) {
+            low[axis] = Math.min(a[axis], b[axis]) - MARGIN * CELL_MM;
+            double high = Math.max(a[3 + axis], b[3 + axis]) + MARGIN * CELL_MM;
+            size[axis] = 1 + (int) Math.ceil((high - low[axis]) / CELL_MM);
+        }
+        return new VoxelBox(size, new double[] {CELL_MM, 0, 0, low[0], 0, CELL_MM, 0, low[1], 0, 0, CELL_MM, low[2]});
     }
 
     private static double edge(TriangleMesh mesh) {
         return MeshMeasure.edgeLengthSummary(mesh, new MeshTopology(mesh)).mean();
     }
 
-    private static double[] affine(double scale, double[] offset) {
-        return new double[] {scale, 0, 0, offset[0], 0, scale, 0, offset[1], 0, 0, scale, offset[2]};
-    }
-
     /** Signed distances of the cells from a surface, in cells, negative inside. */
-    private static float[] signedDistances(TriangleMesh mesh, double[] low, int[] size) {
-        byte[] labels = new byte[size[0] * size[1] * size[2]];
-        double[] first = Arrays.stream(low).map(x -> -x / CELL_MM).toArray();
-        new MeshVoxelizer(size[0], size[1], size[2], affine(1 / CELL_MM, first), labels).fill(mesh, 1);
+    private static float[] signedDistances(TriangleMesh mesh, VoxelBox box) {
+        byte[] labels = new byte[box.voxels()];
+        new MeshVoxelizer(box.columns(), box.rows(), box.slices(), box.toVoxel(), labels).fill(mesh, 1);
         boolean[] inside = new boolean[labels.length];
         boolean[] outside = new boolean[labels.length];
         for (int cell = 0; cell < labels.length; cell++) {
             inside[cell] = labels[cell] != 0;
             outside[cell] = !inside[cell];
         }
-        float[] distance = DistanceTransform.of(inside, size);
-        float[] depth = DistanceTransform.of(outside, size);
+        float[] distance = DistanceTransform.of(inside, box.size());
+        float[] depth = DistanceTransform.of(outside, box.size());
         for (int cell = 0; cell < distance.length; cell++) {
             distance[cell] -= depth[cell];
         }
@@ -124,16 +118,11 @@ public final class OrganExtension {
     /** Depth of a point below the ends of the scan, mm, wherever what the scan shows has been moved since. */
     private double depth(double[] p) {
         double[] there = p.clone();
-        tree.closest(p[0], p[1], p[2], hit);
-        int[] corners = scan.triangles();
-        double[] now = scan.positions();
-        double[] weights = {hit.weightA, hit.weightB, hit.weightC};
-        for (int corner = 0; corner < 3; corner++) {
-            int at = 3 * corners[3 * hit.triangle + corner];
-            for (int axis = 0; axis < 3; axis++) {
-                there[axis] += weights[corner] * (shown[at + axis] - now[at + axis]);
-            }
-        }
+        places.apply(there, 0);
+        return depthWhereShown(there);
+    }
+
+    private double depthWhereShown(double[] there) {
         return organ.cuts().stream()
                 .mapToDouble((CutPlane cut) -> cut.depth(there))
                 .min()
@@ -143,14 +132,15 @@ public final class OrganExtension {
     /** Puts the vertices of which the scan shows the surface onto it. */
     private TriangleMesh onScan(TriangleMesh mesh) {
         double[] p = mesh.positions().clone();
-        IntStream.range(0, mesh.vertexCount()).map(v -> 3 * v).forEach(i -> {
-            boolean isShown = depth(new double[] {p[i], p[i + 1], p[i + 2]}) >= BAND_MM;
-            if (isShown && hit.distanceSquared < NEAR_MM * NEAR_MM) {
+        for (int i = 0; i < p.length; i += 3) {
+            double[] there = Arrays.copyOfRange(p, i, i + 3);
+            TriangleTree.Hit hit = places.apply(there, 0);
+            if (depthWhereShown(there) >= BAND_MM && hit.distanceSquared < NEAR_MM * NEAR_MM) {
                 p[i] = hit.x;
                 p[i + 1] = hit.y;
                 p[i + 2] = hit.z;
             }
-        });
+        }
         return mesh.withPositions(p);
     }
 }

@@ -16,12 +16,12 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.DistanceSummary;
-import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.patient.BodyPlausibility;
 import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.LungOutline;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
+import org.phrenic.patient.ShownPlaces;
 import org.phrenic.patient.label.LabelTable;
 import org.phrenic.patient.segmentation.CutPlane;
 
@@ -121,20 +121,10 @@ public final class BodyCompletion {
         double[] before = MeshMerge.merge(
                         parts.stream().map(PatientStructure::shown).toList())
                 .positions();
-        TriangleTree tree = new TriangleTree(now);
-        TriangleTree.Hit hit = new TriangleTree.Hit();
+        ShownPlaces places = new ShownPlaces(now, before);
         double[] p = outline.positions().clone();
         for (int i = 0; i < p.length; i += 3) {
-            if (tree.closest(p[i], p[i + 1], p[i + 2], hit)) {
-                int[] corners = now.triangles();
-                double[] weights = {hit.weightA, hit.weightB, hit.weightC};
-                for (int corner = 0; corner < 3; corner++) {
-                    int at = 3 * corners[3 * hit.triangle + corner];
-                    for (int axis = 0; axis < 3; axis++) {
-                        p[i + axis] += weights[corner] * (before[at + axis] - now.positions()[at + axis]);
-                    }
-                }
-            }
+            places.apply(p, i);
         }
         return outline.withPositions(p);
     }

@@ -91,24 +91,25 @@ final class OrganFit {
     private Set<String> extend() {
         return IntStream.range(0, template.size())
                 .parallel()
-                .filter(i -> truncated(template.get(i)).isPresent())
+                .filter(i -> EXTENSIBLE.contains(template.get(i).kind()))
                 .mapToObj(i -> {
                     Structure s = template.get(i);
-                    SharedStructure organ = truncated(s).orElseThrow();
-                    template.set(i, s.withMesh(OrganExtension.extended(organ.organ(), s.mesh())));
-                    return s.name();
+                    Optional<SharedStructure> cut = truncated(s);
+                    cut.ifPresent(
+                            organ -> template.set(i, s.withMesh(OrganExtension.extended(organ.organ(), s.mesh()))));
+                    return cut.map(organ -> s.name());
                 })
+                .flatMap(Optional::stream)
                 .collect(Collectors.toSet());
     }
 
     /** The structure of the scan that an organ of the template continues. */
     private Optional<SharedStructure> truncated(Structure s) {
-        boolean closed = EXTENSIBLE.contains(s.kind()) && new EdgeTable(s.mesh()).isClosed();
         return shared.stream()
-                .filter(other -> closed
-                        && !other.isComplete()
+                .filter(other -> !other.isComplete()
                         && BodyCompletion.isSame(other.organ().structure(), s)
-                        && new EdgeTable(other.scan()).isClosed())
+                        && new EdgeTable(other.scan()).isClosed()
+                        && new EdgeTable(s.mesh()).isClosed())
                 .findFirst();
     }
 

@@ -178,7 +178,9 @@ public final class Picker {
             return Optional.empty();
         }
         double[] weights = {hit.weightA, hit.weightB, hit.weightC};
-        boolean alongNormal = normal(surfaces.get(surface).rest(), hit.triangle).dot(d) > 0;
+        double[] normal = new double[3];
+        MeshMeasure.triangleCrossProduct(surfaces.get(surface).rest(), hit.triangle, normal);
+        boolean alongNormal = d.dot(normal[0], normal[1], normal[2]) > 0;
         return Optional.of(new Crossing(surface, hit.triangle, hit.rayParameter, weights, alongNormal));
     }
 
@@ -188,18 +190,6 @@ public final class Picker {
                 pose[0] * v.x + pose[4] * v.y + pose[8] * v.z,
                 pose[1] * v.x + pose[5] * v.y + pose[9] * v.z,
                 pose[2] * v.x + pose[6] * v.y + pose[10] * v.z);
-    }
-
-    private static Vector3d normal(TriangleMesh mesh, int triangle) {
-        Vector3d a = corner(mesh, 3 * triangle);
-        return corner(mesh, 3 * triangle + 1)
-                .sub(a)
-                .cross(corner(mesh, 3 * triangle + 2).sub(a));
-    }
-
-    private static Vector3d corner(TriangleMesh mesh, int place) {
-        int v = mesh.triangles()[place];
-        return new Vector3d(mesh.x(v), mesh.y(v), mesh.z(v));
     }
 
     private Optional<Crossing> intersectTriangles(int surface, float[] positions, Search search) {
