@@ -14,6 +14,8 @@ import org.phrenic.anatomy.cage.LinearBlendSkinning;
 import org.phrenic.anatomy.cage.RibCage;
 import org.phrenic.anatomy.cage.RibCagePose;
 import org.phrenic.anatomy.cage.SkinningWeights;
+import org.phrenic.anatomy.contact.SheetContact;
+import org.phrenic.anatomy.contact.YieldingOrgan;
 import org.phrenic.engine.kinematics.HelicalBody;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.mesh.TriangleMesh;
@@ -27,10 +29,8 @@ import org.phrenic.simulation.observe.OrganMotion;
 import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.SceneObserver;
 import org.phrenic.simulation.observe.SceneOverlays;
-import org.phrenic.simulation.observe.SheetContact;
 import org.phrenic.simulation.observe.SkinMotion;
 import org.phrenic.simulation.observe.Surface;
-import org.phrenic.simulation.observe.YieldingOrgan;
 
 /**
  * All surfaces of a simulation and their current positions. A frame is made in two parts: {@link #read} copies the
@@ -87,7 +87,7 @@ public final class SceneSurfaces {
         positions = new double[scene.restPositions().length];
         scene.pose().update(0);
         pose = scene.pose().copy();
-        contact = new SheetContact(scene.diaphragm());
+        contact = new SheetContact(scene.diaphragm().diaphragm, scene.diaphragm().firstNode);
         contact.update(scene.restPositions());
         addDiaphragm();
         scene.sternum().ifPresent(part -> {

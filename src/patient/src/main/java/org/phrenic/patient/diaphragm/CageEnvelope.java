@@ -38,6 +38,8 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
     private static final int ROUNDS = 6;
     /** Greatest distance by which organs push the wall out between bones, mm. */
     private static final double ORGAN_MM = 12;
+    /** Weight of a radius to which an organ pushes the wall out: in corners the plate would cut the organ. */
+    private static final double ORGAN_WEIGHT = 100;
     /** Position of the axis between the spine's front (0) and the sternum (1). */
     private static final double FORWARD = 0.5;
     /** Heights below vertebra L2 and above T8 to which the envelope reaches, mm. */
@@ -140,8 +142,8 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
     }
 
     /**
-     * Radii of the outer side of lungs and abdominal organs, which lie inside the wall; at most {@value #ORGAN_MM} mm
-     * outside the envelope of the bones, and 0 where there is no organ or bone lies before its outer side.
+     * Radii of the outer side of lungs and abdominal organs, which lie inside the wall: at most to the inner side of
+     * bone, between bones at most {@value #ORGAN_MM} mm outside their envelope, and 0 where there is no organ.
      */
     private double[] organRadii(Thorax body, double[] sample, double[] ofBones) {
         List<TriangleMesh> organs = meshes(body, s -> s.kind() == StructureKind.LUNG);
@@ -159,8 +161,7 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
             boolean found = tree.nearestAlongRay(
                     far[0], far[1], far[2], -StrictMath.sin(azimuth), -StrictMath.cos(azimuth), 0, hit);
             double r = found ? GREATEST_MM - hit.rayParameter : 0;
-            boolean behindBone = sample[k] > 0 && sample[k] < r;
-            out[k] = behindBone ? 0 : Math.max(0, Math.min(r, ofBones[k] + ORGAN_MM));
+            out[k] = Math.max(0, Math.min(r, sample[k] > 0 ? sample[k] : ofBones[k] + ORGAN_MM));
         }
         return out;
     }
@@ -178,7 +179,7 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
             for (int k = 0; k < weight.length; k++) {
                 boolean pushed = fitted[k] < least[k];
                 data[k] = pushed ? least[k] : sample[k];
-                weight[k] = pushed ? 1 : sample[k] == 0 ? 0 : weight(sample[k] - fitted[k]);
+                weight[k] = pushed ? ORGAN_WEIGHT : sample[k] == 0 ? 0 : weight(sample[k] - fitted[k]);
             }
         }
         return fitted;

@@ -2,6 +2,7 @@ package org.phrenic.patient.diaphragm;
 
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -12,6 +13,12 @@ final class ContactingOrgans {
     private static final Set<String> BELOW = Set.of("spleen", "stomach", "kidney_r", "kidney_l");
 
     private ContactingOrgans() {}
+
+    /** Lungs and heart, as far as the body has them. */
+    static List<Structure> thoracic(Thorax body) {
+        return Stream.concat(body.structuresOf(StructureKind.LUNG).stream(), heart(body).stream())
+                .toList();
+    }
 
     /** The heart, if the body has it. The lungs are not in the list. */
     static List<Structure> heart(Thorax body) {

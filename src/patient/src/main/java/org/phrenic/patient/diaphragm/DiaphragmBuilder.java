@@ -32,7 +32,7 @@ public final class DiaphragmBuilder implements ImplicitSurface {
     public static final double CLEARANCE_MM = 1;
 
     /** Smoothing lengths of the roof, mm, taken in turn until the sheet does not pass through itself. */
-    private static final double[] SMOOTHING_MM = {5, 10, 20, 40};
+    private static final double[] SMOOTHING_MM = {5, 7, 10, 14, 20, 28, 40};
 
     private static final double TURN_MM = 4;
     private static final double DENSE_MM = 3;

@@ -23,8 +23,12 @@ public final class DiaphragmCompletion {
     /**
      * Replaces the diaphragm of a body, or adds one. A diaphragm that the scan labels as a whole stays if it can
      * breathe ({@link SheetQuality}). A body without ribs, lower thoracic vertebrae or lungs is returned with a note.
+     * Organs that lie elsewhere than the scan shows them yield to the sheet ({@link YieldToSheet}), as they do in a
+     * scene.
+     *
+     * @param moved whether the body was brought to end-expiration, and none of its organs lies where the scan shows it
      */
-    public static PatientBody complete(PatientBody body) {
+    public static PatientBody complete(PatientBody body, boolean moved) {
         if (hasUsable(body)) {
             return body;
         }
@@ -40,8 +44,11 @@ public final class DiaphragmCompletion {
         Thorax straight = frame.toFrame(bare);
         Structure sheet;
         try {
-            TriangleMesh built = frame.toScan(DiaphragmBuilder.build(straight));
-            sheet = new Structure(NAME, StructureKind.DIAPHRAGM, 0, Side.MIDLINE, built);
+            TriangleMesh built = DiaphragmBuilder.build(straight);
+            sheet = new Structure(NAME, StructureKind.DIAPHRAGM, 0, Side.MIDLINE, frame.toScan(built));
+            YieldToSheet contact = new YieldToSheet(bare, frame, built);
+            rest.replaceAll(
+                    s -> moved || !bare.isInScan(s.structure()) ? s.withStructure(contact.yielded(s.structure())) : s);
         } catch (IllegalArgumentException e) {
             return body.withNotes(List.of("no diaphragm is built: " + e.getMessage()));
         }

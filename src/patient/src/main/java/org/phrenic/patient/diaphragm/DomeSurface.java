@@ -2,6 +2,9 @@ package org.phrenic.patient.diaphragm;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.shape.ImplicitSurface;
@@ -66,12 +69,13 @@ final class DomeSurface implements ImplicitSurface {
         double breadth = 0.5 * (cage.radius(Math.PI / 2, top - 40) + cage.radius(-Math.PI / 2, top - 40));
         double z = top - PIVOT_DEPTH * breadth;
         pivot = new double[] {cage.x(z), cage.y(z), z};
-        List<TriangleMesh> organs =
-                ContactingOrgans.abdominal(body).stream().map(Structure::mesh).toList();
+        Map<Boolean, List<TriangleMesh>> organs = ContactingOrgans.abdominal(body).stream()
+                .collect(Collectors.partitioningBy(
+                        body::isInScan, Collectors.mapping(Structure::mesh, Collectors.toList())));
         Bounds bounds = new Bounds();
         bases.forEach(bounds::lung);
-        ContactingOrgans.heart(body).forEach(heart -> bounds.heart(heart.mesh()));
-        bounds.organs(organs, cage);
+        ContactingOrgans.heart(body).forEach(heart -> bounds.heart(heart.mesh(), body.isInScan(heart)));
+        bounds.organs(organs.get(true), organs.get(false), cage);
         insertion = new InsertionLine(new InsertionSites(body, cage), top - BELOW_TOP_MM);
         bounds.wall(cage);
         rho = bounds.solve(breadth * Math.toRadians(STEP_DEG), smoothingMm);
@@ -100,6 +104,8 @@ final class DomeSurface implements ImplicitSurface {
         final double[] lower = new double[SIDE * SIDE];
         final double[] data = new double[SIDE * SIDE];
         final double[] weight = new double[SIDE * SIDE];
+        /** Whether the scan shows what bounds the roof above. */
+        final boolean[] shown = new boolean[SIDE * SIDE];
 
         Bounds() {
             Arrays.fill(upper, Double.POSITIVE_INFINITY);
@@ -116,6 +122,7 @@ final class DomeSurface implements ImplicitSurface {
                 double bound = hit.rayParameter - halfThickness / Math.max(LEAST_COSINE, Math.abs(facing));
                 if (bound < upper[k]) {
                     upper[k] = bound;
+                    shown[k] = base.isInScan();
                     boolean known = facing > LEAST_COSINE && base.liesOnDiaphragm() && base.isBase(hit);
                     data[k] = known ? bound : 0;
                     weight[k] = known ? 1 : 0;
@@ -124,7 +131,7 @@ final class DomeSurface implements ImplicitSurface {
         }
 
         /** The heart bounds the roof where no lung lies before it; fat and pericardium are between. */
-        void heart(TriangleMesh heart) {
+        void heart(TriangleMesh heart, boolean inScan) {
             TriangleTree tree = new TriangleTree(heart);
             TriangleTree.Hit hit = new TriangleTree.Hit();
             for (int k = 0; k < upper.length; k++) {
@@ -132,21 +139,30 @@ final class DomeSurface implements ImplicitSurface {
                 if (tree.nearestAlongRay(pivot[0], pivot[1], pivot[2], d[0], d[1], d[2], hit)
                         && hit.rayParameter - halfThickness < upper[k]) {
                     upper[k] = hit.rayParameter - halfThickness;
+                    shown[k] = inScan;
                     data[k] = upper[k];
                     weight[k] = 0;
                 }
             }
         }
 
-        void organs(List<TriangleMesh> organs, CageEnvelope cage) {
-            TriangleTree tree = organs.isEmpty() ? null : new TriangleTree(MeshMerge.merge(organs));
-            double[] normals = organs.isEmpty() ? null : MeshMeasure.triangleNormals(MeshMerge.merge(organs));
+        /**
+         * Where organs overlap, those that the scan does not show give way to those that it shows.
+         *
+         * @param inScan organs that the scan shows
+         * @param others organs of a template
+         */
+        void organs(List<TriangleMesh> inScan, List<TriangleMesh> others, CageEnvelope cage) {
+            int ofScan = inScan.stream().mapToInt(TriangleMesh::triangleCount).sum();
+            TriangleMesh organs = MeshMerge.merge(
+                    Stream.concat(inScan.stream(), others.stream()).toList());
+            TriangleTree tree = new TriangleTree(organs);
+            double[] normals = MeshMeasure.triangleNormals(organs);
             TriangleTree.Hit hit = new TriangleTree.Hit();
             for (int k = 0; k < lower.length; k++) {
                 double[] d = direction(k);
                 lower[k] = 0;
-                if (tree == null
-                        || !tree.nearestAlongRay(
+                if (!tree.nearestAlongRay(
                                 pivot[0] + FAR_MM * d[0],
                                 pivot[1] + FAR_MM * d[1],
                                 pivot[2] + FAR_MM * d[2],
@@ -162,6 +178,11 @@ final class DomeSurface implements ImplicitSurface {
                         + normals[3 * hit.triangle + 2] * d[2]);
                 double gap = halfThickness / Math.max(LEAST_COSINE, facing);
                 lower[k] = FAR_MM - hit.rayParameter + gap;
+                boolean organShown = hit.triangle < ofScan;
+                if (upper[k] < lower[k] && shown[k] != organShown) {
+                    lower[k] = organShown ? lower[k] : upper[k];
+                    upper[k] = lower[k];
+                }
                 double open = upper[k] - lower[k];
                 if (weight[k] > 0 && open < NEAR_MM) {
                     // Half of a narrow gap is above the sheet, less and less of a wider one.

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -57,6 +58,7 @@ final class LungBase {
     private static final double PARTED_TOP_MM = 50;
 
     private final Side side;
+    private final boolean inScan;
     final TriangleTree tree;
     private final double[] normals;
     private final double[] centre = new double[2];
@@ -66,8 +68,9 @@ final class LungBase {
     private double partedMm;
 
     /** @param organs the organs below, if there are any */
-    private LungBase(Side side, TriangleMesh lung, Optional<TriangleTree> organs) {
+    private LungBase(Side side, TriangleMesh lung, boolean inScan, Optional<TriangleTree> organs) {
         this.side = side;
+        this.inScan = inScan;
         tree = new TriangleTree(lung);
         normals = MeshMeasure.triangleNormals(lung);
         TriangleTree.Hit hit = new TriangleTree.Hit();
@@ -186,16 +189,22 @@ final class LungBase {
         Optional<TriangleTree> below =
                 organs.isEmpty() ? Optional.empty() : Optional.of(new TriangleTree(MeshMerge.merge(organs)));
         return Arrays.stream(new Side[] {Side.RIGHT, Side.LEFT})
-                .flatMap(side -> merged(body, side).stream().map(lung -> new LungBase(side, lung, below)))
+                .flatMap(side -> {
+                    List<Structure> lobes = body.structuresOf(StructureKind.LUNG).stream()
+                            .filter(s -> s.side() == side && s.mesh().triangleCount() > 0)
+                            .toList();
+                    TriangleMesh lung =
+                            MeshMerge.merge(lobes.stream().map(Structure::mesh).toList());
+                    return lobes.isEmpty()
+                            ? Stream.empty()
+                            : Stream.of(new LungBase(side, lung, lobes.stream().anyMatch(body::isInScan), below));
+                })
                 .toList();
     }
 
-    private static Optional<TriangleMesh> merged(Thorax body, Side side) {
-        List<TriangleMesh> lobes = body.structuresOf(StructureKind.LUNG).stream()
-                .filter(s -> s.side() == side && s.mesh().triangleCount() > 0)
-                .map(Structure::mesh)
-                .toList();
-        return lobes.isEmpty() ? Optional.empty() : Optional.of(MeshMerge.merge(lobes));
+    /** Whether the scan shows the lung. */
+    boolean isInScan() {
+        return inScan;
     }
 
     /** Whether the base lies on the diaphragm. */

@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.anatomy.Structure;
@@ -188,10 +187,7 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
 
         /** Adds the measures of organs; returns the share of their vertices on the wrong side, per cent. */
         private double addOrgans() {
-            List<Structure> above = Stream.concat(
-                            body.structuresOf(StructureKind.LUNG).stream(), ContactingOrgans.heart(body).stream())
-                    .toList();
-            OrganSides thoracic = new OrganSides(diaphragm, true, above);
+            OrganSides thoracic = new OrganSides(diaphragm, true, ContactingOrgans.thoracic(body));
             OrganSides abdominal = new OrganSides(diaphragm, false, ContactingOrgans.abdominal(body));
             double share = 100.0
                     * (thoracic.count() + abdominal.count())

@@ -97,7 +97,7 @@ public final class ImportPipeline {
             throw new BadInputException(request.file() + ": " + problem.getMessage(), problem);
         }
         progress.stage("building the diaphragm from the organs and bones that it touches");
-        return resting.with(SkinEnvelope.complete(DiaphragmCompletion.complete(resting.body())));
+        return resting.with(SkinEnvelope.complete(DiaphragmCompletion.complete(resting.body(), resting.moved())));
     }
 
     private static ScanAlignment.Aligned aligned(ImportRequest request, PatientBody scanned) {

@@ -3,6 +3,7 @@ package org.phrenic.patient.diaphragm;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.LungAboveFluid;
@@ -14,10 +15,12 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.Shapes;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.SelfIntersections;
 import org.phrenic.mesh.query.SurfaceComparison;
+import org.phrenic.mesh.query.TriangleTree;
 
 /** The virtual adult female without her diaphragm: what is built from the rest is held against it. */
 class DiaphragmBuilderTest {
@@ -36,8 +39,7 @@ class DiaphragmBuilderTest {
     }
 
     private static SheetQuality quality(TriangleMesh sheet) {
-        List<Structure> all =
-                new java.util.ArrayList<>(without(StructureKind.DIAPHRAGM).structures());
+        List<Structure> all = new ArrayList<>(without(StructureKind.DIAPHRAGM).structures());
         all.add(new Structure("diaphragm", StructureKind.DIAPHRAGM, 0, Side.MIDLINE, sheet));
         return SheetQuality.of(new Thorax("patient", all, List.of()), CAGE);
     }
@@ -79,12 +81,41 @@ class DiaphragmBuilderTest {
                 .isGreaterThan(10);
     }
 
+    /** A ball of 12 mm radius beside the spine that touches a rib: the wall has to turn sharply to go around it. */
+    @Test
+    void theWallGoesAroundAnOrganInTheCornerBetweenRibsAndSpine() {
+        TriangleTree bones = new TriangleTree(MeshMerge.merge(FEMALE.structures().stream()
+                .filter(s -> s.kind() == StructureKind.RIB || s.kind() == StructureKind.VERTEBRA)
+                .map(Structure::mesh)
+                .toList()));
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        double z = FEMALE.find(StructureKind.VERTEBRA, 12, Side.MIDLINE)
+                .orElseThrow()
+                .mesh()
+                .centre()[2];
+        double r = 0;
+        double[] centre = CAGE.point(Math.toRadians(25), r, z);
+        while (!bones.isWithin(centre[0], centre[1], centre[2], 12.5, hit)) {
+            r += 0.5;
+            centre = CAGE.point(Math.toRadians(25), r, z);
+        }
+        TriangleMesh ball = Shapes.moved(Shapes.sphere(12, 4), centre[0], centre[1], centre[2]);
+        List<Structure> all = new ArrayList<>(FEMALE.structures());
+        all.add(new Structure("spleen", StructureKind.ORGAN, 0, Side.LEFT, ball));
+        CageEnvelope around = new CageEnvelope(new Thorax("patient", all, List.of()));
+        double farthest = Double.NEGATIVE_INFINITY;
+        for (int v = 0; v < ball.vertexCount(); v++) {
+            farthest = Math.max(farthest, around.at(ball.x(v), ball.y(v), ball.z(v)));
+        }
+        assertThat(farthest).as("mm outside the wall").isLessThan(1.5);
+    }
+
     /** Cartilages 6 and 7 under one label, as where they are fused in a scan: the margin in front is theirs. */
     @Test
     void theMarginIsTheLowerBorderOfFusedCartilages() {
         for (Side side : List.of(Side.RIGHT, Side.LEFT)) {
             TriangleMesh seventh = cartilage(7, side).mesh();
-            List<Structure> fused = new java.util.ArrayList<>();
+            List<Structure> fused = new ArrayList<>();
             for (Structure s : FEMALE.structures()) {
                 boolean front = s.kind() == StructureKind.COSTAL_CARTILAGE && s.side() == side;
                 if (front && s.level() == 6) {

@@ -49,7 +49,7 @@ class MedianFrameTest {
     }
 
     private static TriangleMesh sheet(PatientBody body) {
-        return DiaphragmCompletion.complete(body)
+        return DiaphragmCompletion.complete(body, false)
                 .structure("diaphragm")
                 .orElseThrow()
                 .structure()

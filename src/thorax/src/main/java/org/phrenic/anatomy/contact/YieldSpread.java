@@ -1,4 +1,4 @@
-package org.phrenic.simulation.observe;
+package org.phrenic.anatomy.contact;
 
 import java.util.Arrays;
 import org.phrenic.mesh.MeshTopology;

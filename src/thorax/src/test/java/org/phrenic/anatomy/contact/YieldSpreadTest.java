@@ -1,4 +1,4 @@
-package org.phrenic.simulation.observe;
+package org.phrenic.anatomy.contact;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

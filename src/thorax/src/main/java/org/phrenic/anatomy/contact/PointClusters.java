@@ -1,4 +1,4 @@
-package org.phrenic.simulation.observe;
+package org.phrenic.anatomy.contact;
 
 import java.util.Arrays;
 import java.util.Comparator;
@@ -7,7 +7,7 @@ import java.util.Comparator;
  * Points in clusters of neighbours, by halving along the longest side of their box down to a number of points. The
  * first point of a cluster is the one nearest to its mean. Not affected by later motion of the points.
  */
-final class PointClusters {
+public final class PointClusters {
     static final int MOST = 24;
 
     private final int most;
@@ -17,7 +17,7 @@ final class PointClusters {
     private int count;
 
     /** Clusters of at most {@value #MOST} points, three numbers each. */
-    PointClusters(double[] points) {
+    public PointClusters(double[] points) {
         this(points, MOST);
     }
 
@@ -25,7 +25,7 @@ final class PointClusters {
      * @param points three numbers each
      * @param most greatest number of points in a cluster
      */
-    PointClusters(double[] points, int most) {
+    public PointClusters(double[] points, int most) {
         this.most = most;
         sorted = new Integer[points.length / 3];
         Arrays.setAll(sorted, i -> i);
@@ -96,17 +96,17 @@ final class PointClusters {
         return dx * dx + dy * dy + dz * dz;
     }
 
-    int count() {
+    public int count() {
         return count;
     }
 
     /** Place of the first point of a cluster in {@link #order}; that of the cluster after the last is the end. */
-    int start(int cluster) {
+    public int start(int cluster) {
         return starts[cluster];
     }
 
     /** Point indices, cluster by cluster. */
-    int[] order() {
+    public int[] order() {
         return order;
     }
 }

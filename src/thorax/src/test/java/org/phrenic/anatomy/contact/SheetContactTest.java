@@ -1,4 +1,4 @@
-package org.phrenic.simulation.observe;
+package org.phrenic.anatomy.contact;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -28,6 +28,10 @@ class SheetContactTest {
     private static Simulation simulation;
     private static double[] lowered;
 
+    private static SheetContact contactWith(DiaphragmPart part) {
+        return new SheetContact(part.diaphragm, part.firstNode);
+    }
+
     @BeforeAll
     static void lowerTheDiaphragm() {
         Scenario scenario = Scenario.defaults().with("resolution=low").with("lungs=off");
@@ -46,7 +50,7 @@ class SheetContactTest {
     /** A liver that stands still is 20 mm through the lowered dome: its top yields to 2 mm, its lower part stays. */
     @Test
     void organsYieldToTheFaceOfTheirSideAlone() {
-        SheetContact contact = new SheetContact(simulation.scene().diaphragm());
+        SheetContact contact = contactWith(simulation.scene().diaphragm());
         contact.update(lowered);
         double[] liver = {-68, -16, 108, -68, -16, 60};
         contact.organ(liver, false).pushBack(liver);
@@ -67,7 +71,7 @@ class SheetContactTest {
     /** A spleen that stands still, while the sheet beside it leaves the wall in a deep breath, lies 30 mm beyond. */
     @Test
     void anOrganFarBeyondTheSheetYieldsAsWell() {
-        SheetContact contact = new SheetContact(simulation.scene().diaphragm());
+        SheetContact contact = contactWith(simulation.scene().diaphragm());
         contact.update(lowered);
         double[] organ = {-68, -16, 128, -68, -16, 150};
         contact.organ(organ, false).pushBack(organ);
@@ -83,7 +87,7 @@ class SheetContactTest {
             double[] nodes = female.scene().restPositions();
             int[] t = part.diaphragm.sheet().triangles();
             boolean[] atBorder = atBorder(part);
-            SheetContact contact = new SheetContact(part);
+            SheetContact contact = contactWith(part);
             contact.update(nodes);
             int tried = 0;
             for (int i = 0; i < t.length; i += 3) {
@@ -108,7 +112,7 @@ class SheetContactTest {
             int[] t = part.diaphragm.sheet().triangles();
             boolean[] atBorder = atBorder(part);
             MeshTopology topology = new MeshTopology(part.diaphragm.sheet());
-            SheetContact contact = new SheetContact(part);
+            SheetContact contact = contactWith(part);
             contact.update(nodes);
             int tried = 0;
             for (int i = 0; i < t.length; i++) {
@@ -180,7 +184,7 @@ class SheetContactTest {
     /** Points all around the sheet, once as one organ and once each as an organ of its own. */
     @Test
     void aPointYieldsAsItDoesAlone() {
-        SheetContact contact = new SheetContact(simulation.scene().diaphragm());
+        SheetContact contact = contactWith(simulation.scene().diaphragm());
         contact.update(lowered);
         double[] points = aroundTheSheet(3000, 5);
         assertYieldsAsAlone(contact, points, false);
@@ -202,7 +206,7 @@ class SheetContactTest {
                 n += 3;
             }
         }
-        SheetContact contact = new SheetContact(part);
+        SheetContact contact = contactWith(part);
         contact.update(folded);
         Random random = new Random(7);
         double[] points = new double[3 * 1500];
@@ -219,7 +223,7 @@ class SheetContactTest {
     /** Points within 12 mm of pleats. */
     @Test
     void pointsBesidePleatsYieldAsTheyDoAlone() {
-        SheetContact contact = new SheetContact(simulation.scene().diaphragm());
+        SheetContact contact = contactWith(simulation.scene().diaphragm());
         contact.update(pleated());
         Random random = new Random(9);
         double[] points = new double[3 * 3000];
@@ -241,7 +245,7 @@ class SheetContactTest {
         int first = 3 * part.firstNode;
         TriangleTree tree = new TriangleTree(
                 sheet.withPositions(Arrays.copyOfRange(nodes, first, first + sheet.positions().length)));
-        SheetContact contact = new SheetContact(part);
+        SheetContact contact = contactWith(part);
         contact.update(nodes);
         Random random = new Random(13);
         TriangleTree.Hit hit = new TriangleTree.Hit();
@@ -284,7 +288,7 @@ class SheetContactTest {
         DiaphragmPart part = simulation.scene().diaphragm();
         double[] rest = simulation.scene().restPositions();
         double[] at = aroundTheSheet(2000, 11);
-        SheetContact series = new SheetContact(part);
+        SheetContact series = contactWith(part);
         series.update(rest);
         for (boolean above : new boolean[] {true, false}) {
             SheetContact.Organ organ = series.organ(at, above);
@@ -299,7 +303,7 @@ class SheetContactTest {
                     points[k] -= share * LOWERED_MM / 2;
                 }
                 series.update(nodes);
-                SheetContact alone = new SheetContact(part);
+                SheetContact alone = contactWith(part);
                 alone.update(nodes);
                 double[] expected = points.clone();
                 alone.organ(at, above).pushBack(expected);

@@ -1,4 +1,4 @@
-package org.phrenic.simulation.observe;
+package org.phrenic.anatomy.contact;
 
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.mesh.MeshTopology;

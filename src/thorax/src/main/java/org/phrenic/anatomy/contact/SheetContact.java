@@ -1,11 +1,11 @@
-package org.phrenic.simulation.observe;
+package org.phrenic.anatomy.contact;
 
 import java.util.Arrays;
+import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.engine.math.Triangles;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
-import org.phrenic.model.organ.DiaphragmPart;
 
 /**
  * Contact of soft organs with the moving diaphragm, for the surfaces that are shown and exported; forces and
@@ -47,13 +47,17 @@ public final class SheetContact {
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
     private final TriangleTree.Hit onFace = new TriangleTree.Hit();
 
-    public SheetContact(DiaphragmPart part) {
-        TriangleMesh mesh = part.diaphragm.sheet();
-        first = part.firstNode;
+    /**
+     * @param diaphragm the sheet at rest
+     * @param firstNode scene node of its first vertex
+     */
+    public SheetContact(Diaphragm diaphragm, int firstNode) {
+        TriangleMesh mesh = diaphragm.sheet();
+        first = firstNode;
         positions = mesh.positions().clone();
         sheet = new TriangleTree(mesh);
         topology = new MeshTopology(mesh);
-        faces = new SheetFaces(part.diaphragm, topology);
+        faces = new SheetFaces(diaphragm, topology);
     }
 
     /** @param nodes current positions of the whole scene, caller's order */

@@ -1,0 +1,97 @@
+package org.phrenic.patient.diaphragm;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.PatientStructure;
+import org.phrenic.patient.PatientStructure.Source;
+
+/** The virtual woman with an organ that has no room between its neighbours. */
+class DiaphragmCompletionTest {
+    private static final String LIVER = "liver";
+    private static final String LUNG = "lung_R";
+    private static final List<Structure> WOMAN =
+            VirtualThorax.ofPreset("adult-female", Resolution.LOW).structures().stream()
+                    .filter(s -> s.kind() != StructureKind.DIAPHRAGM)
+                    .toList();
+
+    /** The woman with one organ changed, which is from the given source; all else is from the scan. */
+    private static PatientBody with(String organ, Source source, UnaryOperator<double[]> change) {
+        List<PatientStructure> structures = WOMAN.stream()
+                .map(s -> s.name().equals(organ)
+                        ? new PatientStructure(changed(s, change), source, Optional.empty(), Optional.empty())
+                        : new PatientStructure(s, Source.SCAN, Optional.empty(), Optional.empty()))
+                .toList();
+        return new PatientBody("woman", structures, List.of(), List.of());
+    }
+
+    private static Structure changed(Structure s, UnaryOperator<double[]> change) {
+        double[] p = s.mesh().positions().clone();
+        for (int i = 0; i < p.length; i += 3) {
+            System.arraycopy(change.apply(new double[] {p[i], p[i + 1], p[i + 2]}), 0, p, i, 3);
+        }
+        return s.withMesh(s.mesh().withPositions(p));
+    }
+
+    private static TriangleMesh mesh(PatientBody body, String name) {
+        return body.structure(name).orElseThrow().structure().mesh();
+    }
+
+    private static double throughMm(PatientBody body) {
+        return SheetQuality.of(body.thorax()).orElseThrow().value("organs_through_maximum_mm");
+    }
+
+    /** A liver that reaches 12 mm farther to the right stands in the ribs. */
+    private static PatientBody broadLiver(Source source) {
+        return with(LIVER, source, p -> new double[] {p[0] - 12, p[1], p[2]});
+    }
+
+    @Test
+    void anOrganOfTheScanStaysWhereTheScanShowsIt() {
+        PatientBody body = broadLiver(Source.SCAN);
+        PatientBody whole = DiaphragmCompletion.complete(body, false);
+        assertThat(mesh(whole, LIVER)).isSameAs(mesh(body, LIVER));
+        assertThat(throughMm(whole)).isGreaterThan(3);
+    }
+
+    @Test
+    void anOrganOfATemplateAndOneThatWasMovedYieldToTheSheet() {
+        for (PatientBody whole : List.of(
+                DiaphragmCompletion.complete(broadLiver(Source.VIRTUAL), false),
+                DiaphragmCompletion.complete(broadLiver(Source.SCAN), true))) {
+            assertThat(throughMm(whole)).isLessThan(2.5);
+            double[] before = mesh(broadLiver(Source.VIRTUAL), LIVER).positions();
+            double[] after = mesh(whole, LIVER).positions();
+            int still = 0;
+            for (int i = 0; i < before.length; i += 3) {
+                double dx = after[i] - before[i];
+                double dy = after[i + 1] - before[i + 1];
+                double dz = after[i + 2] - before[i + 2];
+                assertThat(Math.sqrt(dx * dx + dy * dy + dz * dz)).isLessThan(20);
+                still += dx == 0 && dy == 0 && dz == 0 ? 1 : 0;
+            }
+            assertThat(3.0 * still / before.length).isBetween(0.3, 0.95);
+        }
+    }
+
+    /** A lung that reaches 10 mm into the liver: the sheet lies on the one that the scan shows. */
+    @Test
+    void whereOrgansOverlapTheOneInTheScanSaysWhereTheSheetLies() {
+        UnaryOperator<double[]> lower = p -> new double[] {p[0], p[1], p[2] - 10};
+        PatientBody ofTemplate = DiaphragmCompletion.complete(with(LUNG, Source.VIRTUAL, lower), false);
+        PatientBody ofScan = DiaphragmCompletion.complete(with(LUNG, Source.SCAN, lower), false);
+        assertThat(mesh(ofTemplate, LIVER)).isSameAs(mesh(ofScan, LIVER));
+
+        assertThat(throughMm(ofTemplate)).isLessThan(1.5);
+        assertThat(throughMm(ofScan)).isGreaterThan(3);
+    }
+}
