@@ -19,7 +19,11 @@ import org.ejml.interfaces.linsol.LinearSolverDense;
  * one side of the body then shapes the other, as far as nothing is known of that.
  */
 final class SmoothField implements PointTransform {
-    private final double[] nodes;
+    private static final int POINTS_A_PIECE = 64;
+
+    private final double[] nodeX;
+    private final double[] nodeY;
+    private final double[] nodeZ;
     private final double[] coefficients;
     private final Scale[] scales;
     private final double mirror;
@@ -44,9 +48,17 @@ final class SmoothField implements PointTransform {
         this.scales = scales.clone();
         this.mirror = mirror;
         this.plane = plane;
-        nodes = pairs.from();
+        double[] nodes = pairs.from();
         coefficients = new double[nodes.length];
         double[] sigma = pairs.sigma();
+        nodeX = new double[sigma.length];
+        nodeY = new double[sigma.length];
+        nodeZ = new double[sigma.length];
+        for (int k = 0; k < sigma.length; k++) {
+            nodeX[k] = nodes[3 * k];
+            nodeY[k] = nodes[3 * k + 1];
+            nodeZ[k] = nodes[3 * k + 2];
+        }
         if (sigma.length == 0) {
             return;
         }
@@ -61,11 +73,12 @@ final class SmoothField implements PointTransform {
     private void solve(double[] sigma, double[] displacements, int first, int last, double coupling) {
         int n = sigma.length;
         DMatrixRMaj k = new DMatrixRMaj(n, n);
+        Evaluation evaluation = new Evaluation();
         for (int i = 0; i < n; i++) {
+            evaluation.row(i, coupling);
             for (int j = 0; j <= i; j++) {
-                double value = kernel(3 * i, nodes, 3 * j, coupling);
-                k.unsafe_set(i, j, value);
-                k.unsafe_set(j, i, value);
+                k.unsafe_set(i, j, evaluation.direct[j]);
+                k.unsafe_set(j, i, evaluation.direct[j]);
             }
             k.add(i, i, sigma[i] * sigma[i]);
         }
@@ -89,51 +102,106 @@ final class SmoothField implements PointTransform {
         }
     }
 
-    private double kernel(int node, double[] p, int at, double coupling) {
-        double dy = nodes[node + 1] - p[at + 1];
-        double dz = nodes[node + 2] - p[at + 2];
-        double rest = dy * dy + dz * dz;
-        double dx = nodes[node] - p[at];
-        double value = covariance(dx * dx + rest);
-        if (coupling != 0) {
-            double mx = nodes[node] - (2 * plane - p[at]);
-            value += coupling * covariance(mx * mx + rest);
+    /**
+     * Sums the scales of the kernel over distances.
+     *
+     * @param squared squared distances, mm^2; replaced by the distances
+     * @param count number of distances
+     * @param sum k at each distance, mm^2
+     */
+    private void covariances(double[] squared, int count, double[] sum) {
+        for (int k = 0; k < count; k++) {
+            squared[k] = Math.sqrt(squared[k]);
+            sum[k] = 0;
         }
-        return value;
-    }
-
-    private double covariance(double squared) {
-        double sum = 0;
+        // Loops without branches over arrays in sequence, which the compiler vectorises.
         for (Scale scale : scales) {
-            if (squared < scale.radiusMm * scale.radiusMm) {
-                double r = Math.sqrt(squared) / scale.radiusMm;
-                double q = (1 - r) * (1 - r);
-                sum += scale.amplitudeMm * scale.amplitudeMm * q * q * (4 * r + 1);
+            double radius = scale.radiusMm;
+            double variance = scale.amplitudeMm * scale.amplitudeMm;
+            for (int k = 0; k < count; k++) {
+                double r = squared[k] / radius;
+                double q = Math.max(0, 1 - r) * Math.max(0, 1 - r);
+                sum[k] += variance * q * q * (4 * r + 1);
             }
         }
-        return sum;
     }
 
     /** Displacements at points, x, y, z in turn, mm. */
     double[] at(double[] points) {
         double[] out = new double[points.length];
-        IntStream.range(0, points.length / 3).parallel().forEach(i -> add(points, 3 * i, out));
+        int count = points.length / 3;
+        IntStream.range(0, (count + POINTS_A_PIECE - 1) / POINTS_A_PIECE)
+                .parallel()
+                .forEach(piece -> new Evaluation()
+                        .add(points, piece * POINTS_A_PIECE, Math.min(count, (piece + 1) * POINTS_A_PIECE), out));
         return out;
     }
 
-    private void add(double[] points, int at, double[] out) {
-        for (int node = 0; node < nodes.length; node += 3) {
-            double dy = nodes[node + 1] - points[at + 1];
-            double dz = nodes[node + 2] - points[at + 2];
-            double rest = dy * dy + dz * dz;
-            double dx = nodes[node] - points[at];
-            double direct = covariance(dx * dx + rest);
-            double mx = nodes[node] - (2 * plane - points[at]);
-            double image = mirror == 0 ? 0 : mirror * covariance(mx * mx + rest);
-            out[at] += (direct - image) * coefficients[node];
-            out[at + 1] += (direct + image) * coefficients[node + 1];
-            out[at + 2] += (direct + image) * coefficients[node + 2];
+    /** Working memory of an evaluation on one thread. */
+    private final class Evaluation {
+        final double[] squared = new double[nodeX.length];
+        final double[] direct = new double[nodeX.length];
+        final double[] image = new double[nodeX.length];
+
+        /** Displacements at points {@code from} to {@code end - 1}. */
+        void add(double[] points, int from, int end, double[] out) {
+            for (int at = 3 * from; at < 3 * end; at += 3) {
+                squaredDistances(points[at], points[at + 1], points[at + 2]);
+                covariances(squared, squared.length, direct);
+                if (mirror != 0) {
+                    squaredDistances(2 * plane - points[at], points[at + 1], points[at + 2]);
+                    covariances(squared, squared.length, image);
+                }
+                double ux = 0;
+                double uy = 0;
+                double uz = 0;
+                for (int k = 0; k < direct.length; k++) {
+                    double mirrored = mirror * image[k];
+                    ux += (direct[k] - mirrored) * coefficients[3 * k];
+                    uy += (direct[k] + mirrored) * coefficients[3 * k + 1];
+                    uz += (direct[k] + mirrored) * coefficients[3 * k + 2];
+                }
+                out[at] = ux;
+                out[at + 1] = uy;
+                out[at + 2] = uz;
+            }
         }
+
+        /** Squared distances of a point from all nodes. */
+        private void squaredDistances(double x, double y, double z) {
+            for (int k = 0; k < squared.length; k++) {
+                double dx = nodeX[k] - x;
+                double dy = nodeY[k] - y;
+                double dz = nodeZ[k] - z;
+                squared[k] = dx * dx + (dy * dy + dz * dz);
+            }
+        }
+
+        /** Row i of the kernel matrix of the nodes, up to its diagonal, into {@code direct}. */
+        void row(int i, double coupling) {
+            for (int j = 0; j <= i; j++) {
+                squared[j] = square(nodeX[i] - nodeX[j]) + besideX(i, j);
+            }
+            covariances(squared, i + 1, direct);
+            if (coupling == 0) {
+                return;
+            }
+            for (int j = 0; j <= i; j++) {
+                squared[j] = square(nodeX[i] - (2 * plane - nodeX[j])) + besideX(i, j);
+            }
+            covariances(squared, i + 1, image);
+            for (int j = 0; j <= i; j++) {
+                direct[j] += coupling * image[j];
+            }
+        }
+
+        private double besideX(int i, int j) {
+            return square(nodeY[i] - nodeY[j]) + square(nodeZ[i] - nodeZ[j]);
+        }
+    }
+
+    private static double square(double a) {
+        return a * a;
     }
 
     @Override
