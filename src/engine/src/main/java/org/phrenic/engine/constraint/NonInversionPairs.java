@@ -5,6 +5,7 @@ import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.SeparableConstraint;
 import org.phrenic.engine.math.Triangles;
 import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.engine.parallel.Workers;
 
 /**
  * Keeps pairs of nodes on the two faces of a thin sheet in order. Along the normal n of the outer face, the outer node
@@ -18,6 +19,8 @@ import org.phrenic.engine.parallel.NodeLayout;
  * normal follows the sheet, so that pairs in a fold ask nothing that contact with a wall has to undo.
  */
 public final class NonInversionPairs implements SeparableConstraint {
+    private static final int PAIRS_A_PIECE = 256;
+
     private final int[] outer;
     private final int[] inner;
     /**
@@ -28,8 +31,9 @@ public final class NonInversionPairs implements SeparableConstraint {
     private final int[] ringStart;
     private final double[] minDistance;
     private final double[] normal;
-    private final double[] fresh = new double[3];
     private final RefreshClock refresh;
+    private final Workers.Task refreshTask = this::refreshNormals;
+    private double[] position = {};
 
     /**
      * @param layout layout of the system
@@ -92,12 +96,16 @@ public final class NonInversionPairs implements SeparableConstraint {
     @Override
     public void prepare(ParticleSystem particles, double time) {
         if (refresh.advanceTo(time)) {
-            refreshNormals(particles.positions());
+            position = particles.positions();
+            particles.workers().run((outer.length + PAIRS_A_PIECE - 1) / PAIRS_A_PIECE, refreshTask);
         }
     }
 
-    private void refreshNormals(double[] x) {
-        for (int i = 0; i < outer.length; i++) {
+    private void refreshNormals(int piece) {
+        double[] x = position;
+        double[] fresh = new double[3];
+        int to = Math.min(outer.length, (piece + 1) * PAIRS_A_PIECE);
+        for (int i = piece * PAIRS_A_PIECE; i < to; i++) {
             double nx = 0;
             double ny = 0;
             double nz = 0;
