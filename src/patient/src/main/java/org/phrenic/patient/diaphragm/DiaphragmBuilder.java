@@ -2,6 +2,7 @@ package org.phrenic.patient.diaphragm;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -12,6 +13,7 @@ import org.phrenic.anatomy.virtual.shape.RingMesh;
 import org.phrenic.anatomy.virtual.shape.RootFinder;
 import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.anatomy.virtual.shape.TwoFacedSheet;
+import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.edit.MeshMerge;
@@ -31,7 +33,9 @@ public final class DiaphragmBuilder implements ImplicitSurface {
     /** Distance from the bones' inner side to the sheet, mm: pleura, fascia and innermost intercostal muscle. */
     public static final double CLEARANCE_MM = 1;
 
-    /** Smoothing lengths of the roof, mm, taken in turn until the sheet does not pass through itself. */
+    /**
+     * Smoothing lengths of the roof, mm, taken in turn until the sheet neither passes through itself nor has slivers.
+     */
     private static final double[] SMOOTHING_MM = {5, 7, 10, 14, 20, 28, 40};
 
     private static final double TURN_MM = 4;
@@ -81,15 +85,20 @@ public final class DiaphragmBuilder implements ImplicitSurface {
     /** Builds a closed sheet of about so many vertices; see {@link #build(Thorax)}. */
     public static TriangleMesh build(Thorax body, int vertices) {
         CageEnvelope cage = new CageEnvelope(body);
+        Optional<TriangleMesh> withSlivers = Optional.empty();
         for (double smoothing : SMOOTHING_MM) {
             TriangleMesh dense = new DiaphragmBuilder(body, cage, smoothing).middleSurface();
             TriangleMesh sheet = TwoFacedSheet.of(Remesher.toVertexCount(dense, vertices / 2), THICKNESS_MM);
-            if (SelfIntersections.count(sheet) == 0) {
+            if (SelfIntersections.count(sheet) > 0) {
+                continue;
+            }
+            if (MeshQuality.of(sheet).smallestAngleDeg() >= SheetQuality.LEAST_ANGLE_DEG) {
                 return sheet;
             }
+            withSlivers = withSlivers.or(() -> Optional.of(sheet));
         }
-        throw new IllegalArgumentException(
-                "between the lungs and the organs below, its sheet would pass through itself");
+        return withSlivers.orElseThrow(() -> new IllegalArgumentException(
+                "between the lungs and the organs below, its sheet would pass through itself"));
     }
 
     private double wall(double x, double y, double z) {

@@ -46,6 +46,9 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
     private static final double MOST_THROUGH_PERCENT = 15;
 
     private static final double LEAST_DOME_MM = 20;
+    /** Smallest angle of the triangles of a good sheet. */
+    static final double LEAST_ANGLE_DEG = 5;
+
     /** Reach of a ray from the thoracic face within which a lung shows that the sheet is not apposed, mm. */
     private static final double APPOSED_REACH_MM = 40;
 
@@ -176,7 +179,12 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
                     15,
                     false));
             measures.add(new Measure(
-                    "smallest_angle_deg", "smallest angle", quality.smallestAngleDeg(), "degrees", 5, false));
+                    "smallest_angle_deg",
+                    "smallest angle",
+                    quality.smallestAngleDeg(),
+                    "degrees",
+                    LEAST_ANGLE_DEG,
+                    false));
             add("edge_ratio", "longest over shortest edge", quality.edgeRatio(), "", 10);
             return new SheetQuality(measures, refusal(share, greatest(outside), through));
         }
