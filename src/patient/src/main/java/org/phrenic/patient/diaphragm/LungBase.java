@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -189,17 +188,19 @@ final class LungBase {
         Optional<TriangleTree> below =
                 organs.isEmpty() ? Optional.empty() : Optional.of(new TriangleTree(MeshMerge.merge(organs)));
         return Arrays.stream(new Side[] {Side.RIGHT, Side.LEFT})
-                .flatMap(side -> {
-                    List<Structure> lobes = body.structuresOf(StructureKind.LUNG).stream()
-                            .filter(s -> s.side() == side && s.mesh().triangleCount() > 0)
-                            .toList();
-                    TriangleMesh lung =
-                            MeshMerge.merge(lobes.stream().map(Structure::mesh).toList());
-                    return lobes.isEmpty()
-                            ? Stream.empty()
-                            : Stream.of(new LungBase(side, lung, lobes.stream().anyMatch(body::isInScan), below));
-                })
+                .flatMap(side -> of(body, side, below).stream())
                 .toList();
+    }
+
+    private static Optional<LungBase> of(Thorax body, Side side, Optional<TriangleTree> below) {
+        List<Structure> lobes = body.structuresOf(StructureKind.LUNG).stream()
+                .filter(s -> s.side() == side && s.mesh().triangleCount() > 0)
+                .toList();
+        if (lobes.isEmpty()) {
+            return Optional.empty();
+        }
+        TriangleMesh lung = MeshMerge.merge(lobes.stream().map(Structure::mesh).toList());
+        return Optional.of(new LungBase(side, lung, lobes.stream().anyMatch(body::isInScan), below));
     }
 
     /** Whether the scan shows the lung. */

@@ -5,6 +5,7 @@ import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.engine.math.Triangles;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.PointClusters;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
-import org.phrenic.anatomy.contact.PointClusters;
+import org.phrenic.mesh.query.PointClusters;
 
 /**
  * The points whose displacements carry organs ({@link OrganMotion}): a sample of the vertices of the surfaces about

@@ -4,11 +4,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import org.phrenic.anatomy.contact.PointClusters;
 import org.phrenic.engine.force.FallOff;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
+import org.phrenic.mesh.query.PointClusters;
 
 /**
  * Motion of an organ that the model does not simulate, for display, images and needle paths: it affects neither forces

@@ -1,4 +1,4 @@
-package org.phrenic.anatomy.contact;
+package org.phrenic.mesh.query;
 
 import java.util.Arrays;
 import java.util.Comparator;
