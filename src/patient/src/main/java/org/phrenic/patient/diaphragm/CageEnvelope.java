@@ -86,7 +86,8 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
         layers = (count + 15) / 16 * 16;
         double[] sample = samples(cage, ofCage);
         double[] ofBones = fit(sample, new double[sample.length], new double[0]);
-        radius = fit(sample, organRadii(body, sample, ofBones), ofBones);
+        double[] ofOrgans = organRadii(body, sample, ofBones);
+        radius = Arrays.stream(ofOrgans).anyMatch(r -> r > 0) ? fit(sample, ofOrgans, ofBones) : ofBones;
     }
 
     /** The envelope of another pose of the body about the axis of this one. */
@@ -166,6 +167,12 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
         return out;
     }
 
+    /**
+     * Iteratively reweighted least squares.
+     *
+     * @param least radii to which organs push the envelope out
+     * @param start envelope from which the first weights are; empty for equal ones
+     */
     private double[] fit(double[] sample, double[] least, double[] start) {
         double[] found = Arrays.stream(sample).filter(r -> r > 0).toArray();
         double mean = Arrays.stream(found).average().orElse(1);
@@ -175,12 +182,12 @@ public final class CageEnvelope implements ImplicitSurface, VerticalAxis {
         double[] fitted = start;
         double[] data = sample.clone();
         for (int round = 0; round < ROUNDS; round++) {
-            fitted = ThinPlateGrid.solve(grid, new ThinPlateGrid.Data(data, weight), STIFFNESS, fitted);
-            for (int k = 0; k < weight.length; k++) {
+            for (int k = 0; k < fitted.length; k++) {
                 boolean pushed = fitted[k] < least[k];
                 data[k] = pushed ? least[k] : sample[k];
                 weight[k] = pushed ? ORGAN_WEIGHT : sample[k] == 0 ? 0 : weight(sample[k] - fitted[k]);
             }
+            fitted = ThinPlateGrid.solve(grid, new ThinPlateGrid.Data(data, weight), STIFFNESS, fitted);
         }
         return fitted;
     }
