@@ -44,16 +44,17 @@ final class CutScan {
 
     private CutScan(Thorax body, BodyCut cut) {
         this.cut = cut;
-        this.body = cut.inspiration() > 0 ? InspiredBody.of(body, cut.inspiration()) : inScan(body, cut);
+        this.body = inScan(body, cut);
         double[][] straight = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         axes = cut == BodyCut.OBLIQUE ? rotation(new double[] {1, 1, 1}) : straight;
     }
 
-    /** A body at end-expiration in the position in which a scan shows it. */
+    /** A body in the position in which a scan shows it. */
     static Thorax inScan(Thorax body, BodyCut cut) {
         return cut == BodyCut.TURNED ? turned(body) : body;
     }
 
+    /** @param body at the inspiration of the cut */
     static LabelGrid of(Thorax body, BodyCut cut) {
         return new CutScan(body, cut).volume();
     }

@@ -5,7 +5,9 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.io.VtpWriter;
 import org.phrenic.mesh.io.volume.NiftiWriter;
@@ -27,6 +29,11 @@ public final class ImportedBodies {
     public static List<BodyCase> cuts(
             BodyCase source, Collection<BodyCut> cuts, Supplier<Thorax> template, Path folder) {
         String stem = stem(source.name());
+        Set<Double> shares = cuts.stream()
+                .map(BodyCut::inspiration)
+                .filter(share -> share > 0)
+                .collect(Collectors.toSet());
+        InspiredBody inspired = new InspiredBody(source.thorax(), shares);
         return cuts.stream()
                 .map(cut -> {
                     String name = stem + "-" + cut.label();
@@ -34,7 +41,12 @@ public final class ImportedBodies {
                             name,
                             stem + ", scanned: " + cut.description(),
                             source.height(),
-                            () -> imported(scanned(name, source.thorax().get(), cut, template.get(), folder), folder),
+                            () -> {
+                                Thorax body = cut.inspiration() > 0
+                                        ? inspired.at(cut.inspiration())
+                                        : source.thorax().get();
+                                return imported(scanned(name, body, cut, template.get(), folder), folder);
+                            },
                             Optional.of(() -> CutScan.inScan(source.thorax().get(), cut)));
                 })
                 .toList();

@@ -4,6 +4,10 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.TriangleMesh;
@@ -13,47 +17,76 @@ import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
-/** A body at inspiration, from its own deep breath at low resolution. */
+/**
+ * A body at shares of its inspiration, all from one deep breath at low resolution, which is simulated when the first of
+ * them is asked for. Structures of which the scene has no surface are left out. Thread-safe.
+ */
 final class InspiredBody {
-    private InspiredBody() {}
+    private final Supplier<Thorax> body;
+    private final Set<Double> shares;
+    private final Map<Double, Thorax> known = new HashMap<>();
 
     /**
-     * The body when its domes have gone down by a share of their descent to full inspiration. Structures of which the
-     * scene has no surface are left out.
-     *
-     * @param share of the descent, more than 0 to 1
+     * @param body loads the body at end-expiration
+     * @param shares shares of the descent of the domes to full inspiration that may be asked for, more than 0 to 1
      */
-    static Thorax of(Thorax body, double share) {
+    InspiredBody(Supplier<Thorax> body, Set<Double> shares) {
+        this.body = body;
+        this.shares = Set.copyOf(shares);
+    }
+
+    /** The body when its domes have gone down by one of the shares of their descent. */
+    synchronized Thorax at(double share) {
+        if (known.isEmpty()) {
+            known.putAll(breathe());
+        }
+        return Optional.ofNullable(known.get(share))
+                .orElseThrow(
+                        () -> new IllegalArgumentException("found share " + share + ", expected one of " + shares));
+    }
+
+    private Map<Double, Thorax> breathe() {
+        Thorax resting = body.get();
         try (Simulation simulation = Simulation.of(
-                Scenario.defaults().with("resolution=low", "preset=" + BreathDepth.DEEP.preset()), body)) {
+                Scenario.defaults().with("resolution=low", "preset=" + BreathDepth.DEEP.preset()), resting)) {
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
-            Frame frame = at(share, simulation, surfaces);
-            List<TriangleMesh> meshes = BreathCheck.meshes(surfaces.surfaces(), frame);
-            Map<String, TriangleMesh> moved = new HashMap<>();
-            List<Surface> all = surfaces.surfaces();
-            for (int i = 0; i < all.size(); i++) {
-                moved.put(all.get(i).name(), meshes.get(i));
-            }
-            List<Structure> structures = body.structures().stream()
-                    .filter(s -> moved.containsKey(s.name()))
-                    .map(s -> s.withMesh(moved.get(s.name())))
-                    .toList();
-            return new Thorax(body.name(), structures, body.notes());
+            List<Frame> descent = descent(simulation, surfaces);
+            return shares.stream()
+                    .collect(Collectors.toMap(share -> share, share -> body(resting, surfaces, at(share, descent))));
         }
     }
 
-    /** The first frame in which the domes stand that low. */
-    private static Frame at(double share, Simulation simulation, SceneSurfaces surfaces) {
+    private static Thorax body(Thorax resting, SceneSurfaces surfaces, Frame frame) {
+        List<TriangleMesh> meshes = BreathCheck.meshes(surfaces.surfaces(), frame);
+        Map<String, TriangleMesh> moved = new HashMap<>();
+        List<Surface> all = surfaces.surfaces();
+        for (int i = 0; i < all.size(); i++) {
+            moved.put(all.get(i).name(), meshes.get(i));
+        }
+        List<Structure> structures = resting.structures().stream()
+                .filter(s -> moved.containsKey(s.name()))
+                .map(s -> s.withMesh(moved.get(s.name())))
+                .toList();
+        return new Thorax(resting.name(), structures, resting.notes());
+    }
+
+    /** The frame at rest and those in which the domes stand lower than ever before. */
+    private static List<Frame> descent(Simulation simulation, SceneSurfaces surfaces) {
         Frame now = surfaces.newFrame();
-        double rest = BreathCheck.domes(now.values());
         List<Frame> frames = new ArrayList<>(List.of(now.copy()));
         BreathCheck.breathe(simulation, surfaces, now, () -> {
             if (BreathCheck.domes(now.values()) < lowest(frames)) {
                 frames.add(now.copy());
             }
         });
-        double wanted = rest + share * (lowest(frames) - rest);
-        return frames.stream()
+        return frames;
+    }
+
+    /** The first frame in which the domes stand that low. */
+    private static Frame at(double share, List<Frame> descent) {
+        double rest = BreathCheck.domes(descent.get(0).values());
+        double wanted = rest + share * (lowest(descent) - rest);
+        return descent.stream()
                 .skip(1)
                 .filter(frame -> BreathCheck.domes(frame.values()) <= wanted)
                 .findFirst()

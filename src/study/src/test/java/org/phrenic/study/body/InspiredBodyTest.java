@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.anatomy.Resolution;
@@ -32,8 +33,9 @@ class InspiredBodyTest {
     /** A deep breath takes the domes down by 48 mm and the lungs take in 1.8 l; half way lies between. */
     @Test
     void lungsFillAndTheLiverGoesDown() {
-        Thorax half = InspiredBody.of(WOMAN, 0.5);
-        Thorax full = InspiredBody.of(WOMAN, 1);
+        InspiredBody inspired = new InspiredBody(() -> WOMAN, Set.of(0.5, 1.0));
+        Thorax half = inspired.at(0.5);
+        Thorax full = inspired.at(1);
         assertThat(lungMl(full) - lungMl(WOMAN)).isBetween(1500.0, 2100.0);
         assertThat((lungMl(half) - lungMl(WOMAN)) / (lungMl(full) - lungMl(WOMAN)))
                 .isBetween(0.4, 0.6);
