@@ -13,47 +13,24 @@ import org.ejml.interfaces.linsol.LinearSolverDense;
  * residuals are restricted by the transpose. The coarsest level is solved by a Cholesky factorisation.
  */
 final class MultigridCycle {
-    /** Degree of the smoothing polynomial. */
-    private static final int DEGREE = 3;
-
-    /**
-     * Greatest over least eigenvalue of D⁻¹ A that the polynomial reduces. Waves of four nodes, the shortest that the
-     * coarser level represents, have an eigenvalue of 0.2, the shortest have 3.2.
-     */
-    private static final double SMOOTHED = 20;
-
-    /** Area of a node of the coarser level, in areas of a node. */
-    private static final int AREA = 4;
-
-    /** Shares of the nearer and the farther coarse node along an axis; a coarse one lies amid four fine ones. */
-    private static final double NEAR = 0.75;
-
-    private static final double FAR = 0.25;
-    /** Added to the diagonal of the coarsest level, over its mean, so that a grid without data has a solution. */
-    private static final double RIDGE = 1e-12;
-
     private final ThinPlateGrid.Grid grid;
     private final ThinPlateMatrix matrix;
     private final double[] diagonal;
-    private final Coarser coarser;
-    private final double[] residual;
-    private final double[] change;
     private final double[] product;
+    private final Inverse inverse;
 
-    /** What approximates the error that is left after smoothing. */
-    private sealed interface Coarser {
-        /** Writes the correction to {@code out}. */
-        void correct(double[] residual, double[] out);
+    /** An approximation of A⁻¹. */
+    private interface Inverse {
+        /** Writes A⁻¹ b to {@code x}. */
+        void apply(double[] b, double[] x);
     }
 
     MultigridCycle(ThinPlateGrid.Grid grid, double[] weight, ThinPlateGrid.Stiffness stiffness) {
         this.grid = grid;
         matrix = new ThinPlateMatrix(grid, weight, stiffness);
         diagonal = matrix.diagonal();
-        residual = new double[grid.nodes()];
-        change = new double[grid.nodes()];
         product = new double[grid.nodes()];
-        coarser = grid.isDivisible() ? new CoarseCycle(weight, stiffness) : new Factors();
+        inverse = grid.isDivisible() ? new SmoothedCorrection(weight, stiffness) : new Factors();
     }
 
     ThinPlateMatrix matrix() {
@@ -62,118 +39,25 @@ final class MultigridCycle {
 
     /** Writes an approximation of A⁻¹ b to {@code x}. */
     void apply(double[] b, double[] x) {
-        Arrays.fill(x, 0);
-        System.arraycopy(b, 0, residual, 0, b.length);
-        if (coarser instanceof Factors) {
-            coarser.correct(residual, x);
-            return;
-        }
-        smooth(x);
-        coarser.correct(residual, change);
-        add(change, x);
-        smooth(x);
-    }
-
-    /** Adds a change to x and takes its product from the residual. */
-    private void add(double[] d, double[] x) {
-        matrix.multiply(d, product);
-        for (int i = 0; i < x.length; i++) {
-            x[i] += d[i];
-            residual[i] -= product[i];
-        }
-    }
-
-    /** Chebyshev iteration (Saad 2003, algorithm 12.1) for the eigenvalues that the coarser level leaves. */
-    private void smooth(double[] x) {
-        double upper = ThinPlateMatrix.GREATEST_EIGENVALUE;
-        double lower = upper / SMOOTHED;
-        double theta = 0.5 * (upper + lower);
-        double delta = 0.5 * (upper - lower);
-        double rho = delta / theta;
-        for (int i = 0; i < x.length; i++) {
-            change[i] = residual[i] / (theta * diagonal[i]);
-        }
-        add(change, x);
-        for (int k = 1; k < DEGREE; k++) {
-            double next = 1 / (2 * theta / delta - rho);
-            double keep = next * rho;
-            double step = 2 * next / delta;
-            for (int i = 0; i < x.length; i++) {
-                change[i] = keep * change[i] + step * residual[i] / diagonal[i];
-            }
-            add(change, x);
-            rho = next;
-        }
-    }
-
-    /** The cycle on the grid of twice the spacing. */
-    private final class CoarseCycle implements Coarser {
-        private final MultigridCycle cycle;
-        private final double[] right;
-        private final double[] found;
-        private final int columns = grid.columns() / 2;
-        private final int rows = grid.rows() / 2;
-
-        CoarseCycle(double[] weight, ThinPlateGrid.Stiffness stiffness) {
-            double[] mean = new double[columns * rows];
-            for (int k = 0; k < weight.length; k++) {
-                mean[k % grid.columns() / 2 + columns * (k / grid.columns() / 2)] += weight[k] / AREA;
-            }
-            cycle = new MultigridCycle(grid.coarser(), mean, stiffness);
-            right = new double[columns * rows];
-            found = new double[columns * rows];
-        }
-
-        @Override
-        public void correct(double[] fineResidual, double[] out) {
-            Arrays.fill(right, 0);
-            for (int j = 0; j < grid.rows(); j++) {
-                int near = columns * (j / 2);
-                int far = columns * farRow(j);
-                for (int i = 0; i < grid.columns(); i++) {
-                    // The energy of a coarse node is that of its area.
-                    double r = fineResidual[i + grid.columns() * j] / AREA;
-                    int farColumn = farColumn(i);
-                    right[near + i / 2] += NEAR * NEAR * r;
-                    right[near + farColumn] += NEAR * FAR * r;
-                    right[far + i / 2] += FAR * NEAR * r;
-                    right[far + farColumn] += FAR * FAR * r;
-                }
-            }
-            cycle.apply(right, found);
-            for (int j = 0; j < grid.rows(); j++) {
-                int near = columns * (j / 2);
-                int far = columns * farRow(j);
-                for (int i = 0; i < grid.columns(); i++) {
-                    int farColumn = farColumn(i);
-                    out[i + grid.columns() * j] = NEAR * (NEAR * found[near + i / 2] + FAR * found[near + farColumn])
-                            + FAR * (NEAR * found[far + i / 2] + FAR * found[far + farColumn]);
-                }
-            }
-        }
-
-        private int farRow(int j) {
-            return Math.max(0, Math.min(rows - 1, j % 2 == 0 ? j / 2 - 1 : j / 2 + 1));
-        }
-
-        private int farColumn(int i) {
-            int far = i % 2 == 0 ? i / 2 - 1 : i / 2 + 1;
-            return grid.periodic() ? Math.floorMod(far, columns) : Math.max(0, Math.min(columns - 1, far));
-        }
+        inverse.apply(b, x);
     }
 
     /** The solution on the coarsest level. */
-    private final class Factors implements Coarser {
+    private final class Factors implements Inverse {
+        /** Added to the diagonal, over its mean, so that a grid without data has a solution. */
+        private static final double RIDGE = 1e-12;
+
         private final LinearSolverDense<DMatrixRMaj> solver;
 
         Factors() {
             int n = grid.nodes();
             DMatrixRMaj dense = new DMatrixRMaj(n, n);
             double ridge = RIDGE * Arrays.stream(diagonal).average().orElseThrow();
+            double[] unit = new double[n];
             for (int j = 0; j < n; j++) {
-                change[j] = 1;
-                matrix.multiply(change, product);
-                change[j] = 0;
+                unit[j] = 1;
+                matrix.multiply(unit, product);
+                unit[j] = 0;
                 for (int i = 0; i < n; i++) {
                     dense.unsafe_set(i, j, product[i]);
                 }
@@ -186,8 +70,127 @@ final class MultigridCycle {
         }
 
         @Override
-        public void correct(double[] right, double[] out) {
-            solver.solve(DMatrixRMaj.wrap(right.length, 1, right), DMatrixRMaj.wrap(out.length, 1, out));
+        public void apply(double[] b, double[] x) {
+            solver.solve(DMatrixRMaj.wrap(b.length, 1, b), DMatrixRMaj.wrap(x.length, 1, x));
+        }
+    }
+
+    /** Smoothing before and after a correction from the grid of twice the spacing. */
+    private final class SmoothedCorrection implements Inverse {
+        /** Degree of the smoothing polynomial. */
+        private static final int DEGREE = 3;
+
+        /**
+         * Greatest over least eigenvalue of D⁻¹ A that the polynomial reduces. Waves of four nodes, the shortest that
+         * the coarser level represents, have an eigenvalue of 0.2, the shortest have 3.2.
+         */
+        private static final double SMOOTHED = 20;
+
+        /** Area of a node of the coarser level, in areas of a node. */
+        private static final int AREA = 4;
+
+        /** Shares of the nearer and the farther coarse node along an axis; a coarse one lies amid four fine ones. */
+        private static final double NEAR = 0.75;
+
+        private static final double FAR = 0.25;
+
+        private final double[] residual = new double[grid.nodes()];
+        private final double[] change = new double[grid.nodes()];
+        private final int columns = grid.columns() / 2;
+        private final int rows = grid.rows() / 2;
+        private final double[] right = new double[columns * rows];
+        private final double[] found = new double[columns * rows];
+        private final MultigridCycle coarser;
+
+        SmoothedCorrection(double[] weight, ThinPlateGrid.Stiffness stiffness) {
+            double[] mean = new double[columns * rows];
+            for (int k = 0; k < weight.length; k++) {
+                mean[k % grid.columns() / 2 + columns * (k / grid.columns() / 2)] += weight[k] / AREA;
+            }
+            coarser = new MultigridCycle(grid.coarser(), mean, stiffness);
+        }
+
+        @Override
+        public void apply(double[] b, double[] x) {
+            Arrays.fill(x, 0);
+            System.arraycopy(b, 0, residual, 0, b.length);
+            smooth(x);
+            restrict();
+            coarser.apply(right, found);
+            interpolate();
+            add(x);
+            smooth(x);
+        }
+
+        /** Adds the change to x and takes its product from the residual. */
+        private void add(double[] x) {
+            matrix.multiply(change, product);
+            for (int i = 0; i < x.length; i++) {
+                x[i] += change[i];
+                residual[i] -= product[i];
+            }
+        }
+
+        /** Chebyshev iteration (Saad 2003, doi 10.1137/1.9780898718003, algorithm 12.1). */
+        private void smooth(double[] x) {
+            double upper = ThinPlateMatrix.GREATEST_EIGENVALUE;
+            double lower = upper / SMOOTHED;
+            double theta = 0.5 * (upper + lower);
+            double delta = 0.5 * (upper - lower);
+            double rho = delta / theta;
+            for (int i = 0; i < x.length; i++) {
+                change[i] = residual[i] / (theta * diagonal[i]);
+            }
+            add(x);
+            for (int k = 1; k < DEGREE; k++) {
+                double next = 1 / (2 * theta / delta - rho);
+                double keep = next * rho;
+                double step = 2 * next / delta;
+                for (int i = 0; i < x.length; i++) {
+                    change[i] = keep * change[i] + step * residual[i] / diagonal[i];
+                }
+                add(x);
+                rho = next;
+            }
+        }
+
+        /** The residual on the coarser level, whose nodes have the energy of their area. */
+        private void restrict() {
+            Arrays.fill(right, 0);
+            for (int j = 0; j < grid.rows(); j++) {
+                int near = columns * (j / 2);
+                int far = columns * farRow(j);
+                for (int i = 0; i < grid.columns(); i++) {
+                    double r = residual[i + grid.columns() * j] / AREA;
+                    int farColumn = farColumn(i);
+                    right[near + i / 2] += NEAR * NEAR * r;
+                    right[near + farColumn] += NEAR * FAR * r;
+                    right[far + i / 2] += FAR * NEAR * r;
+                    right[far + farColumn] += FAR * FAR * r;
+                }
+            }
+        }
+
+        /** The change that the coarser level found. */
+        private void interpolate() {
+            for (int j = 0; j < grid.rows(); j++) {
+                int near = columns * (j / 2);
+                int far = columns * farRow(j);
+                for (int i = 0; i < grid.columns(); i++) {
+                    int farColumn = farColumn(i);
+                    change[i + grid.columns() * j] = NEAR * (NEAR * found[near + i / 2] + FAR * found[near + farColumn])
+                            + FAR * (NEAR * found[far + i / 2] + FAR * found[far + farColumn]);
+                }
+            }
+        }
+
+        private int farRow(int j) {
+            return Math.max(0, Math.min(rows - 1, j % 2 == 0 ? j / 2 - 1 : j / 2 + 1));
+        }
+
+        private int farColumn(int i) {
+            int far = i % 2 == 0 ? i / 2 - 1 : i / 2 + 1;
+            return grid.periodic() ? Math.floorMod(far, columns) : Math.max(0, Math.min(columns - 1, far));
         }
     }
 }
