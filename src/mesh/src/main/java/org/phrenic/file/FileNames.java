@@ -35,4 +35,12 @@ public final class FileNames {
         return files.sorted(Comparator.comparing(file -> String.valueOf(file.getFileName())))
                 .toList();
     }
+
+    /**
+     * Whether a name begins with a dot. Such files are no input: {@code ._liver.nii.gz} holds what macOS knows of a
+     * file beside it.
+     */
+    public static boolean isHidden(Path file) {
+        return String.valueOf(file.getFileName()).startsWith(".");
+    }
 }

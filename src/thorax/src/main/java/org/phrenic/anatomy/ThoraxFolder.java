@@ -253,7 +253,8 @@ public final class ThoraxFolder {
     private static Map<String, Path> filesByName(Path folder) {
         Map<String, Path> files = new TreeMap<>();
         try (Stream<Path> list = Files.list(folder)) {
-            for (Path file : FileNames.sorted(list.filter(MeshFiles::isMesh))) {
+            for (Path file :
+                    FileNames.sorted(list.filter(file -> MeshFiles.isMesh(file) && !FileNames.isHidden(file)))) {
                 String name = FileNames.withoutExtension(file);
                 Path twin = files.putIfAbsent(name, file);
                 if (twin != null) {

@@ -20,7 +20,12 @@ import org.phrenic.anatomy.StructureName;
  * order of words and separators do not matter.
  */
 public final class LabelNames {
-    private static final Pattern VERTEBRA = Pattern.compile("([ctls])0*(\\d{1,2})");
+    private static final Pattern VERTEBRA = Pattern.compile("(th|[ctls])0*(\\d{1,2})");
+    /** The region and the number of a vertebra, written apart. */
+    private static final Pattern APART = Pattern.compile("\\b(th|[ct]) (?=0*\\d{1,2}\\b)");
+
+    private static final Map<String, String> REGIONS =
+            Map.of("cervical", "c", "thoracic", "t", "dorsal", "t", "lumbar", "l");
     private static final Pattern NUMBER = Pattern.compile("0*(\\d{1,2})(?:st|nd|rd|th)?");
     private static final List<String> ORDINALS = List.of(
             "first",
@@ -50,6 +55,7 @@ public final class LabelNames {
             "body",
             "corpus",
             "thoracic",
+            "dorsal",
             "lumbar",
             "cervical",
             "upper",
@@ -72,13 +78,15 @@ public final class LabelNames {
     private static final Pattern BESIDE =
             Pattern.compile("effusion|fluid|(pneumo|hydro|ha?emo)thorax|empyema|arter(y|i)|\\bveins?\\b|\\bvenae?\\b"
                     + "|lymph|\\bnodes?\\b|nerve|ligament|intercostal|\\bprv|implant|catheter|\\bdrain|\\btube"
-                    + "|pacemaker|\\bleads?\\b|marker|\\bclips?\\b|bolus");
+                    + "|fracture|pacemaker|\\bleads?\\b|marker|\\bclips?\\b|bolus");
 
     private static final Pattern CARTILAGE =
             Pattern.compile("(?=.*cartilage)(.*\\b(costal|ribs?\\d*\\b).*|cartilages?[ \\d]*)");
     private static final Pattern RIB = Pattern.compile("(.* )?rib(s|cage)?\\d*( .*)?");
     private static final Pattern STERNUM = Pattern.compile("(?!.*malle)(.* )?(sternum|manubrium|xiphoid)( .*)?");
     private static final Pattern LUNG = Pattern.compile("(?!.*\\bpleurae?\\b)(.* )?lung.*");
+    private static final Pattern LUNG_LOBE =
+            Pattern.compile("(superior|upper|middle|inferior|lower) lobe|lingula|r[uml]l|l[ul]l");
     /** The parts of a segment's name, the numbers of Couinaud's segments among them. */
     private static final String LIVER_PART = "lobe|segments?|\\d[ab]?|[iv]+[ab]?|whole|total|normal|healthy";
 
@@ -209,6 +217,9 @@ public final class LabelNames {
         if (LUNG.matcher(rest).matches()) {
             return Optional.of(side == Side.MIDLINE ? LabelTable.LUNGS : "lung" + suffix);
         }
+        if (side != Side.MIDLINE && LUNG_LOBE.matcher(rest).matches()) {
+            return Optional.of("lung" + suffix);
+        }
         return vertebra(words).or(() -> organ(words, suffix));
     }
 
@@ -231,28 +242,45 @@ public final class LabelNames {
 
     private static Optional<String> levelled(List<String> words, Side side, String stem, String common) {
         for (String word : words) {
-            int ordinal = 1 + ORDINALS.indexOf(word);
-            Matcher m =
-                    NUMBER.matcher(ordinal > 0 ? String.valueOf(ordinal) : word.replaceAll("^(ribs?|cartilages?)", ""));
+            Matcher m = NUMBER.matcher(ordinal(word).replaceAll("^(ribs?|cartilages?)", ""));
             if (m.matches() && side != Side.MIDLINE) {
                 return known(String.format(
                         Locale.ROOT, "%s_%02d_%s", stem, Integer.parseInt(m.group(1)), side == Side.RIGHT ? "R" : "L"));
             }
         }
-        return side == Side.MIDLINE ? Optional.of(common) : Optional.empty();
+        return Optional.of(common);
     }
 
     private static Optional<String> vertebra(List<String> words) {
-        for (String word : words) {
+        List<String> joined = Arrays.asList(
+                APART.matcher(String.join(" ", words)).replaceAll("$1").split(" ", -1));
+        for (String word : joined) {
             Matcher m = VERTEBRA.matcher(word);
-            if (m.matches() && (words.size() == 1 || FILLERS.containsAll(without(words, word)))) {
-                String region = m.group(1).toUpperCase(Locale.ROOT);
-                int number = Integer.parseInt(m.group(2));
-                boolean padded = region.equals("T") || region.equals("L");
-                return known(String.format(Locale.ROOT, padded ? "vertebra_%s%02d" : "vertebra_%s%d", region, number));
+            if (m.matches() && (joined.size() == 1 || FILLERS.containsAll(without(joined, word)))) {
+                return vertebra(m.group(1), Integer.parseInt(m.group(2)));
+            }
+            Matcher number = NUMBER.matcher(ordinal(word));
+            if (number.matches() && words.contains("vertebra") && FILLERS.containsAll(without(words, word))) {
+                return words.stream()
+                        .filter(REGIONS::containsKey)
+                        .findFirst()
+                        .flatMap(region -> vertebra(REGIONS.get(region), Integer.parseInt(number.group(1))));
             }
         }
         return Optional.empty();
+    }
+
+    /** @param region c, t or th, l or s */
+    private static Optional<String> vertebra(String region, int number) {
+        String letter = region.substring(0, 1).toUpperCase(Locale.ROOT);
+        boolean padded = letter.equals("T") || letter.equals("L");
+        return known(String.format(Locale.ROOT, padded ? "vertebra_%s%02d" : "vertebra_%s%d", letter, number));
+    }
+
+    /** The number of an ordinal such as "fifth"; any other word as it is. */
+    private static String ordinal(String word) {
+        int ordinal = 1 + ORDINALS.indexOf(word);
+        return ordinal > 0 ? String.valueOf(ordinal) : word;
     }
 
     private static List<String> without(List<String> words, String word) {

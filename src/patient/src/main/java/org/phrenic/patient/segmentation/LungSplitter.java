@@ -5,8 +5,10 @@ import org.phrenic.patient.label.LabelTable;
 
 /**
  * Splits a label that two lungs share. Where the lungs have labels as well, it holds vessels or the like, which go to
- * the lung about them. Else the label is eroded until it separates into two large components. These are then grown
- * back, with each voxel assigned to the nearer one. The component closer to the patient's right is the right lung.
+ * the lung about them. Where one of them has, its largest component is the other lung if it is large enough, and
+ * vessels of the one otherwise. Else the label is eroded until it separates into two large components. These are then
+ * grown back, with each voxel assigned to the nearer one. The component closer to the patient's right is the right
+ * lung.
  */
 public final class LungSplitter {
     /**
@@ -25,11 +27,14 @@ public final class LungSplitter {
     public static Optional<String> split(Segmentation segmentation) {
         int both = segmentation.find(LabelTable.LUNGS);
         VoxelRegion region = new VoxelRegion(segmentation, both);
-        if (segmentation.find(RIGHT) > 0 && segmentation.find(LEFT) > 0) {
+        region.computeDepths();
+        if (segmentation.find(RIGHT) > 0 || segmentation.find(LEFT) > 0) {
+            if (segmentation.find(RIGHT) == 0 || segmentation.find(LEFT) == 0) {
+                nameOther(segmentation, region);
+            }
             join(segmentation, region);
             return Optional.empty();
         }
-        region.computeDepths();
         byte[] piece = new byte[region.cells()];
         for (int erosion = 0; erosion < MAX_EROSIONS; erosion++) {
             int[] sizes = region.connectedComponents(erosion, piece);
@@ -48,24 +53,48 @@ public final class LungSplitter {
                 + " (or label one as lung_R or lung_L)");
     }
 
+    /** Names the largest component the lung that has no label, unless it is too small beside the one that has. */
+    private static void nameOther(Segmentation s, VoxelRegion region) {
+        byte labelled = (byte) Math.max(s.find(RIGHT), s.find(LEFT));
+        String other = s.find(RIGHT) > 0 ? LEFT : RIGHT;
+        int size = 0;
+        for (byte voxel : s.voxels) {
+            size += voxel == labelled ? 1 : 0;
+        }
+        byte[] piece = new byte[region.cells()];
+        int[] sizes = region.connectedComponents(0, piece);
+        int first = largest(sizes, 0);
+        if (sizes[first] > MIN_SHARE * size) {
+            byte segment = (byte) s.segment(other);
+            for (int cell = 0; cell < piece.length; cell++) {
+                if (piece[cell] == first) {
+                    s.voxels[region.voxel(cell)] = segment;
+                }
+            }
+            s.inheritFrom(other, LabelTable.LUNGS);
+        }
+    }
+
     /**
      * Gives the voxels of the common segment to the lungs that have segments of their own, each to the lung from which
      * fewer steps through the common segment lead to it. Voxels that no lung leads to are discarded.
      */
     private static void join(Segmentation s, VoxelRegion region) {
         byte[] lungs = {(byte) s.find(RIGHT), (byte) s.find(LEFT)};
+        byte common = (byte) s.find(LabelTable.LUNGS);
         byte[] piece = new byte[region.cells()];
         int[] steps = s.steps();
         for (int cell = 0; cell < piece.length; cell++) {
-            for (int step = 0; step < 6 && region.isMember(cell) && piece[cell] == 0; step++) {
+            boolean isCommon = region.isMember(cell) && s.voxels[region.voxel(cell)] == common;
+            for (int step = 0; step < 6 && isCommon && piece[cell] == 0; step++) {
                 int v = region.voxel(cell);
                 byte next = s.isAtBorder(v, step) ? 0 : s.voxels[v + steps[step]];
-                piece[cell] = (byte) (next == lungs[0] ? 1 : next == lungs[1] ? 2 : 0);
+                piece[cell] = (byte) (next == 0 ? 0 : next == lungs[0] ? 1 : next == lungs[1] ? 2 : 0);
             }
         }
         region.growRegions(piece);
         for (int cell = 0; cell < piece.length; cell++) {
-            if (region.isMember(cell)) {
+            if (region.isMember(cell) && s.voxels[region.voxel(cell)] == common) {
                 s.voxels[region.voxel(cell)] = piece[cell] == 0 ? 0 : lungs[piece[cell] - 1];
             }
         }

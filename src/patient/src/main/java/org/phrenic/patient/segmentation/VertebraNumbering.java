@@ -36,6 +36,8 @@ final class VertebraNumbering {
     private static final double MOST_DEVIATION = 1.35;
     private static final double SCATTER = 0.5;
     private static final double MOST = 0.75;
+    /** Least voxels of a rib over those of the median rib; the shortest ribs 12 have 0.03. */
+    private static final double LEAST_SHARE = 0.02;
 
     private static final List<String> SPINE = IntStream.range(0, 24)
             .mapToObj(i -> String.format(
@@ -141,10 +143,13 @@ final class VertebraNumbering {
                         || (cutAbove && showsTwelfth(side)));
     }
 
-    /** Segment of a rib; 0 if it is not there. */
+    /** Segment of a rib; 0 if it is not there or no more than a speck. */
     private int rib(int number, Side side) {
+        int[] sizes = ribs.values().stream().mapToInt(IntList::size).sorted().toArray();
+        double least = LEAST_SHARE * sizes[sizes.length / 2];
         return ribs.keySet().stream()
                 .filter(segment -> names[segment].level() == number && names[segment].side() == side)
+                .filter(segment -> ribs.get(segment).size() >= least)
                 .findFirst()
                 .orElse(0);
     }

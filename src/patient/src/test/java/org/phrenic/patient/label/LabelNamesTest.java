@@ -52,6 +52,9 @@ class LabelNamesTest {
                 "hip_implant",
                 "trunk muscles",
                 "heart lead",
+                "rib fracture",
+                "temporal lobe left",
+                "thoracic vertebra",
                 "cardiac stomach",
                 "肺動脈",
                 "肝静脉",
@@ -166,6 +169,17 @@ class LabelNamesTest {
         "左肾上腺, adrenal_gland_L",
         "pleura_L, pleura_L",
         "lung_R_middle, lung_R_middle",
+        "left upper lobe, lung_L",
+        "RightMiddleLobe, lung_R",
+        "LUL, lung_L",
+        "RLL, lung_R",
+        "ribs_left, ribs",
+        "left costal cartilages, costal_cartilages",
+        "T 12, vertebra_T12",
+        "T-12, vertebra_T12",
+        "Th12, vertebra_T12",
+        "12th thoracic vertebra, vertebra_T12",
+        "first lumbar vertebra, vertebra_L01",
     })
     void partsAndOtherOrdersOfWordsAreKnown(String name, String structure) {
         assertThat(LabelNames.structure(name)).contains(structure);

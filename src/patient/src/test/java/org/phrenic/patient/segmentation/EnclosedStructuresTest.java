@@ -140,4 +140,33 @@ class EnclosedStructuresTest {
         assertThat(count(s.grid(), s.find("lung_R"))).isEqualTo(14 * 100);
         assertThat(count(s.grid(), s.find("lung_L"))).isEqualTo(14 * 100);
     }
+
+    /** Vessels of the right lung of a patient without a left one, then the left lung itself under that name. */
+    @Test
+    void besideOneLungVesselsAreOfItAndALargeBodyIsTheOther() {
+        byte[] labels = new byte[30 * 10 * 10];
+        for (int v = 0; v < labels.length; v++) {
+            boolean tree = v / 30 % 10 == 5 && v / 300 == 5;
+            labels[v] = (byte) (v % 30 >= 14 ? 0 : tree ? 3 : 1);
+        }
+        Segmentation alone = oneLung(labels);
+        assertThat(LungSplitter.split(alone)).isEmpty();
+        assertThat(count(alone.grid(), alone.find("lung_R"))).isEqualTo(14 * 100);
+        assertThat(alone.find("lung_L")).isZero();
+        for (int v = 0; v < labels.length; v++) {
+            labels[v] = v % 30 > 15 ? 3 : labels[v];
+        }
+        Segmentation both = oneLung(labels);
+        assertThat(LungSplitter.split(both)).isEmpty();
+        assertThat(count(both.grid(), both.find("lung_R"))).isEqualTo(14 * 100);
+        assertThat(count(both.grid(), both.find("lung_L"))).isEqualTo(14 * 100);
+    }
+
+    private static Segmentation oneLung(byte[] labels) {
+        LabelVolume volume = new LabelVolume(
+                LabelGrid.of(30, 10, 10, labels, new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}),
+                Map.of(),
+                List.of());
+        return new Segmentation(volume, new LabelTable(Map.of(1, "lung_R", 3, LabelTable.LUNGS)), "v");
+    }
 }

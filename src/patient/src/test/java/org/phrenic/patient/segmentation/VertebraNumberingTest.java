@@ -65,6 +65,21 @@ class VertebraNumberingTest {
         return truth;
     }
 
+    /** Ribs 1 to 11, moved down by one, with one voxel under the name of rib 1: the ribs are wrong, not the spine. */
+    @Test
+    void aSpeckIsNoRibByWhichTheSpineIsNumbered() {
+        IntUnaryOperator moved = ribsMovedDown();
+        boolean[] speck = {false};
+        CageVoxels cage = cage();
+        Segmentation s = scan(cage, CageVoxels.SLICES, label -> {
+            int now = moved.applyAsInt(label);
+            boolean first = now == CageVoxels.rib(2, true) && !speck[0];
+            speck[0] |= first;
+            return first ? CageVoxels.rib(1, true) : now;
+        });
+        assertThat(VertebraNumbering.check(s)).get().asString().startsWith("ribs, ");
+    }
+
     @Test
     void numbersThatFitAreLeftAlone() {
         Segmentation s = scan(cage(), CageVoxels.SLICES, label -> label);

@@ -23,6 +23,9 @@ import org.phrenic.mesh.voxel.LabelGrid;
  */
 public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope, double intercept) {
     private static final int CHUNK = 1 << 15;
+    /** Greatest error of a label whose slope is a rounded number, such as 1/255 in single precision. */
+    private static final double SCALING_ERROR = 1e-3;
+
     /** Greatest compression ratio of deflate. */
     private static final long MAX_RATIO = 1032;
 
@@ -177,6 +180,10 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
                 ? slope * type.readLong(from, n * type.size()) + intercept
                 : slope * type.readDouble(from, n * type.size()) + intercept;
         int label = (int) value;
+        if (label != value && slope != 1 && Math.abs(value - Math.rint(value)) < SCALING_ERROR) {
+            value = Math.rint(value);
+            label = (int) value;
+        }
         if (label != value || label < 0 || label > LabelGrid.MAX_LABEL) {
             boolean whole = value == Math.rint(value) && Math.abs(value) < 1e15;
             String found = whole ? Long.toString((long) value) : Double.toString(value);

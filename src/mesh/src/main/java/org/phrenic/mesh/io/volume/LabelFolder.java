@@ -9,7 +9,9 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
 import org.phrenic.file.InputBytes;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.mesh.io.raster.VolumeFormats;
 
@@ -35,8 +37,9 @@ final class LabelFolder {
 
     private static List<Path> volumes(Path folder) {
         return InputBytes.list(folder).stream()
-                .filter(file ->
-                        Files.isRegularFile(file) && (VolumeFormats.isVolume(file) || DicomVolumes.isDicom(file)))
+                .filter(file -> Files.isRegularFile(file)
+                        && !FileNames.isHidden(file)
+                        && (VolumeFormats.isVolume(file) || DicomVolumes.isDicom(file)))
                 .toList();
     }
 
@@ -101,6 +104,7 @@ final class LabelFolder {
         for (LabelRuns file : labelled) {
             file.requireNames();
             file.requireGridOf(first);
+            requireOwnNames(file, labelled);
             for (int s = 0; s < file.structures().size(); s++) {
                 names.put(names.size() + 1, file.names().get(s));
                 painter.add(names.size(), file.structures().get(s));
@@ -108,5 +112,19 @@ final class LabelFolder {
             notes.addAll(file.notes());
         }
         return new LabelVolume(painter.grid(first.toMm(), notes), names, notes);
+    }
+
+    /** Refuses files of which two segment the same structures, as those of two breaths do. */
+    private static void requireOwnNames(LabelRuns file, List<LabelRuns> all) {
+        for (LabelRuns other : all.subList(0, all.indexOf(file))) {
+            List<String> both =
+                    file.names().stream().filter(other.names()::contains).toList();
+            if (both.size() > 1) {
+                throw new BadInputException(file.file() + ": found "
+                        + both.subList(0, 2).stream().map(Numbers::quote).collect(Collectors.joining(" and "))
+                        + " as in "
+                        + other.file().getFileName() + ", expected the labels of one scan");
+            }
+        }
     }
 }

@@ -27,6 +27,8 @@ final class StructureSet {
     private final Map<Integer, String> names = new TreeMap<>();
     private final Map<Integer, List<double[]>> contours = new TreeMap<>();
     private final List<String> notes = new ArrayList<>();
+    /** Whether the grid is that of the contours, without a series. */
+    private boolean ownGrid;
 
     private StructureSet(DicomDataSet set) {
         this.set = set;
@@ -50,6 +52,9 @@ final class StructureSet {
             painter.add(number, use -> forEach(grid, bySlice, fill, use));
         });
         LabelGrid labels = painter.grid(grid.axes().affine(set.file()), notes);
+        if (ownGrid) {
+            labels = EmptySlices.beyond(labels);
+        }
         names.keySet().retainAll(contours.keySet());
         return new LabelVolume(labels, LabelPainter.named(names), notes);
     }
@@ -105,6 +110,7 @@ final class StructureSet {
         }
         ContourGrid own = new ContourGrid(set.file(), contours.values());
         notes.add(own.note());
+        ownGrid = true;
         return own.grid();
     }
 

@@ -144,4 +144,26 @@ class LabelFolderTest {
         assertThat(LabelVolumeFiles.isVolume(Files.createDirectory(folder.resolve("empty"))))
                 .isFalse();
     }
+
+    /** Beside each file that macOS copies to another file system it writes one with what it knows of it. */
+    @Test
+    void hiddenFilesAreNoMasks() throws IOException {
+        Files.write(folder.resolve("._liver.nii.gz"), new byte[] {0, 5, 22, 7});
+        assertIsMerged(LabelFolder.read(folder));
+    }
+
+    /** Segmentations of two breaths lie on one grid and have the same names. */
+    @Test
+    void twoFilesOfTheSameStructuresAreRefused() throws IOException {
+        Path breaths = Files.createDirectory(folder.resolve("breaths"));
+        String header = "NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 3 4\n"
+                + "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: text\n"
+                + "Segment0_LabelValue:=1\nSegment0_Name:=liver\nSegment1_LabelValue:=2\nSegment1_Name:=spleen\n\n";
+        Files.writeString(breaths.resolve("expiration.seg.nrrd"), header + "1 2 0 0 ".repeat(6));
+        Files.writeString(breaths.resolve("inspiration.seg.nrrd"), header + "0 0 1 2 ".repeat(6));
+        assertThatThrownBy(() -> LabelVolumeFiles.read(breaths))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining(
+                        "found 'liver' and 'spleen' as in expiration.seg.nrrd, expected the labels of one scan");
+    }
 }

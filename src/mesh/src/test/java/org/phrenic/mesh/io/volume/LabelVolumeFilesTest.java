@@ -1,6 +1,7 @@
 package org.phrenic.mesh.io.volume;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -14,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /** One small volume in every format, type and byte order: labels, places and names come out the same. */
@@ -119,6 +121,22 @@ class LabelVolumeFilesTest {
         LabelGrid grid = read("micrometres.nii", file).grid();
         assertThat(grid.label(5)).isEqualTo(11);
         assertThat(grid.spacing(0)).isCloseTo(2e-3, within(SINGLE_MM));
+    }
+
+    /** A mask of 0 and 1 that is stored as 0 and 255; half of 255 is no label. */
+    @Test
+    void aSlopeInSinglePrecisionGivesWholeLabels() {
+        byte[] file = VolumeSamples.nifti(2, LITTLE, h -> h.putFloat(112, 1f / 255));
+        for (int v = 0; v < VolumeSamples.VOXELS; v++) {
+            file[VolumeSamples.NIFTI_HEADER + v] = (byte) (v % 2 == 0 ? 255 : 0);
+        }
+        LabelGrid grid = read("scaled.nii", file).grid();
+        assertThat(grid.label(4)).isEqualTo(1);
+        assertThat(grid.label(5)).isZero();
+        file[VolumeSamples.NIFTI_HEADER] = (byte) 128;
+        assertThatThrownBy(() -> read("scaled.nii", file))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found 0.50");
     }
 
     @Test
