@@ -23,6 +23,7 @@ import org.phrenic.patient.label.LabelTable;
 import org.phrenic.patient.segmentation.CartilageSplitter;
 import org.phrenic.patient.segmentation.EnclosedStructures;
 import org.phrenic.patient.segmentation.FilledOutline;
+import org.phrenic.patient.segmentation.LungPieces;
 import org.phrenic.patient.segmentation.LungSplitter;
 import org.phrenic.patient.segmentation.Segmentation;
 import org.phrenic.patient.segmentation.SegmentationRepair;
@@ -121,6 +122,7 @@ public final class ScanImport {
         }
         progress.stage("filling holes, joining pieces");
         notes.addAll(SegmentationRepair.mend(segmentation));
+        notes.addAll(LungPieces.name(segmentation));
         segmentation.findCuts();
     }
 

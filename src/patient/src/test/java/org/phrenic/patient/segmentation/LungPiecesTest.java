@@ -1,0 +1,52 @@
+package org.phrenic.patient.segmentation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.label.LabelTable;
+
+/** A left lung whose lobes lie apart. */
+class LungPiecesTest {
+    private static final int COLUMNS = 40;
+    private static final int SLICE = 10 * COLUMNS;
+
+    /** Blocks of columns under the label of the left lung. */
+    private static Segmentation lung(int... firstAndEnd) {
+        byte[] labels = new byte[10 * SLICE];
+        for (int v = 0; v < labels.length; v++) {
+            int i = v % COLUMNS;
+            for (int block = 0; block < firstAndEnd.length; block += 2) {
+                labels[v] = i >= firstAndEnd[block] && i < firstAndEnd[block + 1] ? 1 : labels[v];
+            }
+        }
+        LabelVolume volume = new LabelVolume(
+                LabelGrid.of(COLUMNS, 10, 10, labels, new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}),
+                Map.of(),
+                List.of());
+        return new Segmentation(volume, new LabelTable(Map.of(1, "lung_L")), "v");
+    }
+
+    private static int count(Segmentation s, String name) {
+        return s.find(name) > 0 ? s.counts()[s.find(name)] : 0;
+    }
+
+    @Test
+    void aLobeThatLiesApartIsKeptUnderItsOwnName() {
+        Segmentation s = lung(0, 20, 22, 32);
+        assertThat(LungPieces.name(s)).singleElement().asString().startsWith("lung_L: a piece of 1 ml lies apart");
+        assertThat(count(s, "lung_L")).isEqualTo(20 * 100);
+        assertThat(count(s, "lung_L_2")).isEqualTo(10 * 100);
+        assertThat(s.labels("lung_L_2")).containsExactly(1);
+    }
+
+    @Test
+    void aSpeckIsNoLobe() {
+        Segmentation s = lung(0, 30, 33, 34);
+        assertThat(LungPieces.name(s)).isEmpty();
+        assertThat(count(s, "lung_L")).isEqualTo(31 * 100);
+    }
+}
