@@ -117,7 +117,11 @@ final class NiftiReader {
                     default -> 1;
                 };
         VolumeAxes axes;
-        if (header.sformCode() > 0) {
+        boolean isZero = sform().smallestSpacing() == 0;
+        if (header.sformCode() > 0 && isZero && header.qformCode() > 0) {
+            notes.add("the sform is zero: the qform was taken");
+            axes = qform();
+        } else if (header.sformCode() > 0) {
             axes = sform();
             if (header.qformCode() > 0) {
                 compareForms(axes, mm);

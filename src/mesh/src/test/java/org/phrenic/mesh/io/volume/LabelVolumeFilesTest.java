@@ -123,6 +123,18 @@ class LabelVolumeFilesTest {
         assertThat(grid.spacing(0)).isCloseTo(2e-3, within(SINGLE_MM));
     }
 
+    @Test
+    void aZeroSformDoesNotHideTheQform() {
+        LabelVolume volume = read("zero.nii", VolumeSamples.nifti(2, LITTLE, h -> {
+            for (int at = 280; at < 328; at += Float.BYTES) {
+                h.putFloat(at, 0);
+            }
+            h.putShort(252, (short) 1);
+        }));
+        assertThat(volume.notes()).containsExactly("the sform is zero: the qform was taken");
+        assertThat(volume.grid().spacing(0)).isCloseTo(2, within(SINGLE_MM));
+    }
+
     /** A mask of 0 and 1 that is stored as 0 and 255; half of 255 is no label. */
     @Test
     void aSlopeInSinglePrecisionGivesWholeLabels() {
