@@ -44,9 +44,9 @@ class LungPiecesTest {
     }
 
     @Test
-    void aSpeckIsNoLobe() {
-        Segmentation s = lung(0, 30, 33, 34);
+    void aPieceSmallerThanALobeIsNone() {
+        Segmentation s = lung(0, 30, 33, 36);
         assertThat(LungPieces.name(s)).isEmpty();
-        assertThat(count(s, "lung_L")).isEqualTo(31 * 100);
+        assertThat(count(s, "lung_L")).isEqualTo(33 * 100);
     }
 }
