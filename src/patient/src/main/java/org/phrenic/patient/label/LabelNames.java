@@ -248,7 +248,8 @@ public final class LabelNames {
                         Locale.ROOT, "%s_%02d_%s", stem, Integer.parseInt(m.group(1)), side == Side.RIGHT ? "R" : "L"));
             }
         }
-        return Optional.of(common);
+        boolean several = words.stream().anyMatch(word -> word.matches("ribs|ribcage|cartilages"));
+        return side == Side.MIDLINE || several ? Optional.of(common) : Optional.empty();
     }
 
     private static Optional<String> vertebra(List<String> words) {
