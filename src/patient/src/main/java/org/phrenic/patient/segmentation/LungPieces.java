@@ -44,13 +44,8 @@ public final class LungPieces {
         for (int rank = 1; rank < large.size(); rank++) {
             int wanted = large.get(rank);
             String name = lung + "_" + (rank + 1);
-            byte segment = (byte) s.segment(name);
+            region.assign(piece, wanted, s.segment(name));
             s.inheritFrom(name, lung);
-            for (int cell = 0; cell < piece.length; cell++) {
-                if (piece[cell] == wanted) {
-                    s.voxels[region.voxel(cell)] = segment;
-                }
-            }
             notes.add(String.format(
                     Locale.ROOT,
                     "%s: a piece of %.0f ml lies apart, as with fluid between lobes; it is kept as %s",

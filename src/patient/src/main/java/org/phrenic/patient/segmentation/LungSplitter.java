@@ -26,15 +26,17 @@ public final class LungSplitter {
     /** Replaces the common segment by one per lung. Returns a note if the lungs cannot be split. */
     public static Optional<String> split(Segmentation segmentation) {
         int both = segmentation.find(LabelTable.LUNGS);
-        VoxelRegion region = new VoxelRegion(segmentation, both);
-        region.computeDepths();
         if (segmentation.find(RIGHT) > 0 || segmentation.find(LEFT) > 0) {
             if (segmentation.find(RIGHT) == 0 || segmentation.find(LEFT) == 0) {
-                nameOther(segmentation, region);
+                nameOther(segmentation, new VoxelRegion(segmentation, both));
             }
-            join(segmentation, region);
+            if (segmentation.counts()[both] > 0) {
+                join(segmentation, new VoxelRegion(segmentation, both));
+            }
             return Optional.empty();
         }
+        VoxelRegion region = new VoxelRegion(segmentation, both);
+        region.computeDepths();
         byte[] piece = new byte[region.cells()];
         for (int erosion = 0; erosion < MAX_EROSIONS; erosion++) {
             int[] sizes = region.connectedComponents(erosion, piece);
@@ -55,22 +57,13 @@ public final class LungSplitter {
 
     /** Names the largest component the lung that has no label, unless it is too small beside the one that has. */
     private static void nameOther(Segmentation s, VoxelRegion region) {
-        byte labelled = (byte) Math.max(s.find(RIGHT), s.find(LEFT));
+        int labelled = s.counts()[Math.max(s.find(RIGHT), s.find(LEFT))];
         String other = s.find(RIGHT) > 0 ? LEFT : RIGHT;
-        int size = 0;
-        for (byte voxel : s.voxels) {
-            size += voxel == labelled ? 1 : 0;
-        }
         byte[] piece = new byte[region.cells()];
         int[] sizes = region.connectedComponents(0, piece);
         int first = largest(sizes, 0);
-        if (sizes[first] > MIN_SHARE * size) {
-            byte segment = (byte) s.segment(other);
-            for (int cell = 0; cell < piece.length; cell++) {
-                if (piece[cell] == first) {
-                    s.voxels[region.voxel(cell)] = segment;
-                }
-            }
+        if (sizes[first] > MIN_SHARE * labelled) {
+            region.assign(piece, first, s.segment(other));
             s.inheritFrom(other, LabelTable.LUNGS);
         }
     }
@@ -81,12 +74,10 @@ public final class LungSplitter {
      */
     private static void join(Segmentation s, VoxelRegion region) {
         byte[] lungs = {(byte) s.find(RIGHT), (byte) s.find(LEFT)};
-        byte common = (byte) s.find(LabelTable.LUNGS);
         byte[] piece = new byte[region.cells()];
         int[] steps = s.steps();
         for (int cell = 0; cell < piece.length; cell++) {
-            boolean isCommon = region.isMember(cell) && s.voxels[region.voxel(cell)] == common;
-            for (int step = 0; step < 6 && isCommon && piece[cell] == 0; step++) {
+            for (int step = 0; step < 6 && region.isMember(cell) && piece[cell] == 0; step++) {
                 int v = region.voxel(cell);
                 byte next = s.isAtBorder(v, step) ? 0 : s.voxels[v + steps[step]];
                 piece[cell] = (byte) (next == 0 ? 0 : next == lungs[0] ? 1 : next == lungs[1] ? 2 : 0);
@@ -94,7 +85,7 @@ public final class LungSplitter {
         }
         region.growRegions(piece);
         for (int cell = 0; cell < piece.length; cell++) {
-            if (region.isMember(cell) && s.voxels[region.voxel(cell)] == common) {
+            if (region.isMember(cell)) {
                 s.voxels[region.voxel(cell)] = piece[cell] == 0 ? 0 : lungs[piece[cell] - 1];
             }
         }

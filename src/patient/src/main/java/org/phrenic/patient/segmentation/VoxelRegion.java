@@ -122,6 +122,15 @@ final class VoxelRegion {
         return Arrays.copyOf(sizes, count + 1);
     }
 
+    /** Gives the cells of a mark to another segment. */
+    void assign(byte[] marks, int mark, int segment) {
+        for (int cell = 0; cell < marks.length; cell++) {
+            if (marks[cell] == mark) {
+                segmentation.voxels[voxel(cell)] = (byte) segment;
+            }
+        }
+    }
+
     /** Assigns each cell the mark of the nearest marked cell, in steps. Cells not connected to a marked cell keep 0. */
     void growRegions(byte[] marks) {
         int length = 0;

@@ -117,8 +117,7 @@ final class NiftiReader {
                     default -> 1;
                 };
         VolumeAxes axes;
-        boolean isZero = sform().smallestSpacing() == 0;
-        if (header.sformCode() > 0 && isZero && header.qformCode() > 0) {
+        if (header.sformCode() > 0 && header.qformCode() > 0 && sform().smallestSpacing() == 0) {
             notes.add("the sform is zero: the qform was taken");
             axes = qform();
         } else if (header.sformCode() > 0) {

@@ -27,8 +27,6 @@ final class StructureSet {
     private final Map<Integer, String> names = new TreeMap<>();
     private final Map<Integer, List<double[]>> contours = new TreeMap<>();
     private final List<String> notes = new ArrayList<>();
-    /** Whether the grid is that of the contours, without a series. */
-    private boolean ownGrid;
 
     private StructureSet(DicomDataSet set) {
         this.set = set;
@@ -44,7 +42,8 @@ final class StructureSet {
         if (contours.isEmpty()) {
             throw new BadInputException(set.file() + ": found no closed contours, expected some");
         }
-        SliceGrid grid = grid(path);
+        Optional<SliceGrid> series = series(path);
+        SliceGrid grid = series.orElseGet(this::ownGrid);
         LabelPainter painter = new LabelPainter(set.file(), grid.columns(), grid.rows(), grid.slices());
         ContourFill fill = new ContourFill(grid.columns(), grid.rows());
         contours.forEach((number, closed) -> {
@@ -52,11 +51,9 @@ final class StructureSet {
             painter.add(number, use -> forEach(grid, bySlice, fill, use));
         });
         LabelGrid labels = painter.grid(grid.axes().affine(set.file()), notes);
-        if (ownGrid) {
-            labels = EmptySlices.beyond(labels);
-        }
         names.keySet().retainAll(contours.keySet());
-        return new LabelVolume(labels, LabelPainter.named(names), notes);
+        return new LabelVolume(
+                series.isPresent() ? labels : EmptySlices.beyond(labels), LabelPainter.named(names), notes);
     }
 
     private void readNames() {
@@ -92,7 +89,8 @@ final class StructureSet {
         }
     }
 
-    private SliceGrid grid(Path path) {
+    /** The grid of the series to which the contours refer; empty if it does not lie beside them. */
+    private Optional<SliceGrid> series(Path path) {
         Set<String> series = new HashSet<>();
         for (DicomDataSet frame : set.items(DicomTag.REFERENCED_FRAME_OF_REFERENCE_SEQUENCE)) {
             for (DicomDataSet study : frame.items(DicomTag.RT_REFERENCED_STUDY_SEQUENCE)) {
@@ -102,15 +100,14 @@ final class StructureSet {
             }
         }
         series.remove("");
-        if (!series.isEmpty()) {
-            Optional<SliceGrid> found = DicomSeries.find(path.toAbsolutePath().getParent(), series);
-            if (found.isPresent()) {
-                return found.get();
-            }
-        }
+        return series.isEmpty()
+                ? Optional.empty()
+                : DicomSeries.find(path.toAbsolutePath().getParent(), series);
+    }
+
+    private SliceGrid ownGrid() {
         ContourGrid own = new ContourGrid(set.file(), contours.values());
         notes.add(own.note());
-        ownGrid = true;
         return own.grid();
     }
 
