@@ -16,7 +16,7 @@ public final class MovingAnatomy {
     /** Prefix for the name of a rib when a margin is measured from its costal groove. */
     public static final String VESSELS_PREFIX = "vessels_";
 
-    private final List<MovingStructure> structures = new ArrayList<>();
+    private final List<MovingStructure> structures;
     private final List<MovingStructure> hazards;
     private final List<CostalGroove> grooves;
     private final MovingStructure skin;
@@ -31,7 +31,9 @@ public final class MovingAnatomy {
      * @throws BadInputException if skin or liver is missing, or the liver or the lungs do not move
      */
     public MovingAnatomy(List<Surface> surfaces) {
-        surfaces.forEach(surface -> structures.add(new MovingStructure(surface, structures.size())));
+        List<MovingStructure> all = new ArrayList<>();
+        surfaces.forEach(surface -> all.add(new MovingStructure(surface, all.size())));
+        structures = List.copyOf(all);
         hazards = structures.stream().filter(s -> s.noGo().isPresent()).toList();
         grooves = structures.stream()
                 .filter(s -> s.surface().kind() == StructureKind.RIB)

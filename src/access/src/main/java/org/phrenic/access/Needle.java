@@ -63,19 +63,20 @@ public record Needle(int gauge, double lengthMm, double coreMm) {
     /**
      * Checks that the needle is long enough to reach from {@code from} to {@code aim}.
      *
-     * @throws BadInputException if the needle is too short or the points coincide
+     * @throws BadInputException if the needle is too short or the points are less than 1 mm apart
      */
     public void requireReach(double[] from, double[] aim) {
         double path = Vectors.distance(from, aim);
-        if (path > lengthMm) {
+        if (!(path <= lengthMm)) {
             throw new BadInputException(String.format(
                     Locale.ROOT,
-                    "needle: found %.0f mm for a path of %.1f mm, expected a longer needle or a nearer entry",
+                    "needle: found %.1f mm for a path of %.1f mm, expected a longer needle or a nearer entry",
                     lengthMm,
                     path));
         }
         if (path < 1) {
-            throw new BadInputException("aim: found the entry itself, expected a place within the body");
+            throw new BadInputException(
+                    "aim: found a place less than 1 mm from the entry, expected one within the body");
         }
     }
 }

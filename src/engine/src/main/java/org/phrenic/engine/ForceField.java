@@ -37,10 +37,10 @@ public interface ForceField {
     default void addStiffness(double[] x, double[] u, double[] out, int block) {}
 
     /**
-     * Adds for each node a bound of the stiffness row sum |K_ii| + Σ|K_ij| (N/m) and of the dashpot row sum (N s/m).
-     * These are Gershgorin bounds, from which the largest stable step is estimated.
+     * Adds for each node a bound of the stiffness row sum |K_ii| + Σ|K_ij| at x (N/m) and of the dashpot row sum (N
+     * s/m). These are Gershgorin bounds, from which the largest stable step is estimated.
      */
-    default void addRowSums(double[] stiffness, double[] damping) {}
+    default void addRowSums(double[] x, double[] stiffness, double[] damping) {}
 
     /**
      * Sets the simulated time between two evaluations of prescribed motion. In between, positions are extrapolated at

@@ -67,9 +67,9 @@ final class ForceSet {
         }
     }
 
-    void addRowSums(double[] stiffness, double[] damping) {
+    void addRowSums(double[] position, double[] stiffness, double[] damping) {
         for (ForceField field : active) {
-            field.addRowSums(stiffness, damping);
+            field.addRowSums(position, stiffness, damping);
         }
     }
 

@@ -284,9 +284,9 @@ public final class ParticleSystem {
         fields.addStiffness(position, u, out, block);
     }
 
-    /** Adds the row sums of the enabled fields; see {@link ForceField#addRowSums}. */
+    /** Adds the row sums of the enabled fields at the current positions; see {@link ForceField#addRowSums}. */
     public void addRowSums(double[] stiffness, double[] damping) {
-        fields.addRowSums(stiffness, damping);
+        fields.addRowSums(x, stiffness, damping);
     }
 
     /**

@@ -5,7 +5,7 @@ import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.phrenic.engine.math.DisjointSets;
 import org.phrenic.file.ComputedArrays;
-import org.phrenic.mesh.Geodesics;
+import org.phrenic.mesh.EdgePaths;
 import org.phrenic.mesh.HarmonicField;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
@@ -117,7 +117,7 @@ public final class Diaphragm {
             Arrays.fill(nowhere, Double.POSITIVE_INFINITY);
             return nowhere;
         }
-        return Geodesics.distances(sheet, topology, sources);
+        return EdgePaths.distances(sheet, topology, sources);
     }
 
     /** Unit fibre direction of each triangle; zero in the tendon. */
@@ -187,7 +187,7 @@ public final class Diaphragm {
         return inside / (inside - outside);
     }
 
-    /** Geodesic distance along the sheet from the insertion, mm. */
+    /** Distance along edges of the sheet from the insertion, mm. */
     public double distanceFromInsertion(int vertex) {
         return distance[vertex];
     }

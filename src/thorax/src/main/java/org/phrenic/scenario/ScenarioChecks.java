@@ -3,7 +3,9 @@ package org.phrenic.scenario;
 import java.util.List;
 import java.util.Set;
 import java.util.function.BiFunction;
+import java.util.stream.Collectors;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.assembly.TissueMaterial;
 import org.phrenic.model.material.Materials;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.parameter.Parameter;
@@ -25,19 +27,18 @@ final class ScenarioChecks {
         String material = scenario.material().label();
         for (Setting<?> setting : Materials.ofSome()) {
             if (isStated(scenario, setting) && !scenario.material().uses(setting)) {
-                String other = Materials.ALL.stream()
+                String others = Materials.ALL.stream()
                         .filter(m -> m.uses(setting))
-                        .findFirst()
-                        .orElseThrow()
-                        .label();
+                        .map(TissueMaterial::label)
+                        .collect(Collectors.joining(" or "));
                 throw given.contains(setting)
                         ? bad.apply(
                                 setting,
                                 "found it with material " + material
-                                        + ", which does not use it; expected it with material " + other + " alone")
+                                        + ", which does not use it; expected it with material " + others)
                         : bad.apply(
                                 Materials.MATERIAL,
-                                "found " + material + ", expected " + other + " beside the key '" + setting.key()
+                                "found " + material + ", expected " + others + " beside the key '" + setting.key()
                                         + "' of the scenario");
             }
         }

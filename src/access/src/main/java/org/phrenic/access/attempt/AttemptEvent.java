@@ -11,12 +11,18 @@ import org.phrenic.document.OrderedValues;
  * @param structure structure involved; empty if none
  * @param timeS simulated time, s
  * @param breath number of the breath, starting at 1
- * @param phase position in the breath, in [0, 1)
- * @param label phase of the breath
+ * @param position position in the breath, in [0, 1)
+ * @param phase phase of the breath
  * @param depthMm depth of the tip below the skin, along the needle
  */
 public record AttemptEvent(
-        Kind kind, String structure, double timeS, int breath, double phase, RespiratoryPhase label, double depthMm) {
+        Kind kind,
+        String structure,
+        double timeS,
+        int breath,
+        double position,
+        RespiratoryPhase phase,
+        double depthMm) {
     /** Kinds of events. */
     public enum Kind {
         SKIN_CONTACT,
@@ -36,8 +42,8 @@ public record AttemptEvent(
         }
         return map.with("time_s", timeS)
                 .with("breath", breath)
-                .with("phase", phase)
-                .with("breathing", label.label())
+                .with("phase", position)
+                .with("breathing", phase.label())
                 .with("depth_mm", depthMm);
     }
 }

@@ -2,8 +2,6 @@ package org.phrenic.access.live;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.Queue;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.attempt.NeedleAngles;
@@ -63,7 +61,7 @@ public final class LiveRehearsal implements StepListener {
     private final HandOnProbe hand;
     private final AskedAngles turns = new AskedAngles();
     private final AskedMoves moves = new AskedMoves();
-    private final Queue<Runnable> requests = new ConcurrentLinkedQueue<>();
+    private final RequestQueue requests = new RequestQueue();
     private final ManualStepRecorder steps = new ManualStepRecorder();
     private final HandOnNeedle grip;
     private final BreathCommands breathing;
@@ -118,12 +116,7 @@ public final class LiveRehearsal implements StepListener {
     }
 
     private boolean isNeedleInUse() {
-        return needle == null
-                || player != null
-                || needle.shaft().isPlaced()
-                || !requests.isEmpty()
-                || hand.isAsked()
-                || turns.asked().isPresent();
+        return needle == null || player != null || needle.shaft().isPlaced() || !requests.isEmpty() || hand.isAsked();
     }
 
     /** A needle by hand changes only breath holds, which need no frame; its end needs the state of the step. */
@@ -227,6 +220,7 @@ public final class LiveRehearsal implements StepListener {
 
     private boolean play(int breath) {
         requests.clear();
+        turns.drop();
         try {
             return !over && player.update(phase, breath);
         } catch (BadInputException bad) {
@@ -240,26 +234,23 @@ public final class LiveRehearsal implements StepListener {
     private boolean runRequests(int breath) {
         breathing.update(phase, breath, timeS);
         requests.add(() -> hand.move(timeS));
-        for (Runnable next = requests.poll(); next != null; next = requests.poll()) {
+        for (Optional<Runnable> next = requests.poll(); next.isPresent(); next = requests.poll()) {
             try {
-                next.run();
+                next.get().run();
             } catch (BadInputException bad) {
                 listener.refused(bad.getMessage());
             }
         }
-        turns.asked().ifPresent(this::turnNeedle);
         return !over && !needle.shaft().isPlaced() && !needle.record().samples().isEmpty();
     }
 
-    /** Turns the needle to the angles that it was asked to have last. */
-    private void turnNeedle(NeedleAngles asked) {
+    private void turn(NeedleAngles to) {
         try {
-            grip.turn(needle, asked, timeS);
-        } catch (BadInputException bad) {
-            listener.refused(bad.getMessage());
+            grip.turn(needle, to, timeS);
+        } finally {
+            turns.are(observer.angles(needle, grip.planned()));
+            turns.executed(to);
         }
-        turns.are(observer.angles(needle, grip.planned()));
-        turns.executed(asked);
     }
 
     /** Requests a breath hold at the next event of a kind, after the release of a held breath; empty only releases. */
@@ -309,9 +300,13 @@ public final class LiveRehearsal implements StepListener {
         requests.add(() -> grip.aim(needle, timeS));
     }
 
-    /** Turns the needle about its point on the skin; the last of several turns within a frame counts. */
+    /**
+     * Turns the needle about its point on the skin; the last of several turns within a frame counts, if nothing else is
+     * requested between them.
+     */
     public void turnTo(NeedleAngles to) {
         turns.ask(to);
+        requests.addTurn(() -> turn(to));
     }
 
     /** Angles that the needle has been asked to have, or has. */

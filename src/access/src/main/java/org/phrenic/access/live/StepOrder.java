@@ -1,8 +1,8 @@
 package org.phrenic.access.live;
 
 /**
- * Order of the steps and frames that a needle gets: the frame of a step may arrive after later steps. Detects a
- * restart, by a time earlier than the last one. Times are in s.
+ * Order of the steps and frames that a needle gets: the frame of a step may arrive after later steps. Detects a restart
+ * by a step whose time is not after that of the last one. Times are in s and above 0.
  */
 final class StepOrder {
     private double lastS;
@@ -10,12 +10,12 @@ final class StepOrder {
 
     /** Takes note of a step without its frame. Returns whether the run has restarted. */
     boolean step(double timeS) {
-        boolean restarted = timeS < lastS;
+        boolean restarted = timeS <= lastS;
         lastS = timeS;
         return restarted;
     }
 
-    /** States that the frame of a step comes later. */
+    /** States that the frame of a step comes later, if at all. */
     void comesLater(double timeS) {
         lateS = timeS;
     }

@@ -273,14 +273,13 @@ public final class RehearsalReport {
     private static List<String> row(AttemptEvent e) {
         String kind = e.kind().name().toLowerCase(Locale.ROOT).replace('_', ' ');
         String name = (kind + " " + e.structure()).strip();
-        String phase = number(e.phase());
         return List.of(
                 name,
                 mm(e.depthMm()),
                 number(e.timeS()),
                 "" + e.breath(),
-                phase,
-                e.label().label());
+                number(e.position()),
+                e.phase().label());
     }
 
     private static void path(ReportDocument document, PathOverBreath path) {

@@ -265,7 +265,7 @@ public final class Attachments implements ForceField {
     }
 
     @Override
-    public void addRowSums(double[] stiffnessSum, double[] dampingSum) {
+    public void addRowSums(double[] x, double[] stiffnessSum, double[] dampingSum) {
         for (int i = 0; i < nodes.count(); i++) {
             double k = stiffnessFactor * stiffness[i];
             stiffnessSum[nodes.node[i] / 3] += k;

@@ -141,7 +141,7 @@ public final class HingeBending implements ForceField {
     }
 
     @Override
-    public void addRowSums(double[] stiffness, double[] damping) {
+    public void addRowSums(double[] x, double[] stiffness, double[] damping) {
         for (int i = 0; i < row.length; i++) {
             for (int e = start[i]; e < start[i + 1]; e++) {
                 stiffness[row[i] / 3] += Math.abs(value[e]);

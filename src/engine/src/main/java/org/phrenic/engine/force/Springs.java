@@ -70,7 +70,8 @@ public final class Springs implements ForceField {
      *
      * @param k stiffness of each spring, N/m
      * @param length rest length of each spring, mm; may be negative, the force is k (l - l0) in any case
-     * @param shortening reduction of each rest length at full activation, mm; ignored if no spring is contractile
+     * @param shortening reduction of each rest length at full activation, mm; ignored, and may be null, if no spring is
+     *     contractile
      */
     public void setCoefficients(double[] k, double[] length, double[] shortening) {
         System.arraycopy(k, 0, stiffness, 0, stiffness.length);
@@ -128,10 +129,14 @@ public final class Springs implements ForceField {
     public double potentialEnergy(double[] x) {
         double sum = 0;
         for (int e = 0; e < edges.count(); e++) {
-            double stretch = length(x, e) - rest[e] * (1 - (share == null ? 0 : constants.activation * share[e]));
+            double stretch = length(x, e) - restLengthNow(e);
             sum += 0.5 * stiffness[e] * stretch * stretch;
         }
         return sum;
+    }
+
+    private double restLengthNow(int e) {
+        return rest[e] * (1 - (share == null ? 0 : constants.activation * share[e]));
     }
 
     private double length(double[] x, int e) {
@@ -183,10 +188,13 @@ public final class Springs implements ForceField {
     }
 
     @Override
-    public void addRowSums(double[] stiffnessSum, double[] dampingSum) {
+    public void addRowSums(double[] x, double[] stiffnessSum, double[] dampingSum) {
         for (int e = 0; e < edges.count(); e++) {
-            stiffnessSum[edges.nodeA[e]] += 2 * stiffness[e];
-            stiffnessSum[edges.nodeB[e]] += 2 * stiffness[e];
+            double l = restLengthNow(e);
+            // A spring whose rest length is negative is stiffer across than along.
+            double k = l >= 0 ? stiffness[e] : stiffness[e] * (1 - l / length(x, e));
+            stiffnessSum[edges.nodeA[e]] += 2 * k;
+            stiffnessSum[edges.nodeB[e]] += 2 * k;
             dampingSum[edges.nodeA[e]] += 2 * constants.damping;
             dampingSum[edges.nodeB[e]] += 2 * constants.damping;
         }
@@ -254,15 +262,16 @@ public final class Springs implements ForceField {
             return this;
         }
 
-        /** Sets the contractile share s of each spring, -0.5 to 1; negative where it lengthens with activation. */
+        /** Sets the contractile share s of each spring, at least -0.5; negative where it lengthens with activation. */
         public Builder contractileShares(double[] shares) {
             share = shares.clone();
             return this;
         }
 
         /**
-         * @throws IllegalArgumentException if a stiffness, damping or rest length is missing, negative or not finite,
-         *     or an edge joins a node to itself
+         * @throws IllegalArgumentException if a stiffness or rest length is missing, a stiffness, damping or rest
+         *     length is negative or not finite, a contractile share is below -0.5 or not finite, or an edge joins a
+         *     node to itself
          */
         public Springs build() {
             check("stiffness", stiffness, "N/m", 0);

@@ -64,6 +64,16 @@ class ForceFieldContractTest {
         return springs().restLengthsAt(shorter).build();
     }
 
+    /** Rest lengths below zero: K is larger across the springs than along them. */
+    private static Springs overstretched() {
+        int count = SampleSystems.gridEdges(3)[0].length;
+        double[] k = new Random(2).doubles(count, 1, 20).toArray();
+        double[] rest = new Random(3).doubles(count, -40, -10).toArray();
+        Springs springs = stretched();
+        springs.setCoefficients(k, rest, null);
+        return springs;
+    }
+
     private static HingeBending bending() {
         int[] nodes = {0, 1, 3, 10, 4, 13, 12, 26};
         double[] rest = SampleSystems.gridPositions(3, 0, 1);
@@ -85,6 +95,8 @@ class ForceFieldContractTest {
     static Stream<Arguments> fieldsWithWholeStiffness() {
         return Stream.of(
                 Arguments.of("stretched springs", (Supplier<ForceField>) ForceFieldContractTest::stretched),
+                Arguments.of("springs of negative rest length", (Supplier<ForceField>)
+                        ForceFieldContractTest::overstretched),
                 Arguments.of("bending", (Supplier<ForceField>) ForceFieldContractTest::bending),
                 Arguments.of("attachments", (Supplier<ForceField>) ForceFieldContractTest::attachments));
     }
@@ -171,7 +183,7 @@ class ForceFieldContractTest {
         ForceField field = make.get();
         double[] x = state();
         double[] rowSum = new double[N];
-        field.addRowSums(rowSum, new double[N]);
+        field.addRowSums(x, rowSum, new double[N]);
         Random random = new Random(9);
         for (int trial = 0; trial < 20; trial++) {
             double[] u = random.doubles(x.length, -1, 1).toArray();

@@ -5,8 +5,8 @@ import java.nio.IntBuffer;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.EdgePaths;
 import org.phrenic.mesh.EdgeTable;
-import org.phrenic.mesh.Geodesics;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Surface;
@@ -65,8 +65,8 @@ public record VertexAttributes(Surface surface, EdgeTable table) {
     }
 
     /**
-     * Geodesic distance of each skin vertex from the border, mm. Infinite for other structures, because lung lobes are
-     * open where they touch and must not fade.
+     * Distance of each skin vertex from the border along edges, mm. Infinite for other structures, because lung lobes
+     * are open where they touch and must not fade.
      */
     private double[] distanceToBorder() {
         TriangleMesh mesh = surface.rest();
@@ -79,6 +79,6 @@ public record VertexAttributes(Surface surface, EdgeTable table) {
             Arrays.fill(none, Double.POSITIVE_INFINITY);
             return none;
         }
-        return Geodesics.distances(mesh, new MeshTopology(mesh), border);
+        return EdgePaths.distances(mesh, new MeshTopology(mesh), border);
     }
 }

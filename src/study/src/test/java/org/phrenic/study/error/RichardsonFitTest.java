@@ -56,8 +56,14 @@ class RichardsonFitTest {
     }
 
     @Test
-    void twoMeshesAreTooFew() {
+    void twoMeshesUnequalCountsAndEdgesThatGrowAreRefused() {
         assertThatThrownBy(() -> RichardsonFit.of(new double[] {2, 1}, new double[] {2, 1}))
                 .hasMessageContaining("at least three");
+        assertThatThrownBy(() -> RichardsonFit.of(EDGES, new double[] {1, 2, 3}))
+                .hasMessageContaining("found 4 edge lengths and 3 values, expected as many values as edge lengths");
+        for (double[] edges : new double[][] {{1, 2, 3}, {3, 3, 1}, {2, 1, 0}, {Double.NaN, 2, 1}}) {
+            assertThatThrownBy(() -> RichardsonFit.of(edges, new double[] {1, 2, 3}))
+                    .hasMessageContaining("expected positive ones that decrease");
+        }
     }
 }

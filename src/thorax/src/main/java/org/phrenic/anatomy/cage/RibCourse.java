@@ -7,7 +7,7 @@ import org.phrenic.mesh.TriangleMesh;
 
 /**
  * The course of a rib: its middle line from the posterior to the anterior end, found from its surface. Each vertex has
- * a station, the mean of its geodesic distances from both ends; the line runs through the means of vertices of equal
+ * a station, the mean of its distances along edges from both ends; the line runs through the means of vertices of equal
  * station. Seams, holes and separate patches do not matter ({@link RibEnds}).
  */
 public final class RibCourse {

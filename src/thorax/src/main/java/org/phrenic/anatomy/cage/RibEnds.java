@@ -8,7 +8,7 @@ import org.phrenic.mesh.TriangleMesh;
 /**
  * The two ends of a rib, found from its surface: the head, at the vertebra, and the anterior end, at the cartilage.
  *
- * <p>The ends are the two points with the largest geodesic distance. Vertices are clustered into cells of about a
+ * <p>The ends are the two points with the largest distance along edges. Vertices are clustered into cells of about a
  * hundredth of the rib's length. Edges link neighbouring cells, cells that share a triangle, and the nearest cells of
  * disconnected patches, so that seams and holes do not matter. Two Dijkstra sweeps find the longest shortest path. An
  * end is the mean of the vertices within {@value #END_REGION_MM} mm of the farthest one, along the rib. The head is the
@@ -43,8 +43,8 @@ public final class RibEnds {
     }
 
     /**
-     * Distance of each vertex from the head along the rib, mm: the mean of what the geodesic distances from both ends
-     * give.
+     * Distance of each vertex from the head along the rib, mm: the mean of what the distances along edges from both
+     * ends give.
      *
      * @param lengthMm length from end to end, mm
      */
@@ -267,7 +267,7 @@ public final class RibEnds {
             return tail;
         }
 
-        /** Geodesic distance along the rib from a cell to each cell, mm. */
+        /** Distance along edges of the rib from a cell to each cell, mm. */
         double[] distances(int start) {
             double[] found = new double[count];
             Arrays.fill(found, Double.POSITIVE_INFINITY);

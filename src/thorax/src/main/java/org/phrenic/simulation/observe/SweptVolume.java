@@ -1,8 +1,8 @@
 package org.phrenic.simulation.observe;
 
 /**
- * Volume swept by a moving surface, ∫ u·n dA: the mean displacement of each triangle times its mean area vector. The
- * error is of third order in the displacement.
+ * Volume swept by a moving surface, ∫ u·n dA: the mean displacement of each triangle times its area vector halfway
+ * along the displacement. The error is of third order in the displacement.
  */
 final class SweptVolume {
     private SweptVolume() {}

@@ -139,7 +139,7 @@ public final class ReportCard extends JPanel {
         r.first(kind).ifPresent(e -> {
             String format = "%s at %.1f s, breath %d, %s, %.0f mm deep";
             lines.add(NumberFormats.text(
-                    format, name, e.timeS(), e.breath(), e.label().label(), e.depthMm()));
+                    format, name, e.timeS(), e.breath(), e.phase().label(), e.depthMm()));
         });
     }
 

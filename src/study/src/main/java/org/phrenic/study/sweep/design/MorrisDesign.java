@@ -6,7 +6,8 @@ import java.util.SplittableRandom;
 /**
  * Trajectories of Morris' elementary effects (Morris 1991, doi 10.1080/00401706.1991.10484804). Each trajectory starts
  * at random levels and moves each factor once, in random order: by half of the levels, up from the lower half and down
- * from the upper half, so that each level is equally frequent. A factor with listed values moves to any other of them.
+ * from the upper half, so that each level is equally frequent. A factor with listed values moves to any other of them;
+ * one with a single value stays.
  *
  * @param factors levels of each factor; an even number, but for listed values
  * @param trajectories number of trajectories; each has one point more than there are factors

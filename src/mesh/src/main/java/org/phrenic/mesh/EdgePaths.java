@@ -3,11 +3,11 @@ package org.phrenic.mesh;
 import java.util.Arrays;
 
 /**
- * Shortest distances along mesh edges (Dijkstra 1959, doi 10.1007/BF01386390). An edge path is never shorter than the
+ * Shortest paths along mesh edges (Dijkstra 1959, doi 10.1007/BF01386390). An edge path is never shorter than the
  * surface geodesic; on equilateral triangles it is longer by at most 2 / sqrt(3) - 1 = 15 %.
  */
-public final class Geodesics {
-    private Geodesics() {}
+public final class EdgePaths {
+    private EdgePaths() {}
 
     /**
      * Shortest distance of every vertex from the nearest source along edges, mm; infinite for an unreachable vertex.
@@ -17,7 +17,7 @@ public final class Geodesics {
      */
     public static double[] distances(TriangleMesh mesh, MeshTopology topology, int... sources) {
         if (sources.length == 0) {
-            throw new IllegalArgumentException("geodesic sources: none given, expected at least one vertex");
+            throw new IllegalArgumentException("sources of paths: found none, expected at least one vertex");
         }
         int count = mesh.vertexCount();
         double[] distance = new double[count];
@@ -27,7 +27,7 @@ public final class Geodesics {
         for (int source : sources) {
             if (source < 0 || source >= count) {
                 throw new IllegalArgumentException(
-                        "geodesic source " + source + ", expected a vertex from 0 to " + (count - 1));
+                        "source of paths: found vertex " + source + ", expected a vertex from 0 to " + (count - 1));
             }
             distance[source] = 0;
             heap.insertOrDecrease(source);

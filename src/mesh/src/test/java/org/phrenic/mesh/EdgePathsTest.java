@@ -6,13 +6,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 
-class GeodesicsTest {
+class EdgePathsTest {
     private static final double ROUNDING = 1e-9;
 
     @Test
     void alongAGridLineTheDistanceIsTheStraightOne() {
         TriangleMesh sheet = Shapes.sheet(10, 5, 11, 6);
-        double[] distance = Geodesics.distances(sheet, new MeshTopology(sheet), 0);
+        double[] distance = EdgePaths.distances(sheet, new MeshTopology(sheet), 0);
         for (int i = 0; i <= 10; i++) {
             assertThat(distance[6 * i]).isCloseTo(i, within(ROUNDING));
         }
@@ -24,7 +24,7 @@ class GeodesicsTest {
     void fromAPoleOfASphereDistancesAreArcsWithinTheBoundForEdgePaths() {
         double r = 10;
         TriangleMesh sphere = Shapes.sphere(r, 4);
-        double[] distance = Geodesics.distances(sphere, new MeshTopology(sphere), 0);
+        double[] distance = EdgePaths.distances(sphere, new MeshTopology(sphere), 0);
         for (int v = 1; v < sphere.vertexCount(); v++) {
             double cosine =
                     (sphere.x(0) * sphere.x(v) + sphere.y(0) * sphere.y(v) + sphere.z(0) * sphere.z(v)) / (r * r);
@@ -40,7 +40,7 @@ class GeodesicsTest {
     void everyVertexBelongsToItsNearestSourceAndOtherPiecesAreOutOfReach() {
         TriangleMesh sheet = Shapes.sheet(10, 1, 11, 2);
         TriangleMesh both = Shapes.join(sheet, Shapes.moved(sheet, 0, 0, 5));
-        double[] distance = Geodesics.distances(both, new MeshTopology(both), 0, 20);
+        double[] distance = EdgePaths.distances(both, new MeshTopology(both), 0, 20);
         assertThat(distance[2 * 3]).isCloseTo(3, within(ROUNDING));
         assertThat(distance[2 * 8]).isCloseTo(2, within(ROUNDING));
         assertThat(distance[22]).isInfinite();
@@ -49,8 +49,8 @@ class GeodesicsTest {
     @Test
     void aSourceThatIsNoVertexIsRefused() {
         TriangleMesh box = Shapes.box(1, 1, 1);
-        assertThatThrownBy(() -> Geodesics.distances(box, new MeshTopology(box), 8))
+        assertThatThrownBy(() -> EdgePaths.distances(box, new MeshTopology(box), 8))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("geodesic source 8, expected a vertex from 0 to 7");
+                .hasMessage("source of paths: found vertex 8, expected a vertex from 0 to 7");
     }
 }
