@@ -12,11 +12,16 @@ final class ContourGrid {
     /** Widest box of contours, mm. */
     private static final double MAX_EXTENT = 5000;
 
+    /** Greatest distance of a contour's points from its plane, mm. */
+    private static final double OFF_PLANE = 0.1;
+    /** Contours whose normals are held against all contours. */
+    private static final int CANDIDATES = 8;
+
     private static final double VOXEL = 1;
     private static final int MAX_VOXELS = 500;
 
     private final String file;
-    private final Collection<List<double[]>> contours;
+    private final List<double[]> contours;
     private final double[] normal;
     private final double[] along;
     private final double[] down;
@@ -24,8 +29,9 @@ final class ContourGrid {
 
     ContourGrid(String file, Collection<List<double[]>> contours) {
         this.file = file;
-        this.contours = contours;
-        normal = normal(contours.iterator().next().get(0));
+        List<double[]> all = contours.stream().flatMap(List::stream).toList();
+        normal = commonNormal(all);
+        this.contours = all.stream().filter(points -> isPlanar(points, normal)).toList();
         // Columns run as nearly to the left of the patient as the plane allows, or to the back where that is no way.
         double[] wanted = Math.abs(normal[0]) < 0.9 ? new double[] {1, 0, 0} : new double[] {0, 1, 0};
         double part = dot(wanted, normal, 0);
@@ -49,8 +55,39 @@ final class ContourGrid {
         return new double[] {v[0] / length, v[1] / length, v[2] / length};
     }
 
-    /** The normal by Newell's sums, upwards or to the back or to the left. */
-    private double[] normal(double[] p) {
+    /** The normal of most contours, as far as a sample of them tells. */
+    private double[] commonNormal(List<double[]> all) {
+        double[] best = {};
+        long most = 0;
+        int step = Math.max(1, all.size() / CANDIDATES);
+        for (int c = 0; c < all.size() && most <= all.size() / 2; c += step) {
+            double[] candidate = normal(all.get(c));
+            long planar =
+                    all.stream().filter(points -> isPlanar(points, candidate)).count();
+            if (planar > most) {
+                most = planar;
+                best = candidate;
+            }
+        }
+        if (most == 0) {
+            throw new BadInputException(file + ": found contours without area, expected closed planar ones");
+        }
+        return best;
+    }
+
+    /** Whether the points of a contour lie in a plane of this normal. */
+    private static boolean isPlanar(double[] points, double[] normal) {
+        double height = dot(normal, points, 0);
+        for (int at = 3; at < points.length; at += 3) {
+            if (!(Math.abs(dot(normal, points, at) - height) <= OFF_PLANE)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** The normal by Newell's sums, upwards or to the back or to the left; NaN of a contour without area. */
+    private static double[] normal(double[] p) {
         double[] sum = new double[3];
         for (int a = 0; a < p.length; a += 3) {
             int b = (a + 3) % p.length;
@@ -61,9 +98,6 @@ final class ContourGrid {
             }
         }
         double[] n = unit(sum);
-        if (!Double.isFinite(n[0] + n[1] + n[2])) {
-            throw new BadInputException(file + ": found a contour without area, expected closed planar ones");
-        }
         int largest = Math.abs(n[2]) > 0.5 ? 2 : Math.abs(n[1]) > 0.5 ? 1 : 0;
         double sign = n[largest] < 0 ? -1 : 1;
         return new double[] {sign * n[0], sign * n[1], sign * n[2]};
@@ -76,15 +110,13 @@ final class ContourGrid {
         double left = spacing * (Math.floor(u[0] / spacing) - 1);
         double top = spacing * (Math.floor(v[0] / spacing) - 1);
         List<FramePlane> planes = new ArrayList<>();
-        for (List<double[]> closed : contours) {
-            for (double[] points : closed) {
-                double height = dot(normal, points, 0);
-                double[] corner = new double[3];
-                for (int row = 0; row < 3; row++) {
-                    corner[row] = left * along[row] + top * down[row] + height * normal[row];
-                }
-                planes.add(new FramePlane(corner, along, down, spacing, spacing, Double.NaN));
+        for (double[] points : contours) {
+            double height = dot(normal, points, 0);
+            double[] corner = new double[3];
+            for (int row = 0; row < 3; row++) {
+                corner[row] = left * along[row] + top * down[row] + height * normal[row];
             }
+            planes.add(new FramePlane(corner, along, down, spacing, spacing, Double.NaN));
         }
         PlaneStack stack = new PlaneStack(file, planes, true);
         int columns = (int) Math.ceil((u[1] - left) / spacing) + 2;
@@ -94,13 +126,11 @@ final class ContourGrid {
 
     private double[] range(double[] direction) {
         double[] range = {Double.MAX_VALUE, -Double.MAX_VALUE};
-        for (List<double[]> closed : contours) {
-            for (double[] points : closed) {
-                for (int at = 0; at < points.length; at += 3) {
-                    double along = dot(direction, points, at);
-                    range[0] = Math.min(range[0], along);
-                    range[1] = Math.max(range[1], along);
-                }
+        for (double[] points : contours) {
+            for (int at = 0; at < points.length; at += 3) {
+                double along = dot(direction, points, at);
+                range[0] = Math.min(range[0], along);
+                range[1] = Math.max(range[1], along);
             }
         }
         if (!(range[1] - range[0] < MAX_EXTENT) || Math.abs(range[0]) > 1e6) {

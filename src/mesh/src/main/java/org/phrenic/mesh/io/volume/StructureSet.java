@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.function.IntConsumer;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.dicom.DicomDataSet;
 import org.phrenic.mesh.io.dicom.DicomTag;
@@ -17,7 +16,8 @@ import org.phrenic.mesh.voxel.LabelGrid;
 /**
  * Reader of structure sets of radiotherapy (PS3.3, A.19 and C.8.8.5, C.8.8.6): closed planar contours, filled slice by
  * slice with the even-odd rule on the grid of the series that they were drawn on, else on one through their own planes.
- * Labels are the numbers of regions of interest.
+ * Slices between contoured ones are interpolated ({@link ContouredRegion}). Labels are the numbers of regions of
+ * interest.
  */
 final class StructureSet {
     /** Greatest distance of a contour's points from their slice, in slices. */
@@ -46,14 +46,37 @@ final class StructureSet {
         SliceGrid grid = series.orElseGet(this::ownGrid);
         LabelPainter painter = new LabelPainter(set.file(), grid.columns(), grid.rows(), grid.slices());
         ContourFill fill = new ContourFill(grid.columns(), grid.rows());
+        Set<Integer> filled = new HashSet<>();
+        List<String> between = new ArrayList<>();
         contours.forEach((number, closed) -> {
             Map<Integer, List<double[]>> bySlice = bySlice(grid, number, closed);
-            painter.add(number, use -> forEach(grid, bySlice, fill, use));
+            if (!bySlice.isEmpty()) {
+                ContouredRegion region = new ContouredRegion(grid, fill, bySlice);
+                painter.add(number, region);
+                filled.add(number);
+                if (region.slicesBetween() > 0) {
+                    between.add(name(number));
+                }
+            }
         });
+        if (filled.isEmpty()) {
+            throw new BadInputException(
+                    set.file() + ": found contours in none of the slices, expected planar ones along the series");
+        }
+        if (!between.isEmpty()) {
+            notes.add("slices between contoured ones have the shape between their neighbours': "
+                    + String.join(", ", between));
+        }
         LabelGrid labels = painter.grid(grid.axes().affine(set.file()), notes);
-        names.keySet().retainAll(contours.keySet());
+        names.keySet().retainAll(filled);
         return new LabelVolume(
                 series.isPresent() ? labels : EmptySlices.beyond(labels), LabelPainter.named(names), notes);
+    }
+
+    /** The name of a region, or its number. */
+    private String name(int number) {
+        String name = names.getOrDefault(number, "");
+        return name.isBlank() ? "region " + number : name;
     }
 
     private void readNames() {
@@ -111,50 +134,54 @@ final class StructureSet {
         return own.grid();
     }
 
-    /** Corners in columns and rows, by slice; contours beyond the grid are left out with a note. */
+    /**
+     * Corners in columns and rows, by slice; contours beyond the grid or across its slices are left out with a note.
+     */
     private Map<Integer, List<double[]>> bySlice(SliceGrid grid, int number, List<double[]> closed) {
         Map<Integer, List<double[]>> bySlice = new TreeMap<>();
         int beyond = 0;
+        int across = 0;
         for (double[] points : closed) {
-            double[] corners = new double[points.length / 3 * 2];
             double slice = Math.rint(grid.index(2, points[0], points[1], points[2]));
+            if (!isInSlice(grid, slice, points)) {
+                across++;
+                continue;
+            }
+            double[] corners = new double[points.length / 3 * 2];
             boolean within = slice >= 0 && slice < grid.slices();
             boolean whole = within;
             for (int c = 0; c < corners.length / 2; c++) {
-                double x = points[3 * c];
-                double y = points[3 * c + 1];
-                double z = points[3 * c + 2];
-                corners[2 * c] = grid.index(0, x, y, z);
-                corners[2 * c + 1] = grid.index(1, x, y, z);
+                corners[2 * c] = grid.index(0, points[3 * c], points[3 * c + 1], points[3 * c + 2]);
+                corners[2 * c + 1] = grid.index(1, points[3 * c], points[3 * c + 1], points[3 * c + 2]);
                 whole &= isOn(corners[2 * c], grid.columns()) && isOn(corners[2 * c + 1], grid.rows());
-                if (!(Math.abs(grid.index(2, x, y, z) - slice) <= OFF)) {
-                    throw new BadInputException(set.file() + ": found a contour of region " + number
-                            + " that lies in none of the slices, expected planar ones along the series");
-                }
             }
             if (within) {
                 bySlice.computeIfAbsent((int) slice, none -> new ArrayList<>()).add(corners);
             }
             beyond += whole ? 0 : 1;
         }
+        if (across > 0) {
+            notes.add("of " + name(number) + ", contours that lie in none of the slices were left out, " + across
+                    + " in number");
+        }
         if (beyond > 0) {
-            notes.add(beyond + " contours of region " + number
+            notes.add(beyond + " contours of " + name(number)
                     + " reach beyond the voxels of their series or lie beyond them, where they were left out");
         }
         return bySlice;
     }
 
+    private static boolean isInSlice(SliceGrid grid, double slice, double[] points) {
+        for (int p = 0; p < points.length; p += 3) {
+            if (!(Math.abs(grid.index(2, points[p], points[p + 1], points[p + 2]) - slice) <= OFF)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** Whether a coordinate lies among voxels, or within one of them. */
     private static boolean isOn(double index, int count) {
         return index >= -1 && index <= count;
-    }
-
-    private static void forEach(
-            SliceGrid grid, Map<Integer, List<double[]>> bySlice, ContourFill fill, IntConsumer use) {
-        bySlice.forEach((slice, polygons) -> {
-            polygons.forEach(fill::add);
-            int first = slice * grid.columns() * grid.rows();
-            fill.flush(n -> use.accept(first + n));
-        });
     }
 }

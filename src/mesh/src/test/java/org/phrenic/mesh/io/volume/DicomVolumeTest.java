@@ -109,9 +109,29 @@ class DicomVolumeTest {
         LabelVolume volume =
                 LabelVolumeFiles.read(Files.copy(resource("ct/contours.dcm"), folder.resolve("contours.dcm")));
         assertThat(volume.grid().slices()).isEqualTo(5);
-        assertThat(volume.notes()).anyMatch(note -> note.contains("contours of region 1 reach beyond the voxels"));
+        assertThat(volume.notes()).anyMatch(note -> note.contains("contours of liver reach beyond the voxels"));
         assertThat(LabelVolumeFiles.read(resource("ct/contours.dcm")).notes())
                 .noneMatch(note -> note.contains("beyond"));
+    }
+
+    /**
+     * A block of 6 x 5 pixels drawn in slices 0, 2 and 4, after a contour across the slices: it fills slices 0 to 4. In
+     * a folder without the series, its contours are 6 mm apart.
+     */
+    @Test
+    void slicesBetweenContoursAreFilledAndAContourAcrossThemIsLeftOut() throws IOException {
+        LabelVolume volume = LabelVolumeFiles.read(resource("ct/contours_sparse.dcm"));
+        assertThat(volume.grid().counts()[1]).isEqualTo(6 * 5 * 5);
+        assertThat(volume.notes())
+                .anyMatch(note -> note.contains("the shape between their neighbours': liver"))
+                .anyMatch(note ->
+                        note.contains("of liver, contours that lie in none of the slices were left out, 1 in number"));
+        LabelGrid alone = LabelVolumeFiles.read(
+                        Files.copy(resource("ct/contours_sparse.dcm"), folder.resolve("alone.dcm")))
+                .grid();
+        assertThat(alone.spacing(2)).isCloseTo(6, within(1e-4));
+        double drawn = 6 * 2 * 5 * 1.5 * 3 * 6;
+        assertThat(alone.counts()[1] * alone.voxelVolume()).isCloseTo(drawn, within(0.05 * drawn));
     }
 
     /**

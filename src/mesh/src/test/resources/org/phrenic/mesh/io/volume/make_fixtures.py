@@ -180,7 +180,8 @@ def keyhole(polygons):
     return [outer + [outer[0]] + hole + [hole[0]]]
 
 
-def structure_set(images, name, masks, syntax=ImplicitVRLittleEndian):
+def structure_set(images, name, masks, syntax=ImplicitVRLittleEndian, across=()):
+    """`across`: a polygon of the first region that lies in no slice, as a list of (i, j, k)."""
     d = Dataset()
     d.file_meta = FileMetaDataset()
     d.file_meta.TransferSyntaxUID = syntax
@@ -202,17 +203,19 @@ def structure_set(images, name, masks, syntax=ImplicitVRLittleEndian):
         region = Dataset()
         region.ROINumber, region.ROIName = number, {1: "liver", 2: "cyst", 5: "Milz \u00e4"}[number]
         regions.append(region)
-        contours = []
+        drawn = [across] if across and not contoured else []
         for k in range(SLICES):
             polygons = outline(mask[:, :, k])
             if len(polygons) == 2 and k == 3:
                 polygons = keyhole(polygons)
-            for polygon in polygons:
-                c = Dataset()
-                points = [LPS[:3, :3] @ np.array([i, j, k]) + ORIGIN for i, j in polygon]
-                c.ContourGeometricType, c.NumberOfContourPoints = "CLOSED_PLANAR", len(polygon)
-                c.ContourData = [f"{v:.4f}" for p in points for v in p]
-                contours.append(c)
+            drawn += [[(i, j, k) for i, j in polygon] for polygon in polygons]
+        contours = []
+        for polygon in drawn:
+            c = Dataset()
+            points = [LPS[:3, :3] @ np.array(corner) + ORIGIN for corner in polygon]
+            c.ContourGeometricType, c.NumberOfContourPoints = "CLOSED_PLANAR", len(polygon)
+            c.ContourData = [f"{v:.4f}" for p in points for v in p]
+            contours.append(c)
         one = Dataset()
         one.ReferencedROINumber, one.ContourSequence = number, Sequence(contours)
         contoured.append(one)
@@ -270,6 +273,9 @@ def main():
     structure_set(images, "ct/contours.dcm", masks)
     structure_set(images, "ct/contours_big_endian.dcm", masks, ExplicitVRBigEndian)
     structure_set(images, "contours_alone.dcm", {1: masks[1]})
+    sparse = np.zeros_like(masks[1])
+    sparse[1:7, 1:6, 0:5:2] = True
+    structure_set(images, "ct/contours_sparse.dcm", {1: sparse}, across=[(3, 1, 0), (3, 5, 0), (3, 5, 4), (3, 1, 4)])
     layers("overlapping.seg.nrrd", masks)
     phases()
 

@@ -1,0 +1,77 @@
+package org.phrenic.mesh.io.volume;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import org.phrenic.mesh.io.raster.VolumeAxes;
+
+/** Regions whose contours are circles, in voxels of 1 x 1 x 2 mm. */
+class ContouredRegionTest {
+    private static final int SIZE = 64;
+    private static final SliceGrid GRID = new SliceGrid(
+            SIZE, SIZE, 40, new VolumeAxes(new double[][] {{1, 0, 0}, {0, 1, 0}, {0, 0, 2}}, new double[3]));
+
+    private static List<double[]> circle(double x, double y, double radius) {
+        double[] corners = new double[2 * 180];
+        for (int c = 0; c < 180; c++) {
+            corners[2 * c] = x + radius * Math.cos(Math.toRadians(2 * c));
+            corners[2 * c + 1] = y + radius * Math.sin(Math.toRadians(2 * c));
+        }
+        return List.of(corners);
+    }
+
+    /** Number of voxels and sums of their columns and rows, by slice. */
+    private static Map<Integer, double[]> slices(ContouredRegion region) {
+        Map<Integer, double[]> slices = new TreeMap<>();
+        region.forEach(voxel -> {
+            double[] sums = slices.computeIfAbsent(voxel / (SIZE * SIZE), none -> new double[3]);
+            sums[0]++;
+            sums[1] += voxel % SIZE;
+            sums[2] += voxel / SIZE % SIZE;
+        });
+        return slices;
+    }
+
+    private static ContouredRegion region(Map<Integer, List<double[]>> bySlice) {
+        return new ContouredRegion(GRID, new ContourFill(SIZE, SIZE), bySlice);
+    }
+
+    /** Of an oblique cone drawn in every fourth slice, radius and centre change linearly from slice to slice. */
+    @Test
+    void betweenContoursACrossSectionChangesLinearly() {
+        Map<Integer, List<double[]>> drawn = new HashMap<>();
+        for (int slice = 2; slice <= 14; slice += 4) {
+            drawn.put(slice, circle(24 + 0.5 * slice, 30, 8 + slice));
+        }
+        ContouredRegion cone = region(drawn);
+        assertThat(cone.slicesBetween()).isEqualTo(9);
+        Map<Integer, double[]> slices = slices(cone);
+        assertThat(slices.keySet()).containsExactly(2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14);
+        slices.forEach((slice, sums) -> {
+            assertThat(Math.sqrt(sums[0] / Math.PI)).isCloseTo(8 + slice, within(0.25));
+            assertThat(sums[1] / sums[0]).isCloseTo(24 + 0.5 * slice, within(0.3));
+            assertThat(sums[2] / sums[0]).isCloseTo(30, within(0.1));
+        });
+    }
+
+    /** Slices of 2 mm: a gap of 16 mm, one of four times the usual gap, and pieces beside each other stay apart. */
+    @Test
+    void piecesOfARegionStayApart() {
+        assertThat(slices(region(Map.of(0, circle(20, 20, 9), 8, circle(20, 20, 9))))
+                        .keySet())
+                .containsExactly(0, 8);
+        Map<Integer, List<double[]>> apart = new HashMap<>();
+        for (int slice : new int[] {0, 1, 2, 6, 7, 8}) {
+            apart.put(slice, circle(20, 20, 9));
+        }
+        assertThat(slices(region(apart)).keySet()).containsExactly(0, 1, 2, 6, 7, 8);
+        assertThat(slices(region(Map.of(0, circle(20, 20, 9), 3, circle(45, 20, 9))))
+                        .keySet())
+                .containsExactly(0, 3);
+    }
+}
