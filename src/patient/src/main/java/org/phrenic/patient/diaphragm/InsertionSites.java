@@ -17,17 +17,25 @@ import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * Where the diaphragm of a body inserts: the lowest {@value #XIPHOID_MM} mm of the sternum, costal cartilages 6 to 10,
- * the anterior {@value #END_MM} mm of ribs 7 to 10, ribs 11 and 12, vertebrae L1 to L3 with their discs, and what spans
- * the gaps between them on the inner side of the wall: the medial arcuate ligament from the body of L1 over psoas to
- * its transverse process, the lateral arcuate ligament from there over quadratus lumborum to the tip of rib 12, and the
- * slips of muscle from tip to tip up to the lowest point of the costal margin.
+ * Where the diaphragm of a body inserts: the lowest {@value #XIPHOID_MM} mm of the sternum, costal cartilages 6 to 10
+ * and what others have on the costal margin, the anterior {@value #END_MM} mm of ribs 7 to 10, ribs 11 and 12,
+ * vertebrae L1 to L3 with their discs, and what spans the gaps between them on the inner side of the wall: the medial
+ * arcuate ligament from the body of L1 over psoas to its transverse process, the lateral arcuate ligament from there
+ * over quadratus lumborum to the tip of rib 12, and the slips of muscle from tip to tip up to the lowest point of the
+ * costal margin.
  */
 final class InsertionSites {
     static final double XIPHOID_MM = 40;
     static final double END_MM = 30;
     /** Height of the insertion above the tip of the sternum, mm. */
     static final double ABOVE_XIPHOID_MM = 12;
+    /** The first level whose cartilage is part of the costal margin. */
+    private static final int MARGIN_LEVEL = 7;
+    /** Azimuths of a side, in degrees. */
+    private static final int SECTORS = 180;
+    /** Breadth of a cartilage on the costal margin, mm. */
+    private static final double BREADTH_MM = 15;
+
     /** Share of a rib's vertices that form its tip. */
     private static final double TIP_SHARE = 0.04;
 
@@ -161,28 +169,47 @@ final class InsertionSites {
         return p[1] < before[1] + t * (after[1] - before[1]);
     }
 
-    /**
-     * Lowest vertex of cartilages and ribs 7 to 10 of a side in each degree of azimuth, from the back to the front.
-     * Cartilages 6 and 7 are one piece in front in many scans: what of the sixth lies below the insertion on the
-     * sternum belongs to the margin as well.
-     */
+    /** The costal margin: {@link #lowest} from the back to the front. */
     List<double[]> margin(Side side) {
-        double[][] lowest = new double[180][];
+        return Arrays.stream(lowest(side)).filter(p -> p != null).toList();
+    }
+
+    /**
+     * Lowest vertex of cartilages and ribs 7 to 10 of a side in each degree of azimuth from the back; null where there
+     * is none. In many scans, cartilages 5 to 7 are one piece in front, under any of their numbers: what of those above
+     * the seventh lies below the insertion on the sternum belongs to the margin as well.
+     */
+    private double[][] lowest(Side side) {
+        double[][] lowest = new double[SECTORS][];
         double sternum = xiphoid().map(z -> z + ABOVE_XIPHOID_MM).orElse(Double.NEGATIVE_INFINITY);
         for (Structure s : body.structures()) {
             boolean cartilage = s.kind() == StructureKind.COSTAL_CARTILAGE;
-            boolean sixth = cartilage && s.level() == 6;
-            boolean chosen = s.side() == side
-                    && (sixth || (s.level() >= 7 && s.level() <= 10 && (cartilage || s.kind() == StructureKind.RIB)));
-            double bound = sixth ? sternum : Double.POSITIVE_INFINITY;
+            boolean above = s.level() < MARGIN_LEVEL;
+            boolean chosen =
+                    s.side() == side && s.level() <= 10 && (cartilage || (!above && s.kind() == StructureKind.RIB));
+            double bound = above ? sternum : Double.POSITIVE_INFINITY;
             for (int v = 0; chosen && v < s.mesh().vertexCount(); v++) {
                 double[] p = point(s.mesh(), v);
-                int sector = Math.min(179, (int) Math.toDegrees(azimuth(p, side)));
+                int sector = sector(p, side);
                 boolean lower = p[2] < (lowest[sector] == null ? bound : Math.min(bound, lowest[sector][2]));
                 lowest[sector] = lower ? p : lowest[sector];
             }
         }
-        return Arrays.stream(lowest).filter(p -> p != null).toList();
+        return lowest;
+    }
+
+    private int sector(double[] p, Side side) {
+        return Math.min(SECTORS - 1, (int) Math.toDegrees(azimuth(p, side)));
+    }
+
+    /** The vertices of a cartilage above the sixth that lie on the costal margin. */
+    private IntPredicate onMargin(TriangleMesh cartilage, Side side) {
+        double[][] lowest = lowest(side);
+        return v -> {
+            double[] p = point(cartilage, v);
+            double[] margin = lowest[sector(p, side)];
+            return margin != null && p[2] < margin[2] + BREADTH_MM;
+        };
     }
 
     /** Height of the lower end of the sternum, mm. */
@@ -201,10 +228,12 @@ final class InsertionSites {
             boolean crus = (s.kind() == StructureKind.VERTEBRA || s.kind() == StructureKind.DISC)
                     && s.level() >= StructureName.FIRST_LUMBAR
                     && s.level() <= StructureName.FIRST_LUMBAR + 2;
-            boolean cartilage = s.kind() == StructureKind.COSTAL_CARTILAGE && s.level() >= 6;
+            boolean cartilage = s.kind() == StructureKind.COSTAL_CARTILAGE && s.level() >= MARGIN_LEVEL - 1;
             boolean rib = s.kind() == StructureKind.RIB && s.level() >= 11;
             if (crus || cartilage || rib) {
                 sites.add(s.mesh());
+            } else if (s.kind() == StructureKind.COSTAL_CARTILAGE) {
+                sites.add(part(s.mesh(), onMargin(s.mesh(), s.side())));
             } else if (s.kind() == StructureKind.RIB && s.level() >= 7) {
                 tip(s.level(), s.side()).ifPresent(end -> sites.add(part(s.mesh(), near(s.mesh(), end))));
             }

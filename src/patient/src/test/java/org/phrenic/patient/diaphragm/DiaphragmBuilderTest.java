@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.anatomy.LungAboveFluid;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
@@ -110,30 +112,49 @@ class DiaphragmBuilderTest {
         assertThat(farthest).as("mm outside the wall").isLessThan(1.5);
     }
 
-    /** Cartilages 6 and 7 under one label, as where they are fused in a scan: the margin in front is theirs. */
-    @Test
-    void theMarginIsTheLowerBorderOfFusedCartilages() {
+    /**
+     * Cartilages from the fifth or sixth to the seventh under one label, as where they are fused in a scan: the margin
+     * in front is theirs, and so is what the insertion is measured to.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {5, 6})
+    void theMarginIsTheLowerBorderOfFusedCartilages(int first) {
+        InsertionSites sites = new InsertionSites(FEMALE, CAGE);
+        double sternum = sites.xiphoid().orElseThrow() + InsertionSites.ABOVE_XIPHOID_MM;
         for (Side side : List.of(Side.RIGHT, Side.LEFT)) {
-            TriangleMesh seventh = cartilage(7, side).mesh();
-            List<Structure> fused = new ArrayList<>();
-            for (Structure s : FEMALE.structures()) {
-                boolean front = s.kind() == StructureKind.COSTAL_CARTILAGE && s.side() == side;
-                if (front && s.level() == 6) {
-                    fused.add(s.withMesh(MeshMerge.merge(List.of(s.mesh(), seventh))));
-                } else if (!front || s.level() != 7) {
-                    fused.add(s);
-                }
-            }
-            InsertionSites sites = new InsertionSites(FEMALE, CAGE);
-            double sternum = sites.xiphoid().orElseThrow() + InsertionSites.ABOVE_XIPHOID_MM;
-            double lowest = seventh.bounds()[2];
-            List<double[]> margin = new InsertionSites(new Thorax("fused", fused, List.of()), CAGE).margin(side);
+            InsertionSites fused = new InsertionSites(withFusedCartilages(first, side), CAGE);
+            TriangleTree measured = fused.tree();
+            TriangleTree.Hit hit = new TriangleTree.Hit();
+            double lowest = cartilage(7, side).mesh().bounds()[2];
             List<double[]> expected = sites.margin(side).stream()
                     .filter(p -> p[2] > lowest && p[2] < sternum && sites.azimuth(p, side) > 2)
                     .toList();
             assertThat(expected).hasSizeGreaterThan(8);
-            assertThat(margin).containsAll(expected);
+            assertThat(fused.margin(side)).containsAll(expected);
+            assertThat(expected).allSatisfy(p -> assertThat(measured.isWithin(p[0], p[1], p[2], 3, hit))
+                    .as("%s", side)
+                    .isTrue());
         }
+    }
+
+    private static Thorax withFusedCartilages(int first, Side side) {
+        List<TriangleMesh> pieces = new ArrayList<>();
+        for (int level = first; level <= 7; level++) {
+            pieces.add(cartilage(level, side).mesh());
+        }
+        List<Structure> fused = new ArrayList<>();
+        for (Structure s : FEMALE.structures()) {
+            boolean piece = s.kind() == StructureKind.COSTAL_CARTILAGE
+                    && s.side() == side
+                    && s.level() >= first
+                    && s.level() <= 7;
+            if (!piece) {
+                fused.add(s);
+            } else if (s.level() == first) {
+                fused.add(s.withMesh(MeshMerge.merge(pieces)));
+            }
+        }
+        return new Thorax("fused", fused, List.of());
     }
 
     private static Structure cartilage(int level, Side side) {
