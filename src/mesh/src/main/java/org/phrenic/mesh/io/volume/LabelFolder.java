@@ -14,11 +14,13 @@ import org.phrenic.file.InputBytes;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.mesh.io.raster.VolumeFormats;
+import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
- * Reads the label volumes of a folder, which share one grid, as one volume: for example a folder with one binary mask
- * per structure. A mask has the name of its file; labels of a file with several have their names in it. Images are left
- * out. Where structures overlap, a voxel belongs to the one with the fewest voxels ({@link LabelPainter}).
+ * Reads the label volumes of a folder, whose voxels lie on one lattice ({@link LabelLattice}), as one volume: for
+ * example a folder with one binary mask per structure. A mask has the name of its file; labels of a file with several
+ * have their names in it. Images are left out. Where structures overlap, a voxel belongs to the one with the fewest
+ * voxels ({@link LabelPainter}).
  */
 final class LabelFolder {
     private static final String THORAX_INDEX = "thorax.yaml";
@@ -98,20 +100,24 @@ final class LabelFolder {
     }
 
     private static LabelVolume painted(Path folder, List<LabelRuns> labelled, List<String> notes) {
-        LabelRuns first = labelled.get(0);
-        LabelPainter painter = first.painter(folder.toString());
+        LabelLattice lattice = new LabelLattice(labelled);
+        LabelPainter painter = lattice.painter(folder.toString());
         Map<Integer, String> names = new TreeMap<>();
         for (LabelRuns file : labelled) {
             file.requireNames();
-            file.requireGridOf(first);
             requireOwnNames(file, labelled);
             for (int s = 0; s < file.structures().size(); s++) {
                 names.put(names.size() + 1, file.names().get(s));
-                painter.add(names.size(), file.structures().get(s));
+                painter.add(names.size(), lattice.voxels(file, file.structures().get(s)));
             }
             notes.addAll(file.notes());
         }
-        return new LabelVolume(painter.grid(first.toMm(), notes), names, notes);
+        LabelGrid grid = painter.grid(lattice.toMm(), notes);
+        if (!lattice.isCropped()) {
+            return new LabelVolume(grid, names, notes);
+        }
+        notes.add("masks of different extents were put together");
+        return new LabelVolume(EmptySlices.beyond(grid), names, notes);
     }
 
     /** Refuses files of which two segment the same structures, as those of two breaths do. */

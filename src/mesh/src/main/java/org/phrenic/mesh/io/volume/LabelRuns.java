@@ -25,8 +25,6 @@ import org.phrenic.mesh.voxel.LabelGrid;
 record LabelRuns(Path file, int[] size, double[] toMm, List<Runs> structures, List<String> names, List<String> notes) {
     /** A volume without names that has more labels is an image of whole numbers. */
     private static final int MAX_UNNAMED_LABELS = 500;
-    /** Greatest difference between two affine matrices' columns over the grid, in voxels. */
-    private static final double GRID_TOLERANCE = 0.1;
 
     /** The voxels of a structure: the first of each run and the one after its last. */
     record Runs(IntList ends) implements LabelPainter.Voxels {
@@ -104,30 +102,11 @@ record LabelRuns(Path file, int[] size, double[] toMm, List<Runs> structures, Li
         return structures;
     }
 
-    /** Paints labels on this grid. */
-    LabelPainter painter(String source) {
-        return new LabelPainter(source, size[0], size[1], size[2]);
-    }
-
     /** @throws BadInputException if several labels have no names */
     void requireNames() {
         if (names.contains("")) {
             throw new BadInputException(file + ": found several labels without names beside other volumes, expected a"
                     + " mask, or this volume alone");
-        }
-    }
-
-    /** @throws BadInputException if the voxels lie elsewhere than those of another file */
-    void requireGridOf(LabelRuns other) {
-        double largest = 0;
-        for (int m = 0; m < toMm.length; m++) {
-            int times = m % 4 < 3 ? size[m % 4] : 1;
-            largest = Math.max(largest, times * Math.abs(toMm[m] - other.toMm[m]));
-        }
-        double voxel = StrictMath.hypot(StrictMath.hypot(toMm[0], toMm[4]), toMm[8]);
-        if (!Arrays.equals(size, other.size) || largest > GRID_TOLERANCE * voxel) {
-            throw new BadInputException(file + ": found other voxels than those of " + other.file.getFileName()
-                    + ", expected masks on one grid");
         }
     }
 }

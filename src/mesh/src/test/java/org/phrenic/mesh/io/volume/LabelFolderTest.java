@@ -118,12 +118,49 @@ class LabelFolderTest {
         Path several = volume(folder.resolve("several.nii"), UINT8, h -> {}, v -> v % 3);
         assertRefused("several labels without names beside other volumes");
         Files.delete(several);
-        // The first voxel of the sform lies 2 mm, a voxel, farther.
+        // The first voxel of the sform lies 1 mm, half a voxel, farther.
         Path apart =
-                volume(folder.resolve("zz.nii"), UINT8, h -> h.putFloat(280 + 12, h.getFloat(280 + 12) + 2), v -> 1);
+                volume(folder.resolve("zz.nii"), UINT8, h -> h.putFloat(280 + 12, h.getFloat(280 + 12) + 1), v -> 1);
         assertRefused("other voxels than those of body.nii.gz");
         Files.write(apart, new byte[] {1, 2, 3});
         assertRefused("zz.nii");
+    }
+
+    /**
+     * A mask of 2 x 2 x 1 voxels whose first voxel is the second column, row and slice of the others: its voxels lie at
+     * their places, and the box about all has one more voxel on each side of columns and rows.
+     */
+    @Test
+    void masksThatAreCroppedArePutTogetherByTheirPlaces() throws IOException {
+        byte[] cropped = VolumeSamples.nifti(UINT8, ByteOrder.LITTLE_ENDIAN, h -> {
+            h.putShort(42, (short) 2).putShort(44, (short) 2).putShort(46, (short) 1);
+            h.putFloat(280 + 12, 10 - 2).putFloat(280 + 28, 20 + 3).putFloat(280 + 44, 30 + 4);
+        });
+        for (int v = 0; v < 4; v++) {
+            cropped[VolumeSamples.NIFTI_HEADER + v] = (byte) (v == 0 ? 0 : 1);
+        }
+        Files.write(folder.resolve("kidney_left.nii"), cropped);
+        LabelVolume volume = LabelVolumeFiles.read(folder);
+        LabelGrid grid = volume.grid();
+        assertThat(new int[] {grid.columns(), grid.rows(), grid.slices()})
+                .containsExactly(VolumeSamples.COLUMNS + 2, VolumeSamples.ROWS + 2, VolumeSamples.SLICES);
+        double[] place = new double[3];
+        grid.voxelToMm(1, 1, 0, place);
+        assertThat(place).as("the first voxel of the others, LPS").containsExactly(-10, -20, 30);
+        for (int[] v : new int[][] {{2, 1}, {1, 2}, {2, 2}}) {
+            int voxel = 1 + v[0] + (VolumeSamples.COLUMNS + 2) * (1 + v[1] + (VolumeSamples.ROWS + 2));
+            assertThat(volume.names().get(grid.label(voxel))).isEqualTo("kidney_left");
+        }
+        assertThat(grid.counts()[indexOf(volume, "kidney_left")]).isEqualTo(3);
+        assertThat(volume.notes()).contains("masks of different extents were put together");
+    }
+
+    private static int indexOf(LabelVolume volume, String name) {
+        return volume.names().entrySet().stream()
+                .filter(entry -> entry.getValue().equals(name))
+                .findFirst()
+                .orElseThrow()
+                .getKey();
     }
 
     private void assertRefused(String message) {
