@@ -34,9 +34,13 @@ public final class DiaphragmBuilder implements ImplicitSurface {
     public static final double CLEARANCE_MM = 1;
 
     /**
-     * Smoothing lengths of the roof, mm, taken in turn until the sheet neither passes through itself nor has slivers.
+     * Smoothing lengths of the roof, mm, and for each the depths of its pivot, taken in turn until the sheet neither
+     * passes through itself nor has slivers. From a deeper pivot, rays pass by a spur of a lung that would hide the
+     * base beyond it.
      */
     private static final double[] SMOOTHING_MM = {5, 7, 10, 14, 20, 28, 40};
+
+    private static final double[] PIVOT_DEPTHS = {0.7, 0.9};
 
     private static final double TURN_MM = 4;
     private static final double DENSE_MM = 3;
@@ -63,9 +67,9 @@ public final class DiaphragmBuilder implements ImplicitSurface {
     private final InsertionLine insertion;
     private final TriangleTree lungs;
 
-    private DiaphragmBuilder(Thorax body, CageEnvelope cage, double smoothingMm) {
+    private DiaphragmBuilder(Thorax body, CageEnvelope cage, DomeSurface.Shape shape) {
         this.cage = cage;
-        dome = new DomeSurface(body, cage, THICKNESS_MM / 2, smoothingMm);
+        dome = new DomeSurface(body, cage, THICKNESS_MM / 2, shape);
         insertion = dome.insertion();
         lungs = new TriangleTree(MeshMerge.merge(body.structuresOf(StructureKind.LUNG).stream()
                 .map(Structure::mesh)
@@ -87,15 +91,18 @@ public final class DiaphragmBuilder implements ImplicitSurface {
         CageEnvelope cage = new CageEnvelope(body);
         Optional<TriangleMesh> withSlivers = Optional.empty();
         for (double smoothing : SMOOTHING_MM) {
-            TriangleMesh dense = new DiaphragmBuilder(body, cage, smoothing).middleSurface();
-            TriangleMesh sheet = TwoFacedSheet.of(Remesher.toVertexCount(dense, vertices / 2), THICKNESS_MM);
-            if (SelfIntersections.count(sheet) > 0) {
-                continue;
+            for (double depth : PIVOT_DEPTHS) {
+                DomeSurface.Shape shape = new DomeSurface.Shape(smoothing, depth);
+                TriangleMesh dense = new DiaphragmBuilder(body, cage, shape).middleSurface();
+                TriangleMesh sheet = TwoFacedSheet.of(Remesher.toVertexCount(dense, vertices / 2), THICKNESS_MM);
+                if (SelfIntersections.count(sheet) > 0) {
+                    continue;
+                }
+                if (MeshQuality.of(sheet).smallestAngleDeg() >= SheetQuality.LEAST_ANGLE_DEG) {
+                    return sheet;
+                }
+                withSlivers = withSlivers.or(() -> Optional.of(sheet));
             }
-            if (MeshQuality.of(sheet).smallestAngleDeg() >= SheetQuality.LEAST_ANGLE_DEG) {
-                return sheet;
-            }
-            withSlivers = withSlivers.or(() -> Optional.of(sheet));
         }
         return withSlivers.orElseThrow(() -> new IllegalArgumentException(
                 "between the lungs and the organs below, its sheet would pass through itself"));

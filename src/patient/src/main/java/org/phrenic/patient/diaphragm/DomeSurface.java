@@ -32,8 +32,6 @@ final class DomeSurface implements ImplicitSurface {
     private static final int HALF = (int) (WIDEST_DEG / STEP_DEG);
     private static final int SIDE = 2 * HALF;
     private static final int ROUNDS = 6;
-    /** Depth of the pivot below the highest base of a lung, in half-breadths of the cage. */
-    private static final double PIVOT_DEPTH = 0.7;
     /** A lung farther than this above an abdominal organ alone determines the roof, mm. */
     private static final double NEAR_MM = 8;
     /** Weight of an abdominal organ where no lung is. */
@@ -58,8 +56,15 @@ final class DomeSurface implements ImplicitSurface {
     private final double halfThickness;
     private final InsertionLine insertion;
 
-    /** @param smoothingMm length L of the thin plate, mm */
-    DomeSurface(Thorax body, CageEnvelope cage, double halfThickness, double smoothingMm) {
+    /**
+     * How a roof is made.
+     *
+     * @param smoothingMm length L of the thin plate, mm
+     * @param pivotDepth depth of the pivot below the highest base of a lung, in half-breadths of the cage
+     */
+    record Shape(double smoothingMm, double pivotDepth) {}
+
+    DomeSurface(Thorax body, CageEnvelope cage, double halfThickness, Shape shape) {
         this.halfThickness = halfThickness;
         List<LungBase> bases = LungBase.of(body);
         if (bases.isEmpty()) {
@@ -67,7 +72,7 @@ final class DomeSurface implements ImplicitSurface {
         }
         double top = bases.stream().mapToDouble(LungBase::top).max().orElseThrow();
         double breadth = 0.5 * (cage.radius(Math.PI / 2, top - 40) + cage.radius(-Math.PI / 2, top - 40));
-        double z = top - PIVOT_DEPTH * breadth;
+        double z = top - shape.pivotDepth() * breadth;
         pivot = new double[] {cage.x(z), cage.y(z), z};
         Map<Boolean, List<TriangleMesh>> organs = ContactingOrgans.abdominal(body).stream()
                 .collect(Collectors.partitioningBy(
@@ -78,7 +83,7 @@ final class DomeSurface implements ImplicitSurface {
         bounds.organs(organs.get(true), organs.get(false), cage);
         insertion = new InsertionLine(new InsertionSites(body, cage), top - BELOW_TOP_MM);
         bounds.wall(cage);
-        rho = bounds.solve(breadth * Math.toRadians(STEP_DEG), smoothingMm);
+        rho = bounds.solve(breadth * Math.toRadians(STEP_DEG), shape.smoothingMm());
     }
 
     /** The line of insertion, which nowhere reaches the top of the lungs' bases. */

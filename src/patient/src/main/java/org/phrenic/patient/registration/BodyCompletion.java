@@ -12,7 +12,6 @@ import java.util.stream.Stream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.DistanceSummary;
@@ -84,9 +83,7 @@ public final class BodyCompletion {
         boolean atSide = s.cutAt().contains("L") || s.cutAt().contains("R");
         boolean vertebra = s.kind() == StructureKind.VERTEBRA;
         double least = vertebra ? LEAST_SHARE_OF_VERTEBRA : atSide ? LEAST_SHARE_AT_SIDE : LEAST_SHARE;
-        return !(organ || vertebra)
-                || s.isComplete()
-                || MeshMeasure.signedVolume(s.scan()) >= least * MeshMeasure.signedVolume(s.template());
+        return !(organ || vertebra) || s.shownShare(s.template()) >= least;
     }
 
     /** The structure of the scan, with all its parts as one surface, and its counterpart. */

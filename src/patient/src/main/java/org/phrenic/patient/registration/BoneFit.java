@@ -42,6 +42,9 @@ final class BoneFit {
     /** Whole vertebrae and ribs, whole or in part, from which on the heights of organs say nothing more of bones. */
     private static final int LEAST_VERTEBRAE = 3;
 
+    /** Share of a vertebra that the scan shows from which on it is fitted as a whole one. */
+    private static final double WHOLE_SHARE = 0.7;
+
     private static final int LEAST_RIBS = 6;
     /** Of a spine under one label, whose vertebrae may lie at other heights. */
     private static final double SPINE_SIGMA_MM = 4;
@@ -81,7 +84,7 @@ final class BoneFit {
         this.template = template;
         this.plane = plane;
         for (SharedStructure s : shared) {
-            if (s.kind() == StructureKind.VERTEBRA && s.isComplete()) {
+            if (s.kind() == StructureKind.VERTEBRA && s.shownShare(start.apply(s.template())) >= WHOLE_SHARE) {
                 vertebrae.add(s);
             } else if (s.kind() == StructureKind.RIB) {
                 ribs.add(new RibFit(s));

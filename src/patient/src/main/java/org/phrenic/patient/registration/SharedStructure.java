@@ -2,6 +2,7 @@ package org.phrenic.patient.registration;
 
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.patient.PatientStructure;
 
@@ -19,6 +20,15 @@ record SharedStructure(PatientStructure organ, TriangleMesh template) {
 
     boolean isComplete() {
         return organ.isComplete();
+    }
+
+    /**
+     * Share of the structure that the scan shows: 1 if it shows all of it, else by volume.
+     *
+     * @param whole the template's, at its original place or placed on the scan
+     */
+    double shownShare(TriangleMesh whole) {
+        return isComplete() ? 1 : MeshMeasure.signedVolume(scan()) / MeshMeasure.signedVolume(whole);
     }
 
     StructureKind kind() {
