@@ -23,10 +23,10 @@ final class EmptySlices {
      */
     static LabelGrid beyond(LabelGrid grid) {
         int[][] areas = new int[grid.slices()][];
-        int[] greatest = new int[LabelGrid.MAX_LABEL + 1];
+        int[] greatest = new int[grid.counts().length];
         int slice = grid.columns() * grid.rows();
         for (int k = 0; k < areas.length; k++) {
-            int[] area = new int[LabelGrid.MAX_LABEL + 1];
+            int[] area = new int[greatest.length];
             for (int v = k * slice; v < (k + 1) * slice; v++) {
                 area[grid.label(v)]++;
             }
