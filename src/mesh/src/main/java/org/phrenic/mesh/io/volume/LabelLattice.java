@@ -82,17 +82,18 @@ final class LabelLattice {
         if (!cropped) {
             return structure;
         }
-        int[] offset = offset(volume);
+        int[] shift = offset(volume);
+        for (int axis = 0; axis < 3; axis++) {
+            shift[axis] -= from[axis];
+        }
         int columns = volume.size()[0];
         int rows = volume.size()[1];
-        return use -> structure.forEach(v -> use.accept(v % columns
-                + offset[0]
-                - from[0]
-                + size[0]
-                        * (v / columns % rows
-                                + offset[1]
-                                - from[1]
-                                + size[1] * (v / columns / rows + offset[2] - from[2]))));
+        return use -> structure.forEach(voxel -> {
+            int column = voxel % columns + shift[0];
+            int row = voxel / columns % rows + shift[1];
+            int slice = voxel / columns / rows + shift[2];
+            use.accept(column + size[0] * (row + size[1] * slice));
+        });
     }
 
     /** The affine matrix of this grid, see {@link LabelGrid}. */
