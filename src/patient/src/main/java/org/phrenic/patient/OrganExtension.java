@@ -97,17 +97,10 @@ public final class OrganExtension {
         byte[] labels = new byte[box.voxels()];
         new MeshVoxelizer(box.columns(), box.rows(), box.slices(), box.toVoxel(), labels).fill(mesh, 1);
         boolean[] inside = new boolean[labels.length];
-        boolean[] outside = new boolean[labels.length];
         for (int cell = 0; cell < labels.length; cell++) {
             inside[cell] = labels[cell] != 0;
-            outside[cell] = !inside[cell];
         }
-        float[] distance = DistanceTransform.of(inside, box.size());
-        float[] depth = DistanceTransform.of(outside, box.size());
-        for (int cell = 0; cell < distance.length; cell++) {
-            distance[cell] -= depth[cell];
-        }
-        return distance;
+        return DistanceTransform.signed(inside, box.size());
     }
 
     private static double templateWeight(double depthMm) {

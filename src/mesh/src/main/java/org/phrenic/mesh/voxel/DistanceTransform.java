@@ -40,6 +40,25 @@ public final class DistanceTransform {
         return squares;
     }
 
+    /**
+     * Computes signed distances, in cells: outside the distance to the nearest cell inside, inside minus the distance
+     * to the nearest cell outside.
+     *
+     * @param size as for {@link #of}
+     */
+    public static float[] signed(boolean[] inside, int[] size) {
+        boolean[] outside = new boolean[inside.length];
+        for (int cell = 0; cell < inside.length; cell++) {
+            outside[cell] = !inside[cell];
+        }
+        float[] distance = of(inside, size);
+        float[] depth = of(outside, size);
+        for (int cell = 0; cell < distance.length; cell++) {
+            distance[cell] -= depth[cell];
+        }
+        return distance;
+    }
+
     /** Lower envelope of the parabolas {@code (x - q)^2 + f(q)} along one line. */
     private static void transform(float[] squares, int start, int stride, int length) {
         double[] f = new double[length];

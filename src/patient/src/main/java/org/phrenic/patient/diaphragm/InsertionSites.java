@@ -2,7 +2,9 @@ package org.phrenic.patient.diaphragm;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
@@ -53,11 +55,15 @@ final class InsertionSites {
 
     private final Thorax body;
     private final CageEnvelope cage;
+    private final Map<Side, double[][]> lowest = new EnumMap<>(Side.class);
 
     /** @param cage envelope of the same body */
     InsertionSites(Thorax body, CageEnvelope cage) {
         this.body = body;
         this.cage = cage;
+        for (Side side : Side.values()) {
+            lowest.put(side, lowest(side));
+        }
     }
 
     /** The front of a vertebral body: its lateral border on one side, its middle and its lower height, mm. */
@@ -169,9 +175,9 @@ final class InsertionSites {
         return p[1] < before[1] + t * (after[1] - before[1]);
     }
 
-    /** The costal margin: {@link #lowest} from the back to the front. */
+    /** The costal margin: {@link #lowest(Side)} from the back to the front. */
     List<double[]> margin(Side side) {
-        return Arrays.stream(lowest(side)).filter(p -> p != null).toList();
+        return Arrays.stream(lowest.get(side)).filter(p -> p != null).toList();
     }
 
     /**
@@ -204,10 +210,10 @@ final class InsertionSites {
 
     /** The vertices of a cartilage above the sixth that lie on the costal margin. */
     private IntPredicate onMargin(TriangleMesh cartilage, Side side) {
-        double[][] lowest = lowest(side);
+        double[][] margins = lowest.get(side);
         return v -> {
             double[] p = point(cartilage, v);
-            double[] margin = lowest[sector(p, side)];
+            double[] margin = margins[sector(p, side)];
             return margin != null && p[2] < margin[2] + BREADTH_MM;
         };
     }

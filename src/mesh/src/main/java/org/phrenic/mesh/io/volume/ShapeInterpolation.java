@@ -53,21 +53,14 @@ final class ShapeInterpolation {
     /** Distance of each pixel of the box from the outline, in pixels; positive inside. */
     private float[] signedDistances(IntList pixels) {
         boolean[] inside = new boolean[boxColumns * boxRows];
-        boolean[] outside = new boolean[inside.length];
         for (int i = 0; i < pixels.size(); i++) {
             int row = pixels.get(i) / columns - firstRow;
             inside[pixels.get(i) % columns - firstColumn + boxColumns * row] = true;
         }
-        for (int p = 0; p < inside.length; p++) {
-            outside[p] = !inside[p];
-        }
-        int[] size = {boxColumns, boxRows, 1};
-        float[] toInside = DistanceTransform.of(inside, size);
-        float[] toOutside = DistanceTransform.of(outside, size);
-        float[] signed = new float[inside.length];
+        float[] signed = DistanceTransform.signed(inside, new int[] {boxColumns, boxRows, 1});
         for (int p = 0; p < signed.length; p++) {
             // The outline runs halfway between a pixel inside and its neighbour outside.
-            signed[p] = inside[p] ? toOutside[p] - 0.5f : 0.5f - toInside[p];
+            signed[p] = (inside[p] ? -0.5f : 0.5f) - signed[p];
         }
         return signed;
     }
