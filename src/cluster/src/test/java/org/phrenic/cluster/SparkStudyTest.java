@@ -83,6 +83,7 @@ class SparkStudyTest {
                 "-Dspark.master=" + master,
                 "-Dspark.driver.host=127.0.0.1",
                 "-Dspark.executor.extraClassPath=" + CLASS_PATH,
+                "-Dspark.executor.extraJavaOptions=-XX:TieredStopAtLevel=1",
                 "-cp",
                 CLASS_PATH,
                 ClusterMain.class.getName(),
