@@ -12,12 +12,12 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
- * The skin of a body whose scan has none: a smooth envelope of all bones and organs.
+ * The skin of a body whose scan has none: a smooth envelope of the bones and organs of the trunk ({@link TrunkParts}).
  *
  * <p>The structures are dilated by {@value #RADIUS_MM} mm and eroded by {@value #RADIUS_MM} - {@value #WALL_MM} mm
- * ({@link SurfaceEnvelope}, with distances in a grid of {@value #CELL_MM} mm). The result contains every structure with
- * a margin, bridges gaps such as intercostal spaces, and has no fold. Where a body has no structures, in the neck and
- * in an abdomen without bowel, elliptic sections of its own proportions take their place.
+ * ({@link SurfaceEnvelope}, with distances in a grid of {@value #CELL_MM} mm). The result contains every structure of
+ * the trunk with a margin, bridges gaps such as intercostal spaces, and has no fold. Where a body has no structures, in
+ * the neck and in an abdomen without bowel, elliptic sections of its own proportions take their place.
  */
 public final class SkinEnvelope {
     /** Name of the structure. */
@@ -77,8 +77,9 @@ public final class SkinEnvelope {
         return skin.withPositions(p);
     }
 
-    /** A closed surface around structures. */
-    static TriangleMesh around(List<Structure> structures) {
+    /** A closed surface around the trunk of a body. */
+    static TriangleMesh around(List<Structure> body) {
+        List<Structure> structures = TrunkParts.of(body);
         List<TrunkSection> sections = TrunkSection.of(structures);
         double[] box = PatientBody.merged(structures.stream()).orElseThrow().bounds();
         for (TrunkSection s : sections) {

@@ -3,11 +3,13 @@ package org.phrenic.patient;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -15,6 +17,7 @@ import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.Shapes;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.SelfIntersections;
 import org.phrenic.mesh.query.SurfaceDistance;
@@ -64,6 +67,41 @@ class SkinEnvelopeTest {
         TriangleMesh own = skin(body(PatientStructure.Source.SCAN));
         double ratio = MeshMeasure.signedVolume(skin) / MeshMeasure.signedVolume(own);
         assertThat(ratio).isCloseTo(1, within(0.25));
+    }
+
+    /**
+     * In a scan of the whole body the arms lie beside the trunk, 60 mm from the ribs: a needle does not enter there.
+     */
+    @Test
+    void anArmBesideTheTrunkIsOutsideTheSkinButForTheHeadOfItsBone() {
+        List<Structure> trunk = body(PatientStructure.Source.VIRTUAL).structures().stream()
+                .map(PatientStructure::structure)
+                .filter(s -> s.kind() != StructureKind.SKIN)
+                .toList();
+        double[] ribs = PatientBody.bounds(trunk.stream().filter(s -> s.kind() == StructureKind.RIB))
+                .orElseThrow();
+        double x = ribs[0] - 60;
+        double y = 0.5 * (ribs[1] + ribs[4]);
+        TriangleMesh shoulderBlade = Shapes.moved(Shapes.sphere(15, 3), ribs[0] - 20, y, ribs[5] - 40);
+        TriangleMesh shaft = Shapes.moved(Shapes.tube(12, 300, 24, 60), x, y, ribs[5] - 320);
+        List<Structure> withArm = new ArrayList<>(trunk);
+        withArm.add(new Structure("scapula_R", StructureKind.BONE, 0, Side.RIGHT, shoulderBlade));
+        TriangleMesh skin = SkinEnvelope.around(withArm);
+        withArm.add(new Structure("humerus_R", StructureKind.BONE, 0, Side.RIGHT, shaft));
+        withArm.add(new Structure("other_radius_right", StructureKind.OTHER, 0, Side.MIDLINE, shaft));
+        SurfaceDistance distance = new SurfaceDistance(SkinEnvelope.around(withArm));
+        double top = shaft.bounds()[5];
+        assertThat(distance.signedDistance(new double[] {x, y, top - 5})[0])
+                .as("head of the humerus, mm")
+                .isLessThan(-10);
+        double[] below = {x, y, top - 150, x, y, top - 250};
+        assertThat(Arrays.stream(distance.signedDistance(below)))
+                .as("shaft of the humerus, mm")
+                .allMatch(d -> d > 20);
+        double[] flank = {ribs[0], y, ribs[2] + 60};
+        assertThat(distance.signedDistance(flank)[0])
+                .as("the flank beside the arm, mm")
+                .isCloseTo(new SurfaceDistance(skin).signedDistance(flank)[0], within(0.5));
     }
 
     /** Of a large body of bones alone, twice as wide as usual: the abdomen is full from the costal margin down. */

@@ -1,0 +1,79 @@
+package org.phrenic.patient;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.phrenic.anatomy.OrganNames;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.LevelClip;
+import org.phrenic.mesh.query.SurfaceDistance;
+
+/**
+ * What the skin of the trunk encloses: everything but the limbs and the head. Of the bone at the root of a limb it is
+ * the part within {@value #ROOT_MM} mm of the bone of the trunk that carries it: an arm beside the trunk would widen
+ * the skin of the flank.
+ */
+final class TrunkParts {
+    private static final double ROOT_MM = 40;
+
+    private static final String NONE = "";
+
+    /** Structures of the limbs and the head by the first word of their names, and the bones that carry them. */
+    private static final Map<String, String> CARRIERS = Map.ofEntries(
+            Map.entry("humerus", "scapula"),
+            Map.entry("radius", NONE),
+            Map.entry("ulna", NONE),
+            Map.entry("carpal", NONE),
+            Map.entry("metacarpal", NONE),
+            Map.entry("phalanges", NONE),
+            Map.entry("femur", "hip"),
+            Map.entry("patella", NONE),
+            Map.entry("tibia", NONE),
+            Map.entry("fibula", NONE),
+            Map.entry("tarsal", NONE),
+            Map.entry("metatarsal", NONE),
+            Map.entry("quadriceps", NONE),
+            Map.entry("sartorius", NONE),
+            Map.entry("thigh", NONE),
+            Map.entry("skull", NONE),
+            Map.entry("brain", NONE),
+            Map.entry("face", NONE),
+            Map.entry("head", NONE),
+            Map.entry("eye", NONE),
+            Map.entry("mandible", NONE));
+
+    private TrunkParts() {}
+
+    /** The structures of the trunk and the roots of the limbs. */
+    static List<Structure> of(List<Structure> body) {
+        List<Structure> parts = new ArrayList<>();
+        for (Structure s : body) {
+            String carrier = CARRIERS.get(firstWord(s));
+            if (carrier == null) {
+                parts.add(s);
+            } else {
+                root(s, carrier, body).ifPresent(parts::add);
+            }
+        }
+        return parts;
+    }
+
+    private static String firstWord(Structure s) {
+        return OrganNames.words(s.name()).split(" ", 2)[0];
+    }
+
+    private static Optional<Structure> root(Structure limb, String carrier, List<Structure> body) {
+        double[] values = new double[limb.mesh().vertexCount()];
+        Arrays.fill(values, -ROOT_MM);
+        body.stream().filter(s -> firstWord(s).equals(carrier)).forEach(bone -> {
+            double[] distances = new SurfaceDistance(bone.mesh())
+                    .unsignedDistance(limb.mesh().positions());
+            Arrays.setAll(values, v -> Math.max(values[v], ROOT_MM - distances[v]));
+        });
+        TriangleMesh near = LevelClip.positivePart(limb.mesh(), values);
+        return near.triangleCount() == 0 ? Optional.empty() : Optional.of(limb.withMesh(near));
+    }
+}
