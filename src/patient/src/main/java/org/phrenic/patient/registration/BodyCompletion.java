@@ -43,6 +43,19 @@ public final class BodyCompletion {
             StructureKind.LUNG,
             StructureKind.LIVER);
 
+    /** Kinds beside which other organs say nothing more of where a template lies. */
+    private static final Set<StructureKind> SURE_GUIDES = EnumSet.of(
+            StructureKind.RIB,
+            StructureKind.COSTAL_CARTILAGE,
+            StructureKind.STERNUM,
+            StructureKind.VERTEBRA,
+            StructureKind.LUNG);
+
+    /** Organs and vessels that lie against the spine or the wall and differ less than others. */
+    private static final Set<String> AT_WALL = Set.of("kidney_L", "kidney_R", "spleen", "aorta", "inferior_vena_cava");
+
+    private static final String KIDNEY = "kidney_";
+
     /**
      * Least volume of what the scan shows of a lung or liver that it cuts off, over the template's: a smaller piece
      * says nothing of where the rest lies.
@@ -59,6 +72,9 @@ public final class BodyCompletion {
     private final List<Structure> rest;
     private final List<Structure> template = new ArrayList<>();
     private final List<SharedStructure> shared = new ArrayList<>();
+    /** Organs beside the liver by which the template is placed where the scan shows neither bones nor lungs. */
+    private final List<SharedStructure> organs;
+
     private final List<RibFit> ribs = new ArrayList<>();
     private Optional<String> sizeNote = Optional.empty();
 
@@ -75,6 +91,21 @@ public final class BodyCompletion {
                         .ifPresent(shared::add);
             }
         }
+        organs = shared.stream().anyMatch(s -> SURE_GUIDES.contains(s.kind()))
+                        || wholeSpine().isPresent()
+                ? List.of()
+                : atWall(template);
+    }
+
+    /** Organs at the wall that the scan shows, with those of the template. */
+    private List<SharedStructure> atWall(Thorax whole) {
+        return body.structures().stream()
+                .filter(s -> AT_WALL.contains(s.structure().name()))
+                .filter(s -> s.isComplete() || !s.structure().name().startsWith(KIDNEY))
+                .flatMap(s -> whole.organs().get().stream()
+                        .filter(t -> t.name().equals(s.structure().name()))
+                        .map(t -> new SharedStructure(s, t.mesh())))
+                .toList();
     }
 
     /** Whether what the scan shows of a structure is enough to fit the template to it. */
@@ -159,30 +190,53 @@ public final class BodyCompletion {
     private void fitBones(Thorax whole) {
         double plane = planeOfSymmetry(whole);
         RoughAlignment rough = new RoughAlignment(plane);
-        List<SurfacePair> organs = new ArrayList<>();
+        List<SurfacePair> pairs = new ArrayList<>();
         for (SharedStructure s : shared) {
             if (GUIDES.contains(s.kind())) {
                 rough.add(s);
             }
             if (s.kind() == StructureKind.LUNG) {
-                organs.add(new SurfacePair(
+                pairs.add(new SurfacePair(
                         s.organ(),
                         DiaphragmaticSurface.complement(s.scan()),
                         DiaphragmaticSurface.complement(s.template()),
                         true));
             } else if (s.kind() == StructureKind.LIVER) {
-                organs.add(new SurfacePair(s.organ(), s.scan(), s.template(), false));
+                pairs.add(s.pair());
             }
         }
-        TemplateMap start = rough.align(organs);
+        TemplateMap start = placedBy(rough, pairs);
         BodyPlausibility size = new BodyPlausibility(start.affine().factors(), whole.name());
         size.require();
         sizeNote = size.note();
-        wholeSpine().ifPresent(organs::add);
-        BoneFit bones = new BoneFit(start, plane, rest, shared, organs);
+        wholeSpine().ifPresent(pairs::add);
+        BoneFit bones = new BoneFit(start, plane, rest, shared, pairs);
         TemplateMap map = bones.fit();
         ribs.addAll(bones.ribs());
         template.addAll(rest.parallelStream().map(s -> placed(s, map)).toList());
+    }
+
+    /** Places the template by landmarks and surfaces, and by {@link #organs}, whose surfaces are added. */
+    private TemplateMap placedBy(RoughAlignment rough, List<SurfacePair> pairs) {
+        List<SharedStructure> kidneys = new ArrayList<>();
+        for (SharedStructure s : organs) {
+            if (s.organ().structure().name().startsWith(KIDNEY)) {
+                kidneys.add(s);
+            } else {
+                if (s.kind() == StructureKind.ORGAN) {
+                    rough.add(s);
+                }
+                pairs.add(s.pair());
+            }
+        }
+        TemplateMap start = rough.align(pairs);
+        // A breath moves the kidneys less than the liver: they tell where the back lies, not how high.
+        for (SharedStructure kidney : kidneys) {
+            SharedStructure level = kidney.atHeightOf(start);
+            rough.add(level);
+            pairs.add(level.pair());
+        }
+        return kidneys.isEmpty() ? start : rough.align(pairs);
     }
 
     /** The spine of a scan that has all vertebrae under one label, with that of the template. */
@@ -251,7 +305,7 @@ public final class BodyCompletion {
                 "%d structures come from %s, brought to the %d that it shares with the scan",
                 added,
                 templateName,
-                shared.size()));
+                shared.size() + organs.size()));
         if (!continued.isEmpty()) {
             notes.add("cut off by the scan, continued by " + templateName + " beyond its end: "
                     + String.join(", ", new TreeSet<>(continued)));

@@ -21,7 +21,7 @@ final class RoughAlignment {
     private static final double VERTEBRA_SIGMA_MM = 4;
     private static final double BONE_SIGMA_MM = 8;
     private static final double LUNG_SIGMA_MM = 10;
-    private static final double LIVER_SIGMA_MM = 25;
+    private static final double ORGAN_SIGMA_MM = 25;
     private static final double CUT_SIGMA_MM = 60;
     /** Weight of no rotation and of an unchanged size, relative to the landmarks. */
     private static final double POSE_HOLD = 0.01;
@@ -69,7 +69,7 @@ final class RoughAlignment {
                     switch (kind) {
                         case VERTEBRA -> VERTEBRA_SIGMA_MM;
                         case STERNUM, COSTAL_CARTILAGE -> BONE_SIGMA_MM;
-                        case LIVER -> LIVER_SIGMA_MM;
+                        case LIVER, ORGAN -> ORGAN_SIGMA_MM;
                         default -> CUT_SIGMA_MM;
                     };
             landmarks.add(centroid(shared.template()), centroid(shared.scan()), sigma);
@@ -105,16 +105,18 @@ final class RoughAlignment {
 
     /** Pose, size and proportions of the template. */
     TemplateMap align(List<SurfacePair> organs) {
+        PointPairs known = new PointPairs();
+        known.addAll(landmarks);
         List<SurfacePair> cutPairs = new ArrayList<>();
         if (landmarks.count() >= ENOUGH_LANDMARKS) {
             cut.forEach(s -> cutPairs.add(new SurfacePair(s.organ(), s.scan(), s.template(), true)));
         } else {
-            cut.forEach(s -> landmarks.add(centroid(s.template()), centroid(s.scan()), CUT_SIGMA_MM));
+            cut.forEach(s -> known.add(centroid(s.template()), centroid(s.scan()), CUT_SIGMA_MM));
         }
-        TemplateMap map = fit(landmarks);
+        TemplateMap map = fit(known);
         for (int i = 0; i < REFINEMENTS && !organs.isEmpty(); i++) {
             PointPairs pairs = new PointPairs();
-            pairs.addAll(landmarks);
+            pairs.addAll(known);
             for (SurfacePair pair : cutPairs) {
                 pair.place(map);
                 pairs.addAll(pair.nearest(CUT_POINTS, BONE_SIGMA_MM));

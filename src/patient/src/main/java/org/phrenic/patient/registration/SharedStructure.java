@@ -46,4 +46,19 @@ record SharedStructure(PatientStructure organ, TriangleMesh template) {
     String cutAt() {
         return organ.scan().map(PatientStructure.Scan::cutAt).orElse("");
     }
+
+    /** Both surfaces, which bones do not follow. */
+    SurfacePair pair() {
+        return new SurfacePair(organ, scan(), template, false);
+    }
+
+    /** The structure of the scan moved along the body to the height at which the template's is placed. */
+    SharedStructure atHeightOf(TemplateMap placed) {
+        double[] p = scan().positions().clone();
+        double dz = placed.apply(template).centre()[2] - scan().centre()[2];
+        for (int z = 2; z < p.length; z += 3) {
+            p[z] += dz;
+        }
+        return new SharedStructure(organ.withStructure(organ.structure().withMesh(scan().withPositions(p))), template);
+    }
 }

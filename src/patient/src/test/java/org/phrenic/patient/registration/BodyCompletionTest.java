@@ -47,7 +47,7 @@ class BodyCompletionTest {
         return new PatientBody("patient", organs, ExpectedStructures.missing(organs), List.of());
     }
 
-    private static PatientStructure scanned(Structure s, String cutAt) {
+    static PatientStructure scanned(Structure s, String cutAt) {
         MeshedSegment meshed =
                 new MeshedSegment(s.mesh(), 0, 0, DistanceSummary.NONE, MeshQuality.of(s.mesh()), 0.2, 1, 0);
         return PatientStructure.ofScan(
