@@ -77,6 +77,7 @@ class ShippedLabelsTest {
             strings = {
                 "totalsegmentator.csv",
                 "totalsegmentator-v1.csv",
+                "totalsegmentator-mr.csv",
                 "vista3d.csv",
                 "lungmask.csv",
                 "lungmask-lobes.csv",
