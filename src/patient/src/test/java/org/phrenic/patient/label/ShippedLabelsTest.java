@@ -78,6 +78,8 @@ class ShippedLabelsTest {
                 "totalsegmentator.csv",
                 "totalsegmentator-v1.csv",
                 "totalsegmentator-mr.csv",
+                "mrsegmentator.csv",
+                "vibesegmentator.csv",
                 "vista3d.csv",
                 "lungmask.csv",
                 "lungmask-lobes.csv",
