@@ -3,7 +3,6 @@ package org.phrenic.ui.access.panel;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import javax.swing.JButton;
-import javax.swing.JComboBox;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.mesh.Vectors;
@@ -11,7 +10,6 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.access.AttemptReportWriter;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.access.RehearsalStage;
-import org.phrenic.ui.session.PlaybackSpeed;
 import org.phrenic.ui.window.WindowHarness;
 
 /** A window under test whose clinician's rehearsal is open, on the virtual body at low resolution, breathing fast. */
@@ -20,6 +18,8 @@ final class RehearsalHarness {
     private static final int PICTURE_SIZE = 200;
 
     private static final double ROUNDING_MM = 1e-6;
+    /** Simulated time over real time: flat out, the run would take the processor from what a test waits for. */
+    private static final double SPEED = 4;
 
     private final WindowHarness window;
 
@@ -36,7 +36,7 @@ final class RehearsalHarness {
         window = new WindowHarness(name, fast.with(more));
         WindowHarness.doOnEdt(() -> {
             window.control(JButton.class, "Rehearse liver access").doClick();
-            window.control(JComboBox.class, "Speed").setSelectedItem(PlaybackSpeed.FLAT_OUT);
+            window.session().setSpeed(SPEED);
         });
         ready();
     }
