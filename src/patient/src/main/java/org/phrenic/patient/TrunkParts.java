@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.mesh.TriangleMesh;
@@ -19,31 +20,30 @@ import org.phrenic.mesh.query.SurfaceDistance;
 final class TrunkParts {
     private static final double ROOT_MM = 40;
 
-    private static final String NONE = "";
+    /** Bones at the roots of the limbs, by the first word of their names, and the bones that carry them. */
+    private static final Map<String, String> CARRIERS = Map.of("humerus", "scapula", "femur", "hip");
 
-    /** Structures of the limbs and the head by the first word of their names, and the bones that carry them. */
-    private static final Map<String, String> CARRIERS = Map.ofEntries(
-            Map.entry("humerus", "scapula"),
-            Map.entry("radius", NONE),
-            Map.entry("ulna", NONE),
-            Map.entry("carpal", NONE),
-            Map.entry("metacarpal", NONE),
-            Map.entry("phalanges", NONE),
-            Map.entry("femur", "hip"),
-            Map.entry("patella", NONE),
-            Map.entry("tibia", NONE),
-            Map.entry("fibula", NONE),
-            Map.entry("tarsal", NONE),
-            Map.entry("metatarsal", NONE),
-            Map.entry("quadriceps", NONE),
-            Map.entry("sartorius", NONE),
-            Map.entry("thigh", NONE),
-            Map.entry("skull", NONE),
-            Map.entry("brain", NONE),
-            Map.entry("face", NONE),
-            Map.entry("head", NONE),
-            Map.entry("eye", NONE),
-            Map.entry("mandible", NONE));
+    /** First words of the names of all else of the limbs and the head. */
+    private static final Set<String> OUTSIDE = Set.of(
+            "radius",
+            "ulna",
+            "carpal",
+            "metacarpal",
+            "phalanges",
+            "patella",
+            "tibia",
+            "fibula",
+            "tarsal",
+            "metatarsal",
+            "quadriceps",
+            "sartorius",
+            "thigh",
+            "skull",
+            "brain",
+            "face",
+            "head",
+            "eye",
+            "mandible");
 
     private TrunkParts() {}
 
@@ -51,11 +51,11 @@ final class TrunkParts {
     static List<Structure> of(List<Structure> body) {
         List<Structure> parts = new ArrayList<>();
         for (Structure s : body) {
-            String carrier = CARRIERS.get(firstWord(s));
-            if (carrier == null) {
+            String word = firstWord(s);
+            if (CARRIERS.containsKey(word)) {
+                root(s, CARRIERS.get(word), body).ifPresent(parts::add);
+            } else if (!OUTSIDE.contains(word)) {
                 parts.add(s);
-            } else {
-                root(s, carrier, body).ifPresent(parts::add);
             }
         }
         return parts;

@@ -43,14 +43,6 @@ public final class BodyCompletion {
             StructureKind.LUNG,
             StructureKind.LIVER);
 
-    /** Kinds beside which other organs say nothing more of where a template lies. */
-    private static final Set<StructureKind> SURE_GUIDES = EnumSet.of(
-            StructureKind.RIB,
-            StructureKind.COSTAL_CARTILAGE,
-            StructureKind.STERNUM,
-            StructureKind.VERTEBRA,
-            StructureKind.LUNG);
-
     /** Organs and vessels that lie against the spine or the wall and differ less than others. */
     private static final Set<String> AT_WALL = Set.of("kidney_L", "kidney_R", "spleen", "aorta", "inferior_vena_cava");
 
@@ -91,10 +83,8 @@ public final class BodyCompletion {
                         .ifPresent(shared::add);
             }
         }
-        organs = shared.stream().anyMatch(s -> SURE_GUIDES.contains(s.kind()))
-                        || wholeSpine().isPresent()
-                ? List.of()
-                : atWall(template);
+        boolean surer = shared.stream().anyMatch(s -> GUIDES.contains(s.kind()) && s.kind() != StructureKind.LIVER);
+        organs = surer || wholeSpine().isPresent() ? List.of() : atWall(template);
     }
 
     /** Organs at the wall that the scan shows, with those of the template. */

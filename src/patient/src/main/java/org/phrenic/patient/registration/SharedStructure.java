@@ -47,7 +47,7 @@ record SharedStructure(PatientStructure organ, TriangleMesh template) {
         return organ.scan().map(PatientStructure.Scan::cutAt).orElse("");
     }
 
-    /** Both surfaces, which bones do not follow. */
+    /** Both surfaces as a whole, with their nearest points. */
     SurfacePair pair() {
         return new SurfacePair(organ, scan(), template, false);
     }

@@ -27,12 +27,12 @@ class OrgansAloneTest {
     private static final Set<String> SHOWN = Set.of("spleen", "kidney_R", "kidney_L", "aorta", "inferior_vena_cava");
 
     private static Thorax woman;
-    private static Thorax template;
+    private static PatientBody body;
 
     @BeforeAll
-    static void load() {
+    static void complete() {
         woman = VirtualThorax.ofPreset("adult-female", Resolution.LOW);
-        template = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
+        body = completed(0);
     }
 
     private static Structure moved(Structure s, double y, double z) {
@@ -50,7 +50,8 @@ class OrgansAloneTest {
             }
         }
         return BodyCompletion.complete(
-                new PatientBody("patient", organs, ExpectedStructures.missing(organs), List.of()), template);
+                new PatientBody("patient", organs, ExpectedStructures.missing(organs), List.of()),
+                VirtualThorax.ofPreset("adult-male", Resolution.LOW));
     }
 
     /** Mean place of the vertebrae from T10 to L2 less that of hers. */
@@ -72,7 +73,6 @@ class OrgansAloneTest {
 
     @Test
     void theSpineLiesBehindKidneysAndVesselsAndTheCageAboutTheLiver() {
-        PatientBody body = completed(0);
         double[] off = spineOff(body);
         assertThat(off[0]).as("to the left, mm").isCloseTo(0, within(3.0));
         assertThat(off[1]).as("to the back, mm").isCloseTo(BEHIND_MM, within(8.0));
@@ -90,6 +90,6 @@ class OrgansAloneTest {
     /** In a breath the kidneys go down less than the liver: what tells how high the spine is are liver and spleen. */
     @Test
     void kidneysDoNotTellHowHighTheSpineIs() {
-        assertThat(spineOff(completed(30))[2] - spineOff(completed(0))[2]).isCloseTo(0, within(3.0));
+        assertThat(spineOff(completed(30))[2] - spineOff(body)[2]).isCloseTo(0, within(3.0));
     }
 }
