@@ -10,7 +10,7 @@ import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.LevelClip;
-import org.phrenic.mesh.query.SurfaceDistance;
+import org.phrenic.mesh.query.TriangleTree;
 
 /**
  * What the skin of the trunk encloses: everything but the limbs and the head. Of the bone at the root of a limb it is
@@ -69,8 +69,8 @@ final class TrunkParts {
         double[] values = new double[limb.mesh().vertexCount()];
         Arrays.fill(values, -ROOT_MM);
         body.stream().filter(s -> firstWord(s).equals(carrier)).forEach(bone -> {
-            double[] distances = new SurfaceDistance(bone.mesh())
-                    .unsignedDistance(limb.mesh().positions());
+            double[] distances =
+                    new TriangleTree(bone.mesh()).distances(limb.mesh().positions());
             Arrays.setAll(values, v -> Math.max(values[v], ROOT_MM - distances[v]));
         });
         TriangleMesh near = LevelClip.positivePart(limb.mesh(), values);

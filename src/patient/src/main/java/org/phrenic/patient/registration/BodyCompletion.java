@@ -64,6 +64,8 @@ public final class BodyCompletion {
     private final List<Structure> rest;
     private final List<Structure> template = new ArrayList<>();
     private final List<SharedStructure> shared = new ArrayList<>();
+    /** A spine under one label. */
+    private final Optional<SurfacePair> spine;
     /** Organs beside the liver by which the template is placed where the scan shows neither bones nor lungs. */
     private final List<SharedStructure> organs;
 
@@ -84,7 +86,8 @@ public final class BodyCompletion {
             }
         }
         boolean surer = shared.stream().anyMatch(s -> GUIDES.contains(s.kind()) && s.kind() != StructureKind.LIVER);
-        organs = surer || wholeSpine().isPresent() ? List.of() : atWall(template);
+        spine = wholeSpine();
+        organs = surer || spine.isPresent() ? List.of() : atWall(template);
     }
 
     /** Organs at the wall that the scan shows, with those of the template. */
@@ -192,14 +195,14 @@ public final class BodyCompletion {
                         DiaphragmaticSurface.complement(s.template()),
                         true));
             } else if (s.kind() == StructureKind.LIVER) {
-                pairs.add(s.pair());
+                pairs.add(s.pair(false));
             }
         }
         TemplateMap start = placedBy(rough, pairs);
         BodyPlausibility size = new BodyPlausibility(start.affine().factors(), whole.name());
         size.require();
         sizeNote = size.note();
-        wholeSpine().ifPresent(pairs::add);
+        spine.ifPresent(pairs::add);
         BoneFit bones = new BoneFit(start, plane, rest, shared, pairs);
         TemplateMap map = bones.fit();
         ribs.addAll(bones.ribs());
@@ -216,7 +219,7 @@ public final class BodyCompletion {
                 if (s.kind() == StructureKind.ORGAN) {
                     rough.add(s);
                 }
-                pairs.add(s.pair());
+                pairs.add(s.pair(false));
             }
         }
         TemplateMap start = rough.align(pairs);
@@ -224,19 +227,19 @@ public final class BodyCompletion {
         for (SharedStructure kidney : kidneys) {
             SharedStructure level = kidney.atHeightOf(start);
             rough.add(level);
-            pairs.add(level.pair());
+            pairs.add(level.pair(false));
         }
         return kidneys.isEmpty() ? start : rough.align(pairs);
     }
 
     /** The spine of a scan that has all vertebrae under one label, with that of the template. */
     private Optional<SurfacePair> wholeSpine() {
-        Optional<PatientStructure> spine = shared.stream().anyMatch(s -> s.kind() == StructureKind.VERTEBRA)
+        Optional<PatientStructure> column = shared.stream().anyMatch(s -> s.kind() == StructureKind.VERTEBRA)
                 ? Optional.empty()
                 : body.structures().stream()
                         .filter(s -> s.structure().name().equals(LabelTable.SPINE))
                         .findFirst();
-        return spine.flatMap(s -> PatientBody.merged(rest.stream().filter(t -> t.kind() == StructureKind.VERTEBRA))
+        return column.flatMap(s -> PatientBody.merged(rest.stream().filter(t -> t.kind() == StructureKind.VERTEBRA))
                 .map(vertebrae -> new SurfacePair(s, s.structure().mesh(), vertebrae, true)));
     }
 

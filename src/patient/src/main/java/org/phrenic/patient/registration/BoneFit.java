@@ -89,9 +89,9 @@ final class BoneFit {
             } else if (s.kind() == StructureKind.RIB) {
                 ribs.add(new RibFit(s));
             } else if (s.kind() == StructureKind.VERTEBRA) {
-                surfaces.add(new SurfacePair(s.organ(), s.scan(), s.template(), true));
+                surfaces.add(s.pair(true));
             } else if (s.kind() == StructureKind.STERNUM || s.kind() == StructureKind.COSTAL_CARTILAGE) {
-                surfaces.add(new SurfacePair(s.organ(), s.scan(), s.template(), true));
+                surfaces.add(s.pair(true));
                 if (s.kind() == StructureKind.STERNUM
                         && !s.isComplete()
                         && !s.cutAt().contains("I")) {

@@ -109,7 +109,7 @@ final class RoughAlignment {
         known.addAll(landmarks);
         List<SurfacePair> cutPairs = new ArrayList<>();
         if (landmarks.count() >= ENOUGH_LANDMARKS) {
-            cut.forEach(s -> cutPairs.add(new SurfacePair(s.organ(), s.scan(), s.template(), true)));
+            cut.forEach(s -> cutPairs.add(s.pair(true)));
         } else {
             cut.forEach(s -> known.add(centroid(s.template()), centroid(s.scan()), CUT_SIGMA_MM));
         }

@@ -47,9 +47,13 @@ record SharedStructure(PatientStructure organ, TriangleMesh template) {
         return organ.scan().map(PatientStructure.Scan::cutAt).orElse("");
     }
 
-    /** Both surfaces as a whole, with their nearest points. */
-    SurfacePair pair() {
-        return new SurfacePair(organ, scan(), template, false);
+    /**
+     * Both surfaces as a whole, with their nearest points.
+     *
+     * @param guidesBones as for {@link SurfacePair}
+     */
+    SurfacePair pair(boolean guidesBones) {
+        return new SurfacePair(organ, scan(), template, guidesBones);
     }
 
     /** The structure of the scan moved along the body to the height at which the template's is placed. */

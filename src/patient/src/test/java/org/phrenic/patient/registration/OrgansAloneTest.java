@@ -80,7 +80,7 @@ class OrgansAloneTest {
         assertThat(body.canBreathe()).isTrue();
         assertThat(body.notes())
                 .anyMatch(note -> note.endsWith(
-                        "structures come from adult-male, brought to the 6 that it shares with" + " the scan"));
+                        "structures come from adult-male, brought to the 6 that it shares with the scan"));
         assertThat(body.structures())
                 .filteredOn(s -> SHOWN.contains(s.structure().name()))
                 .hasSize(SHOWN.size())
