@@ -3,14 +3,23 @@ package org.phrenic.patient;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.Vectors;
 
-/** Checks that lungs have plausible human size and shape. If not, spacing, axes or labels of the file may be wrong. */
+/**
+ * Checks that lungs have plausible human size and shape, and that organs of the abdomen lie on the sides where people
+ * have them. If not, spacing, axes or labels of the file may be wrong.
+ */
 final class LungPlausibility {
+    /** Organs of the abdomen and the side on which nearly all people have them. */
+    private static final Map<String, Side> ORGANS = Map.of("liver", Side.RIGHT, "spleen", Side.LEFT);
+
     /** Maximum ratio of left to right lung volume. The left lung is usually smaller because of the heart. */
     private static final double MAX_LEFT = 1.1;
     /** Range of the height to depth ratio of the bounding box of both lungs, from virtual bodies and scans. */
@@ -34,7 +43,13 @@ final class LungPlausibility {
         Optional<TriangleMesh> left = lung(lungs, Side.LEFT);
         boolean complete = lungs.stream().allMatch(PatientStructure::isComplete);
         if (right.isPresent() && left.isPresent()) {
-            compare(right.get(), left.get(), complete, findings);
+            Map<String, Boolean> organs = organs(structures, right.get(), left.get());
+            compare(right.get(), left.get(), complete && organs.isEmpty(), findings);
+            if (!organs.isEmpty() && !organs.containsValue(true)) {
+                findings.add(String.join(" and ", organs.keySet()) + " on the other side than in most people: situs"
+                        + " inversus, or right and left are exchanged in labels of lungs and bones, or the volume"
+                        + " states its axes wrongly (mirrored), see --axes");
+            }
         }
         if (complete) {
             right.ifPresent(mesh -> size("right", mesh, findings));
@@ -50,8 +65,30 @@ final class LungPlausibility {
                 lungs.stream().map(PatientStructure::structure).filter(s -> s.side() == side));
     }
 
-    /** Lungs that the scan truncates are compared by their places alone. */
-    private static void compare(TriangleMesh right, TriangleMesh left, boolean complete, List<String> findings) {
+    /** Whether each organ of the abdomen lies on its usual side of the plane midway between the lungs. */
+    private static Map<String, Boolean> organs(
+            List<PatientStructure> structures, TriangleMesh right, TriangleMesh left) {
+        double[] r = MeshMeasure.centreOfMass(right);
+        double[] l = MeshMeasure.centreOfMass(left);
+        double[] middle = {(r[0] + l[0]) / 2, (r[1] + l[1]) / 2, (r[2] + l[2]) / 2};
+        double[] toLeft = Vectors.subtract(l, r);
+        Map<String, Boolean> organs = new TreeMap<>();
+        structures.stream()
+                .map(PatientStructure::structure)
+                .filter(s -> ORGANS.containsKey(s.name()))
+                .forEach(s -> {
+                    double[] from = Vectors.subtract(MeshMeasure.centreOfMass(s.mesh()), middle);
+                    Side side = Vectors.dot(from, toLeft) > 0 ? Side.LEFT : Side.RIGHT;
+                    organs.put(s.name(), side == ORGANS.get(s.name()));
+                });
+        return organs;
+    }
+
+    /**
+     * Volumes are compared where both lungs are complete and no organ tells the sides: some people have the larger lung
+     * on the left.
+     */
+    private static void compare(TriangleMesh right, TriangleMesh left, boolean volumes, List<String> findings) {
         double[] r = right.bounds();
         double[] l = left.bounds();
         double rightMl = MeshMeasure.signedVolumeMl(right);
@@ -60,7 +97,7 @@ final class LungPlausibility {
         if (r[0] + r[3] > l[0] + l[3]) {
             findings.add("the right lung lies on the left of the left one: labels are exchanged, or the volume states"
                     + " its axes wrongly (mirrored), see --axes");
-        } else if (complete && leftMl > MAX_LEFT * rightMl) {
+        } else if (volumes && leftMl > MAX_LEFT * rightMl) {
             findings.add(String.format(
                     Locale.ROOT,
                     "the left lung is larger than the right (%.0f and %.0f ml): the volume may state its axes wrongly"

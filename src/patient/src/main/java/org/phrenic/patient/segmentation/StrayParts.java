@@ -10,9 +10,10 @@ import java.util.Set;
 import org.phrenic.anatomy.StructureKind;
 
 /**
- * Stray parts of organs: components that are small beside the organ and lie away from its main ones, as where a
- * segmentation takes gas of the bowel for lung. The lobes of both lungs count as one organ. Loops of bowel may lie
- * apart. Distances are judged on a grid of coarse cells: a component is near another if their cells touch.
+ * Stray parts of organs and large vessels: components that are small beside the organ and lie away from its main ones,
+ * as where a segmentation takes gas of the bowel for lung. The lobes of both lungs count as one organ, and so do all
+ * parts of the bowel, of which loops may lie apart. Branches of a vessel within an organ may lie apart as well.
+ * Distances are judged on a grid of coarse cells: a component is near another if their cells touch.
  */
 final class StrayParts {
     /** A component of at least this share of its structure is a main one, as is the largest. */
@@ -20,7 +21,22 @@ final class StrayParts {
     /** Edge of the coarse cells, mm. */
     private static final double CELL_MM = 10;
 
-    private static final Set<String> BOWEL = Set.of("colon", "small_bowel", "duodenum", "organ_bowel");
+    /** Least volume of a loop of bowel that lies apart, ml. */
+    private static final double LOOP_ML = 2;
+
+    private static final Set<String> BOWEL = Set.of("colon", "small_bowel", "duodenum", "rectum", "organ_bowel");
+    /** Vessels that do not branch within an organ, without their sides. */
+    private static final Set<String> TRUNKS = Set.of(
+            "aorta",
+            "inferior_vena_cava",
+            "superior_vena_cava",
+            "portal_and_splenic_vein",
+            "brachiocephalic_trunk",
+            "brachiocephalic_vein",
+            "subclavian_artery",
+            "common_carotid_artery",
+            "iliac_artery",
+            "iliac_vein");
 
     private final Segmentation s;
     private final VoxelRuns runs;
@@ -29,7 +45,7 @@ final class StrayParts {
 
     private final int columns;
     private final int rows;
-    /** The organ of each segment: the number of its first segment; 0 for bones, vessels and others. */
+    /** The organ of each segment: the number of its first segment; 0 for bones, branching vessels and others. */
     private final int[] organ;
 
     StrayParts(Segmentation s, VoxelRuns runs) {
@@ -61,7 +77,7 @@ final class StrayParts {
         int[] stray = new int[organ.length];
         for (int run = 0; run < runs.count(); run++) {
             int component = runs.component(run);
-            if (component == run && kept[component] && !near.get(component)) {
+            if (component == run && kept[component] && !near.get(component) && !isLoop(component)) {
                 stray[s.segmentAt(runs.from(run))] += runs.size(component);
                 kept[component] = false;
             }
@@ -106,17 +122,29 @@ final class StrayParts {
     private int[] organs(int segments) {
         int[] organ = new int[segments];
         int lung = 0;
+        int bowel = 0;
         for (int segment = 1; segment < segments; segment++) {
             StructureKind kind =
                     SegmentationRepair.kind(s.names().get(segment - 1)).orElse(StructureKind.OTHER);
             if (kind == StructureKind.LUNG) {
                 lung = lung == 0 ? segment : lung;
                 organ[segment] = lung;
-            } else if (kind == StructureKind.LIVER || (kind == StructureKind.ORGAN && !isBowel(segment))) {
+            } else if (isBowel(segment)) {
+                bowel = bowel == 0 ? segment : bowel;
+                organ[segment] = bowel;
+            } else if (kind == StructureKind.LIVER || kind == StructureKind.ORGAN || isTrunk(segment)) {
                 organ[segment] = segment;
             }
         }
         return organ;
+    }
+
+    private boolean isLoop(int component) {
+        return isBowel(s.segmentAt(runs.from(component))) && s.grid().volumeMl(runs.size(component)) >= LOOP_ML;
+    }
+
+    private boolean isTrunk(int segment) {
+        return TRUNKS.contains(s.names().get(segment - 1).replaceFirst("_[LR]$", ""));
     }
 
     private boolean isBowel(int segment) {

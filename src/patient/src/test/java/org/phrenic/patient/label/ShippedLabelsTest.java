@@ -79,6 +79,7 @@ class ShippedLabelsTest {
                 "totalsegmentator-v1.csv",
                 "totalsegmentator-mr.csv",
                 "mrsegmentator.csv",
+                "ribseg.csv",
                 "vibesegmentator.csv",
                 "vista3d.csv",
                 "lungmask.csv",

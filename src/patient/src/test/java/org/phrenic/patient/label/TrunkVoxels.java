@@ -3,13 +3,12 @@ package org.phrenic.patient.label;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.stream.IntStream;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
- * Organs and vertebrae of a trunk as boxes of voxels of 5 mm, about where and as large as in people. Columns run to the
- * left, rows to the back, slices up.
+ * Organs, vertebrae and ribs of a trunk as boxes of voxels of 5 mm, about where and as large as in people. Columns run
+ * to the left, rows to the back, slices up.
  */
 final class TrunkVoxels {
     private static final int COLUMNS = 90;
@@ -58,7 +57,7 @@ final class TrunkVoxels {
                         default -> List.of(structure);
                     };
             parts.forEach(part -> {
-                int[] box = BOXES.containsKey(part) ? BOXES.get(part) : vertebra(part);
+                int[] box = BOXES.containsKey(part) ? BOXES.get(part) : bone(part);
                 if (box.length > 0) {
                     fill(labels, box, own);
                 }
@@ -69,14 +68,21 @@ final class TrunkVoxels {
         return new LabelVolume(grid, Map.of(), List.of());
     }
 
-    /** The box of a vertebra from T1 to L5; empty for other structures. */
-    private static int[] vertebra(String structure) {
-        int level = IntStream.rangeClosed(1, VERTEBRAE)
-                .filter(n -> structure.equals(
-                        n <= 12 ? String.format("vertebra_T%02d", n) : String.format("vertebra_L%02d", n - 12)))
-                .findFirst()
-                .orElse(0);
-        return level == 0 ? new int[0] : new int[] {40, 50, 145 - 7 * level, 3, 3, 2};
+    /** The box of a vertebra from T1 to L5, or of a rib beside one from T1 to T12; empty for other structures. */
+    private static int[] bone(String structure) {
+        for (int level = 1; level <= VERTEBRAE; level++) {
+            int height = 145 - 7 * level;
+            int lumbar = level - 12;
+            if (structure.equals(
+                    String.format(lumbar < 1 ? "vertebra_T%02d" : "vertebra_L%02d", lumbar < 1 ? level : lumbar))) {
+                return new int[] {40, 50, height, 3, 3, 2};
+            } else if (structure.equals(String.format("rib_%02d_R", level))) {
+                return new int[] {3, 28, height, 1, 10, 2};
+            } else if (structure.equals(String.format("rib_%02d_L", level))) {
+                return new int[] {85, 28, height, 1, 10, 2};
+            }
+        }
+        return new int[0];
     }
 
     private static void fill(byte[] labels, int[] box, List<Integer> own) {

@@ -399,34 +399,43 @@ class SegmentationRepairTest {
     }
 
     /**
-     * Spleen, liver, lungs and colon as balls, and small balls under their labels: one near the spleen, one of the left
-     * lung near the right one, a loop of the colon, and three far from their organs, of which one lies within the
-     * liver.
+     * Spleen, liver, lungs, colon and aorta as balls, and small balls under their labels: one near the spleen, one of
+     * the left lung near the right one, a loop of the colon of 2.5 ml, and five far from their organs, of which one
+     * lies within the liver.
      */
     @Test
     void smallPartsAwayFromTheirOrganAreLeftOut() {
-        LabelTable table = new LabelTable(Map.of(1, "spleen", 2, "liver", 3, "lung_L", 4, "lung_R", 5, "colon"));
+        LabelTable table = new LabelTable(
+                Map.of(1, "spleen", 2, "liver", 3, "lung_L", 4, "lung_R", 5, "colon", 6, "aorta", 7, "liver_vessels"));
         CageVoxels clean = new CageVoxels();
         clean.ball(70, 40, 30, 8, 1);
         clean.ball(82, 40, 30, 1.5, 1);
+        clean.ball(19, 30, 40, 4, 7);
+        clean.ball(33, 30, 40, 1.8, 7);
         clean.ball(25, 30, 40, 12, 2);
         clean.ball(65, 30, 95, 14, 3);
         clean.ball(43, 30, 95, 2.2, 3);
         clean.ball(25, 30, 95, 14, 4);
         clean.ball(60, 30, 50, 6, 5);
-        clean.ball(75, 30, 60, 1.5, 5);
+        clean.ball(75, 30, 60, 2.8, 5);
+        clean.ball(45, 45, 60, 5, 6);
         CageVoxels scan = new CageVoxels();
         scan.ball(25, 30, 40, 1.5, 1);
         scan.ball(20, 45, 70, 1.5, 1);
         scan.ball(60, 20, 10, 2.2, 4);
+        scan.ball(20, 10, 70, 1.5, 5);
+        scan.ball(70, 10, 70, 1.5, 6);
         for (int v = 0; v < scan.labels.length; v++) {
             scan.labels[v] = scan.labels[v] == 0 ? clean.labels[v] : scan.labels[v];
         }
         Segmentation s = scan.segmentation(table);
         List<String> notes = SegmentationRepair.mend(s);
         assertThat(counts(s)).isEqualTo(counts(clean.segmentation(table)));
-        assertThat(pieces(s)).isEqualTo(Map.of("spleen", 2, "liver", 1, "lung_L", 2, "lung_R", 1, "colon", 2));
+        assertThat(pieces(s))
+                .isEqualTo(Map.of(
+                        "spleen", 2, "liver", 1, "lung_L", 2, "lung_R", 1, "colon", 2, "aorta", 1, "liver_vessels", 2));
         assertThat(notes)
-                .containsExactly("parts that lie away from their organ are left out: spleen (1.0 ml), lung_R (0.9 ml)");
+                .containsExactly("parts that lie away from their organ are left out: spleen (1.0 ml), lung_R (0.9 ml),"
+                        + " colon (0.5 ml), aorta (0.5 ml)");
     }
 }
