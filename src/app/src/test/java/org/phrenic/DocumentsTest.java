@@ -116,6 +116,21 @@ class DocumentsTest {
                         line.length() <= MARGIN || UNBREAKABLE.matcher(line).matches());
     }
 
+    /** A row on one line, with as many cells as its heading. */
+    @ParameterizedTest
+    @MethodSource("documents")
+    void rowsOfTablesHaveTheCellsOfTheirHeading(Path document) throws IOException {
+        int cells = 0;
+        for (String line : prose(document).lines().toList()) {
+            int bars = line.replaceAll("\\\\\\|", "").replaceAll("[^|]", "").length();
+            assertThat(line.startsWith("|")).as("%s: %s", document, line).isEqualTo(line.endsWith("|"));
+            if (line.startsWith("|") && cells > 0) {
+                assertThat(bars).as("%s: %s", document, line).isEqualTo(cells);
+            }
+            cells = line.startsWith("|") ? bars : 0;
+        }
+    }
+
     @Test
     void everyPageOfResultsStatesTheCommandAndTheCommitThatMadeIt() throws IOException {
         assertThat(documents().filter(document -> document.startsWith(RESULTS)))
