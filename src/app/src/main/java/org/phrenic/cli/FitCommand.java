@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -79,6 +80,8 @@ final class FitCommand extends ReportingCommand {
     /** Scenario keys that the command sets. */
     private static final Set<String> RESERVED =
             Set.of("anatomy", "duration_s", "steps", "changes", "hold", "rate_per_min", "inspiratory_fraction");
+
+    private static final List<String> WRITTEN = List.of("landmarks.csv", "fit.csv", "journal.csv");
 
     private static final String HALF = "half";
     private static final String OTHER_HALF = "other-half";
@@ -171,6 +174,7 @@ final class FitCommand extends ReportingCommand {
             throw new BadInputException("fit: found no " + (thorax == null ? "THORAX" : "--target")
                     + ", expected a body and a --target PART=FILE, or --synthetic N");
         }
+        requireNotWrittenOver();
         Scenario base = scenario();
         List<FitTarget> read = targets();
         List<FitParameter> parameters = parameters(base);
@@ -180,9 +184,8 @@ final class FitCommand extends ReportingCommand {
                 ? Double.POSITIVE_INFINITY
                 : MINUTE_S * OptionValues.number("--minutes", minutes, 0, 1e5);
         FitSearch.Settings search = new FitSearch.Settings(seed(), size, length.evaluations(), limitS);
-        TargetAlignment alignment = TargetAlignment.beside(targets.stream()
-                .map(t -> Path.of(t.substring(t.indexOf('=') + 1)))
-                .toList());
+        TargetAlignment alignment =
+                TargetAlignment.beside(targets.stream().map(FitCommand::file).toList());
         Optional<Landmarks> inside = Optional.ofNullable(landmarks).map(file -> Landmarks.read(file, alignment));
         FitSetup.Options options =
                 new FitSetup.Options(half(), alignment.sentence(), search, length.threads(), !noSensitivity, inside);
@@ -194,6 +197,20 @@ final class FitCommand extends ReportingCommand {
             report(result);
         }
         return ExitCode.SUCCESS;
+    }
+
+    /** Refuses landmarks and targets that the report would be written over. */
+    private void requireNotWrittenOver() {
+        Path[] inputs = Stream.concat(
+                        Stream.ofNullable(landmarks), targets.stream().map(FitCommand::file))
+                .toArray(Path[]::new);
+        for (String file : WRITTEN) {
+            ReportFolder.requireNotRead("--out", out.resolve(file), inputs);
+        }
+    }
+
+    private static Path file(String target) {
+        return Path.of(target.substring(target.indexOf('=') + 1));
     }
 
     private void report(FitResult result) {

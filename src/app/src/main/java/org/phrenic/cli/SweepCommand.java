@@ -14,6 +14,7 @@ import org.phrenic.cli.report.SparkSubmit;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.study.ReportNumbers;
+import org.phrenic.study.sweep.RunRow;
 import org.phrenic.study.sweep.SweepPlan;
 import org.phrenic.study.sweep.SweepResults;
 import org.phrenic.study.sweep.SweepStudy;
@@ -160,6 +161,10 @@ final class SweepCommand extends ReportingCommand {
         if (missing) {
             err().println("phrenic: " + (results.plan().size() - results.done()) + " runs are missing");
         }
-        return missing || results.failed() == results.done() ? ExitCode.FAILURE : ExitCode.SUCCESS;
+        List<RunRow> own = results.rows().stream()
+                .filter(row -> part.contains(row.index()))
+                .toList();
+        boolean allFailed = !own.isEmpty() && own.stream().allMatch(RunRow::isFailed);
+        return missing || allFailed ? ExitCode.FAILURE : ExitCode.SUCCESS;
     }
 }

@@ -33,7 +33,8 @@ class BenchBodiesCommandTest {
             {},
             {"--random", "-1"},
             {"--random", "1", "--pictures"},
-            {"--random", "1", "--complete", "virtual/adult-female"}
+            {"--random", "1", "--complete", "virtual/adult-female"},
+            {"one/scan.nii", "two/scan.nii", "--out", folder.resolve("out").toString()}
         }) {
             String[] args = new String[bad.length + 2];
             args[0] = "bench";

@@ -62,6 +62,24 @@ class FitCommandTest {
         assertThat(busy).doesNotExist();
     }
 
+    /** A fit writes its landmarks into its folder, in the axes of the body. */
+    @Test
+    void refusesToWriteOverTheLandmarksThatItReads() throws IOException {
+        Path landmarks = Files.writeString(folder.resolve("landmarks.csv"), "the user's own");
+        CommandLineRun run = CommandLineRun.of(
+                "fit",
+                "virtual/adult-male",
+                "--target",
+                "lung_R=" + mesh,
+                "--landmarks",
+                landmarks.toString(),
+                "--out",
+                folder.toString());
+        assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(run.err()).contains("found a file that the command reads").hasLineCount(1);
+        assertThat(landmarks).hasContent("the user's own");
+    }
+
     @Test
     void refusesWhatCannotBeFitted() throws IOException {
         String body = "virtual/adult-male";

@@ -90,6 +90,52 @@ class SweepCommandTest {
         assertThat(Files.readAllLines(out.resolve("runs.csv"))).hasSize(11);
     }
 
+    /** A study of fewer runs than shards, as in an array of jobs of fixed size. */
+    @Test
+    void aShardWithoutRunsSucceeds() throws IOException {
+        String file = study().toString();
+        CommandLineRun run =
+                CommandLineRun.of("sweep", file, "--out", folder.resolve("out").toString(), "--shard", "50/100");
+        assertThat(run.exitCode()).as(run.err()).isZero();
+        assertThat(run.out()).contains("0 of 40 runs are done, 0 failed");
+    }
+
+    @Test
+    void keysThatAStudyDoesNotReadAreRefused() throws IOException {
+        String ranges = "model: ishigami\nfactors:\n- {key: x1, range: [0, 1]}\n- {key: x2, range: [0, 1]}\n"
+                + "- {key: x3, range: [0, 1]}\n";
+        String listed = "factors:\n- {key: depth, values: [0.5, 1], levels: 3}\ndesign: {kind: grid}\n";
+        for (List<String> bad : List.of(
+                List.of(ranges + "design: {kind: grid, levels: 2}\n", "expected it at the factors"),
+                List.of(ranges + "design: {kind: grid, samples: 7}\n", "found it in a design of kind grid"),
+                List.of(ranges + "design: {kind: sobol, samples: 8, levels: 4}\n", "kind sobol"),
+                List.of(
+                        ranges.replace("1]}\n- {key: x2", "1], levels: 8}\n- {key: x2")
+                                + "design: {kind: morris, samples: 4}\n",
+                        "expected it at ranges in a grid"),
+                List.of(listed, "found it with listed values"),
+                List.of(ranges + "design: {kind: grid}\nseries: [air_ml]\n", "with model ishigami"),
+                List.of(ranges + "design: {kind: grid}\nsettings: {depth: 1}\n", "which does not read it"))) {
+            Path file = Files.writeString(folder.resolve("bad.yaml"), bad.get(0));
+            CommandLineRun run = CommandLineRun.of(
+                    "sweep", file.toString(), "--out", folder.resolve("out").toString());
+            assertThat(run.exitCode()).as(bad.get(0)).isEqualTo(ExitCode.BAD_INPUT);
+            assertThat(run.err()).contains(bad.get(1)).hasLineCount(1);
+        }
+    }
+
+    /** The list of a study is {@code runs.csv} in the folder of its results. */
+    @Test
+    void resultsAreNotWrittenOverAListOfPoints() throws IOException {
+        Path list = Files.writeString(folder.resolve("runs.csv"), "x1,x2,x3\n0,1,2\n");
+        Path file = Files.writeString(
+                folder.resolve("listed.yaml"), "model: ishigami\ndesign: {kind: list, file: runs.csv}\n");
+        CommandLineRun run = CommandLineRun.of("sweep", file.toString(), "--out", folder.toString());
+        assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(run.err()).contains("which would be written over").hasLineCount(1);
+        assertThat(list).hasContent("x1,x2,x3\n0,1,2");
+    }
+
     @Test
     void whatIsMissingOrContradictsIsBadInput() throws IOException {
         String file = study().toString();
@@ -158,5 +204,9 @@ class SweepCommandTest {
                         "all rows, hashes and series are equal")
                 .doesNotContain("| no |");
         assertThat(CommandLineRun.of(ways).err()).contains("of an earlier run").hasLineCount(1);
+        ways[4] = "2,2";
+        ways[8] = folder.resolve("twice").toString();
+        assertThat(CommandLineRun.of(ways).err()).contains("found two ways").hasLineCount(1);
+        assertThat(folder.resolve("twice")).doesNotExist();
     }
 }

@@ -87,6 +87,16 @@ class ValidateCommandTest {
         assertThat(out.resolve("validation.json")).content().doesNotContain("nothing moves");
     }
 
+    /** A check of nothing is no passed check. */
+    @Test
+    void aPresetWithoutARowIsBadInput() throws IOException {
+        CommandLineRun run = run("--table", table("1"), "--preset", "quiet,cough");
+        assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(run.err())
+                .contains("--preset: found 'cough', of which the table has no row, expected quiet")
+                .hasLineCount(1);
+    }
+
     @Test
     void aDoctoredRangeGivesExitCode3() throws IOException {
         Path out = folder.resolve("out");

@@ -5,8 +5,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -203,7 +205,15 @@ final class BenchBodiesCommand extends ReportingCommand {
         }
         Stream<BodyCase> sources =
                 cuts == null ? cases.stream() : cases.stream().flatMap(source -> simulatedScans(source).stream());
-        return Stream.concat(sources, scans.stream()).toList();
+        List<BodyCase> all = Stream.concat(sources, scans.stream()).toList();
+        Set<String> names = new HashSet<>();
+        for (BodyCase body : all) {
+            if (!names.add(body.name())) {
+                throw new BadInputException("found two bodies named " + body.name()
+                        + ", after the last part of their paths, expected different names");
+            }
+        }
+        return all;
     }
 
     /** Whether a body is a file, or a folder of meshes without a diaphragm. */

@@ -3,8 +3,10 @@ package org.phrenic.cli.bench;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.ServiceLoader;
+import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.phrenic.cli.option.OptionValues;
@@ -175,16 +177,23 @@ final class BenchStudiesCommand extends ReportingCommand {
         return out.resolve(way.replaceAll("[^A-Za-z0-9]+", "-"));
     }
 
-    /** Refuses folders of an earlier run, whose runs would cost nothing. */
+    /** Refuses folders of an earlier run, and two ways with one folder: runs that are there cost nothing. */
     private void requireNew(List<Integer> widths, int parts) {
         Stream<String> ways = Stream.concat(
                 widths.stream().map(BenchStudiesCommand::threads),
                 Stream.concat(
                         parts > 0 ? Stream.of(shards(parts)) : Stream.of(),
                         masters.stream().map(BenchStudiesCommand::spark)));
-        ways.map(this::folder).filter(Files::exists).findFirst().ifPresent(folder -> {
-            throw new BadInputException(
-                    "--out " + out + ": found " + folder + " of an earlier run, expected a folder without it");
+        Set<Path> taken = new HashSet<>();
+        ways.map(this::folder).forEach(folder -> {
+            if (Files.exists(folder)) {
+                throw new BadInputException(
+                        "--out " + out + ": found " + folder + " of an earlier run, expected a folder without it");
+            }
+            if (!taken.add(folder)) {
+                throw new BadInputException("found two ways that would be measured in " + folder
+                        + ", of which the second would find the runs of the first, expected different ones");
+            }
         });
     }
 

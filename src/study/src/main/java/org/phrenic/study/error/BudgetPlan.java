@@ -139,8 +139,12 @@ public record BudgetPlan(
                 meshes.stream().map(m -> m.name() + ": " + m.settings()).toList());
         map.put("sheet_vertices", sheetVertices);
         map.put("settings", settings);
-        map.put("defaults", Scenario.defaults().toMap());
-        map.put("variants", variants.stream().map(Scenario::toMap).toList());
+        map.put("defaults", Scenario.defaults().with(Numerics.THREADS, 1).toMap());
+        map.put(
+                "variants",
+                variants.stream()
+                        .map(variant -> variant.with(Numerics.THREADS, 1).toMap())
+                        .toList());
         return YamlWriter.format(map);
     }
 

@@ -7,8 +7,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.phrenic.document.CsvTable;
 import org.phrenic.document.Key;
+import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
 import org.phrenic.study.sweep.design.FactorLevels;
 import org.phrenic.study.sweep.design.FullGrid;
@@ -41,13 +43,19 @@ public record DesignSpec(
         /** All combinations of levels. */
         GRID,
         /** Latin hypercube. */
-        LATIN_HYPERCUBE,
+        LATIN_HYPERCUBE("samples", "seed"),
         /** Sobol' sequence with Saltelli's sampling. */
-        SOBOL,
+        SOBOL("samples", "seed"),
         /** Morris trajectories. */
-        MORRIS,
+        MORRIS("samples", "seed", "levels"),
         /** A table of points. */
         LIST;
+
+        private final Set<String> numbers;
+
+        Kind(String... numbers) {
+            this.numbers = Set.of(numbers);
+        }
 
         /** Name in files. */
         public String label() {
@@ -72,6 +80,19 @@ public record DesignSpec(
         }
         if (kind == Kind.MORRIS && levels % 2 != 0) {
             throw new IllegalArgumentException("found " + levels + " levels, expected an even number");
+        }
+    }
+
+    /** @throws BadInputException with one sentence, if a design states a number that its kind does not read */
+    static void requireRead(YamlMap design, Kind kind) {
+        for (String key : List.of("samples", "seed", "levels")) {
+            if (design.has(key) && !kind.numbers.contains(key)) {
+                boolean ofFactor = kind == Kind.GRID && key.equals("levels");
+                throw design.bad(
+                        key,
+                        "found it in a design of kind " + kind.label() + ", expected it "
+                                + (ofFactor ? "at the factors" : "in designs of other kinds"));
+            }
         }
     }
 

@@ -14,6 +14,7 @@ import org.phrenic.document.YamlMap;
 import org.phrenic.document.YamlWriter;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FileNames;
+import org.phrenic.model.material.Numerics;
 import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
@@ -82,6 +83,7 @@ public record SweepStudy(
             throw yaml.bad("model", "found '" + model + "', expected " + String.join(", ", MODELS));
         }
         DesignSpec design = yaml.map("design").bind(DesignSpec.class).withPoints(folder, SweepStudy::resolved);
+        requireRead(yaml, model, design.kind());
         SweepStudy study = new SweepStudy(
                 yaml.text("title", title),
                 model,
@@ -92,6 +94,34 @@ public record SweepStudy(
                 yaml.has("series") ? yaml.texts("series") : List.of());
         study.check(yaml);
         return study;
+    }
+
+    /** Refuses what the model and the design do not read. */
+    private static void requireRead(YamlMap yaml, String model, DesignSpec.Kind kind) {
+        List<String> unread = model.equals(BreathModel.NAME)
+                ? List.of()
+                : model.equals(AccessModel.NAME)
+                        ? List.of("responses", "series")
+                        : List.of("responses", "series", "scenario", "settings");
+        for (String key : unread) {
+            if (yaml.has(key)) {
+                throw yaml.bad(key, "found it with model " + model + ", which does not read it, expected none");
+            }
+        }
+        DesignSpec.requireRead(yaml.map("design"), kind);
+        if (yaml.has("factors")) {
+            for (YamlMap factor : yaml.maps("factors")) {
+                if (factor.has("levels") && (kind != DesignSpec.Kind.GRID || factor.has("values"))) {
+                    throw factor.bad(
+                            "levels",
+                            "found it "
+                                    + (factor.has("values")
+                                            ? "with listed values"
+                                            : "in a" + " design of kind " + kind.label())
+                                    + ", expected it at ranges in a grid");
+                }
+            }
+        }
     }
 
     private static <T> List<T> bound(YamlMap yaml, String key, Class<T> type) {
@@ -225,13 +255,18 @@ public record SweepStudy(
         return model.equals(AccessModel.NAME) ? new AccessModel(scene) : new BreathModel(scene, responses, series);
     }
 
-    /** The study as the text of a file that depends on no other file but bodies and recordings. */
+    /**
+     * The study as the text of a file that depends on no other file but bodies and recordings. It does not state
+     * threads, of which each run has one and whose default depends on the machine.
+     */
     public String resolved() {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("title", title);
         map.put("model", model);
         if (!model.equals(IshigamiModel.NAME)) {
-            map.put("settings", scenario.toMap());
+            Map<String, Object> settings = new LinkedHashMap<>(scenario.toMap());
+            settings.remove(Numerics.THREADS.key());
+            map.put("settings", settings);
         }
         if (design.kind() != DesignSpec.Kind.LIST) {
             map.put("factors", factors.stream().map(Factor::toMap).toList());

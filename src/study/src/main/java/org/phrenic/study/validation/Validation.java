@@ -12,6 +12,7 @@ import java.util.Set;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
@@ -71,6 +72,10 @@ public record Validation(PhysiologyTable table, Scenario settings, List<Body> bo
             ProgressListener progress) {
         Scenario single = settings.with("threads=1");
         Set<String> presets = presets(table, only);
+        only.stream().filter(preset -> !presets.contains(preset)).findFirst().ifPresent(preset -> {
+            throw new BadInputException("--preset: found '" + preset + "', of which the table has no row, expected "
+                    + String.join(", ", presets(table, List.of())));
+        });
         List<Thorax> thoraxes = new ArrayList<>();
         List<BatchRunner.Job<BreathSeries>> jobs = new ArrayList<>();
         for (String anatomy : anatomies) {

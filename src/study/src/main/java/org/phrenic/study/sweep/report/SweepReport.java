@@ -325,7 +325,10 @@ public final class SweepReport {
         }
         FactorScale scale = results.plan().scales().get(f);
         CurveChart chart = new CurveChart(SMALL_WIDTH, SMALL_HEIGHT, factors.get(f))
-                .named(scale.isNumeric() ? List.of() : scale.factor().values())
+                .named(
+                        scale.isNumeric()
+                                ? List.of()
+                                : scale.factor().values().stream().distinct().toList())
                 .band(c.at(), low, high)
                 .curve(c.at(), c.mean(), false)
                 .curve(c.at(), c.mean(), true);

@@ -26,6 +26,7 @@ import org.phrenic.study.sweep.report.SweepReport;
  */
 public final class SweepFolder {
     private static final String STUDY = "study.yaml";
+    private static final String RUNS = "runs.csv";
     private static final int PERCENT = 100;
 
     private final Path folder;
@@ -50,8 +51,12 @@ public final class SweepFolder {
                         folder + ": found " + journals(folder).get(0).getFileName() + " without " + STUDY
                                 + ", expected both or an empty folder");
             }
+            if (Files.exists(folder.resolve(RUNS))) {
+                throw new BadInputException(folder + ": found " + RUNS + " without " + STUDY
+                        + ", which would be written over, expected another folder");
+            }
             AtomicFile.write(study, text);
-        } else if (!read(study).equals(text)) {
+        } else if (!existing(folder).plan.study().resolved().equals(text)) {
             throw new BadInputException(
                     folder + ": found the results of another study (" + STUDY + " differs), expected another folder");
         }
@@ -108,7 +113,7 @@ public final class SweepFolder {
      * @param width runs at a time
      */
     public void write(SweepResults results, double elapsedS, int computed, int width) {
-        AtomicFile.write(folder.resolve("runs.csv"), runs(results));
+        AtomicFile.write(folder.resolve(RUNS), runs(results));
         if (!plan.model().series().isEmpty()) {
             AtomicFile.write(folder.resolve("series.csv"), series(results));
         }

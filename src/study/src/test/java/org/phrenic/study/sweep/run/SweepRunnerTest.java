@@ -6,14 +6,17 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
+import java.util.Base64;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.engine.parallel.ProgressListener;
@@ -182,6 +185,42 @@ class SweepRunnerTest {
         assertThat(withoutTimes(shared)).isEqualTo(withoutTimes(whole));
         assertThat(Files.readString(shared.resolve("report.html")))
                 .contains("80 of 80 runs", "Not for clinical use.", "data:image/svg+xml");
+    }
+
+    private static SweepPlan breaths(int threads) {
+        return SweepPlan.of(SweepStudy.parse(
+                "study.yaml",
+                "settings: {threads: " + threads + "}\nfactors:\n"
+                        + "  - {key: sternum, values: [kinematic, kinematic, off]}\n"
+                        + "design: {kind: grid}\nresponses: [{observable: dome_right_mm, reduction: size}]\n"));
+    }
+
+    /** The default number of threads is the machine's, and a study goes on where another machine left it. */
+    @Test
+    void aStudyIsTheSameOnMachinesWithOtherNumbersOfProcessors() throws IOException {
+        SweepFolder.of(folder, breaths(2));
+        assertThat(SweepFolder.of(folder, breaths(4)).plan().size()).isEqualTo(3);
+        Path study = folder.resolve("study.yaml");
+        Files.writeString(study, Files.readString(study).replace("settings:", "settings:\n  threads: 8"));
+        assertThat(SweepFolder.of(folder, breaths(4)).plan().size()).isEqualTo(3);
+    }
+
+    /** A value listed twice has one place on the axis, and each value its own name there. */
+    @Test
+    void curvesNameEachListedValueOnce() {
+        SweepPlan plan = breaths(1);
+        List<RunRow> rows = new ArrayList<>();
+        for (int run = 0; run < 3; run++) {
+            SweepOutcome outcome = new SweepOutcome(new double[] {10 + run}, "aa", new double[0][]);
+            rows.add(new RunRow(run, outcome, "", 1, "here"));
+        }
+        List<String> curves = Pattern.compile("svg\\+xml;base64,([^\"]+)\"")
+                .matcher(new SweepReport(new SweepResults(plan, rows), 0, 1).html())
+                .results()
+                .map(image -> new String(Base64.getDecoder().decode(image.group(1)), StandardCharsets.UTF_8))
+                .filter(image -> image.contains(">off</text>"))
+                .toList();
+        assertThat(curves).singleElement().asString().containsOnlyOnce(">kinematic</text>");
     }
 
     @Test
