@@ -19,7 +19,6 @@ import org.phrenic.simulation.observe.Surface;
 public final class ScenePlayer implements AutoCloseable {
     private static final double PROGRESS_INTERVAL_S = 0.1;
 
-    private final Scenario scenario;
     private final Simulation simulation;
     private final SceneSurfaces surfaces;
     private final String notInScan;
@@ -29,7 +28,6 @@ public final class ScenePlayer implements AutoCloseable {
 
     /** @throws BadInputException if the scenario's body cannot be simulated; the message is one sentence */
     public ScenePlayer(Scenario scenario, SimulationRun.Progress progress) {
-        this.scenario = scenario;
         this.progress = progress;
         ScheduleCheck.requireWithinRun(scenario);
         Thorax thorax = SimulationRun.loadThorax(scenario);
@@ -75,15 +73,14 @@ public final class ScenePlayer implements AutoCloseable {
      * @return the frame of the nearest step; the object is reused by every call
      */
     public Frame advanceTo(double timeS) {
-        long target = Math.round(timeS / scenario.timeStepS());
-        if (target < simulation.steps()) {
+        if (stepsTo(timeS) < 0) {
             throw new IllegalArgumentException(
                     "found " + timeS + " s after " + simulation.time() + " s, expected times in order");
         }
         long begun = System.nanoTime();
         long told = begun;
         long first = simulation.steps();
-        while (simulation.steps() < target) {
+        while (stepsTo(timeS) > 0) {
             simulation.step();
             long now = System.nanoTime();
             if ((now - told) * 1e-9 > PROGRESS_INTERVAL_S) {
@@ -94,6 +91,11 @@ public final class ScenePlayer implements AutoCloseable {
         }
         surfaces.capture(frame);
         return frame;
+    }
+
+    /** Steps of the present size to the one nearest to a time. */
+    private long stepsTo(double timeS) {
+        return Math.round((timeS - simulation.time()) / simulation.stepper().dt());
     }
 
     /** {@code state_sha256} of the current state. */

@@ -94,7 +94,8 @@ public final class SimulationRun {
 
     /** Steps that a time takes, the last of which may reach beyond it: a run ends no earlier than its last breath. */
     static long stepsFor(double seconds, double dt) {
-        return Math.max(0, (long) Math.ceil(seconds / dt * (1 - ROUNDING)));
+        long steps = Math.max(0, (long) Math.ceil(seconds / dt * (1 - ROUNDING)));
+        return steps * dt < seconds ? steps + 1 : steps;
     }
 
     /** Steps to the end and observes the scene at a fixed interval of steps; returns the wall time of stepping, s. */

@@ -29,6 +29,14 @@ class RunSummaryTest {
         return samples;
     }
 
+    /** 5,000 steps of 1.2 ms are the number next below 6 s: the last breath ends with the step after them. */
+    @Test
+    void aRunEndsNoEarlierThanItsLastBreath() {
+        assertThat(SimulationRun.stepsFor(6, 0.0012)).isEqualTo(5001);
+        assertThat(SimulationRun.stepsFor(6, 0.00125)).isEqualTo(4800);
+        assertThat(SimulationRun.stepsFor(0, 0.0012)).isZero();
+    }
+
     @Test
     void whatGoesWithTheDomesHasEqualChangeAndPeakToPeakValue() {
         Map<String, Object> summary = new RunSummary(breaths(2, 0)).toMap();

@@ -236,6 +236,7 @@ public final class Stepper {
         if (cause != null) {
             long failed = steps;
             steps = guard.restore();
+            integrator.system().invalidate();
             restoreSplitting();
             integrator.reset();
             watch.reset();

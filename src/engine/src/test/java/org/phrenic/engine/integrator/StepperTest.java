@@ -146,6 +146,28 @@ class StepperTest {
         assertThat(system.kineticEnergy()).isFinite();
     }
 
+    /** What a field took from the positions of a failed state is not good for the state before it. */
+    @Test
+    void fieldsForgetWhatTheyTookFromAFailedState() {
+        ParticleSystem system = SampleSystems.oneNode(1);
+        int[] forgotten = new int[1];
+        system.add(new ForceField() {
+            @Override
+            public void addForces(double[] x, double[] v, double[] force, int block) {}
+
+            @Override
+            public void invalidate() {
+                forgotten[0]++;
+            }
+        });
+        Stepper stepper = stepper(system, 0.001, StepPolicy.SUBSTEP);
+        stepper.step();
+        int before = forgotten[0];
+        system.velocities()[2] = Double.NaN;
+        assertThatThrownBy(stepper::step).isInstanceOf(DivergenceException.class);
+        assertThat(forgotten[0]).isEqualTo(before + 1);
+    }
+
     /** One step before it leaves all bounds a node is very fast and yet within them: no state to go back to. */
     @Test
     void aStateAboutToLeaveAllBoundsIsNotKept() {

@@ -16,9 +16,9 @@ import org.phrenic.parameter.RampedValue;
 /**
  * Weight of the diaphragm and of the liver suspended from it, in the direction given by the posture: {@code F = m g d}
  * with {@code d = (sin r, cos r sin t, -cos r cos t)} in axes L, P, S, where {@code t} is the tilt and {@code r} the
- * roll. The sheet has {@value #SHEET_KG_PER_M2} kg/m² per face, the physical mass of muscle without mass scaling. A
- * share {@value #LIVER_SHARE} of the liver's mass, at {@value #LIVER_KG_PER_M3} kg/m³, is distributed over the
- * diaphragm above it by area.
+ * roll. The sheet has {@value #SHEET_KG_PER_M2} kg/m², the physical mass of muscle without mass scaling, half of it on
+ * each face. A share {@value #LIVER_SHARE} of the liver's mass, at {@value #LIVER_KG_PER_M3} kg/m³, is distributed over
+ * the diaphragm above it by area.
  */
 public final class Gravity extends ScenePart {
     public static final Parameter ACCELERATION = Parameter.named("gravity_m_per_s2", "Gravity")
@@ -33,6 +33,7 @@ public final class Gravity extends ScenePart {
             .describedAs("Direction of gravity toward a side: 90 lying on the left, -90 on the right.");
 
     private static final double SHEET_KG_PER_M2 = 3.15;
+    private static final int FACES = 2;
     private static final double LIVER_KG_PER_M3 = 1060;
     /**
      * Share of the liver's weight that the diaphragm carries; abdominal contents of similar density carry the rest.
@@ -124,7 +125,7 @@ public final class Gravity extends ScenePart {
         double[] grams = new double[nodes];
         for (int i = 0; i < areas.length; i++) {
             // 1 kg/m² is 0.001 g/mm².
-            grams[diaphragm.firstNode + i] = SHEET_KG_PER_M2 * areas[i] / 1000;
+            grams[diaphragm.firstNode + i] = SHEET_KG_PER_M2 / FACES * areas[i] / 1000;
         }
         if (liver != null) {
             double mass =

@@ -26,7 +26,8 @@ public final class Lungs extends ScenePart {
             .initial(5)
             .limitsStep()
             .fitted(1, 20)
-            .describedAs("Membrane stiffness of the lungs' surface.");
+            .describedAs("Stiffness of the lungs' surface, stated as for a sheet of two faces: twice its membrane"
+                    + " stiffness.");
 
     private final List<Parameter> stiffness;
 

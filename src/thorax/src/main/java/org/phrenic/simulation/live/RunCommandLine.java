@@ -2,6 +2,7 @@ package org.phrenic.simulation.live;
 
 import java.util.Map;
 import org.phrenic.document.ShellWord;
+import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 
@@ -12,10 +13,12 @@ final class RunCommandLine {
     /** {@code phrenic run} with every key that differs from its default, the changes and the number of steps. */
     static String of(Scenario scenario) {
         StringBuilder line = new StringBuilder("phrenic run");
-        // Defaults that depend on the material need not be stated.
+        // Defaults that depend on the material or on the time step need not be stated.
+        Scenario ofMaterial = Scenario.defaults().withMaterial(scenario.material());
         Map<String, Object> usual =
-                Scenario.defaults().withMaterial(scenario.material()).toMap();
+                ofMaterial.with(Numerics.TIME_STEP, scenario.timeStepS()).toMap();
         usual.put("material", Scenario.defaults().material().label());
+        usual.put(Numerics.TIME_STEP.key(), ofMaterial.timeStepS());
         scenario.toMap().forEach((key, value) -> {
             boolean own = key.equals("name") && !scenario.states(RunSettings.NAME);
             boolean told = key.equals("changes") || key.equals("steps");
