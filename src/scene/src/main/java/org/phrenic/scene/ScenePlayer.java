@@ -95,7 +95,7 @@ public final class ScenePlayer implements AutoCloseable {
 
     /** Steps of the present size to the one nearest to a time. */
     private long stepsTo(double timeS) {
-        return Math.round((timeS - simulation.time()) / simulation.stepper().dt());
+        return Math.round((timeS - simulation.time()) / simulation.timeStepS());
     }
 
     /** {@code state_sha256} of the current state. */

@@ -218,6 +218,11 @@ public final class Simulation implements AutoCloseable {
         return stepper.time();
     }
 
+    /** Present time step, s. */
+    public double timeStepS() {
+        return stepper.dt();
+    }
+
     public Stepper stepper() {
         return stepper;
     }

@@ -78,6 +78,15 @@ final class ScanImportDialog {
         }
     }
 
+    /** Whether a folder, or the nearest one above it that is there, can be written to. */
+    static boolean isWritable(Path folder) {
+        Path nearest = folder.toAbsolutePath();
+        while (nearest != null && !Files.exists(nearest)) {
+            nearest = nearest.getParent();
+        }
+        return nearest != null && Files.isDirectory(nearest) && Files.isWritable(nearest);
+    }
+
     /** A folder that does not exist, beside the scan, or in the home folder where nothing can be written beside it. */
     static Path proposedFolder(Path file) {
         String name = file.getFileName().toString();
@@ -161,7 +170,7 @@ final class ScanImportDialog {
         structures.addItem(ScanLabels.NONE);
         labels.known().forEach(structures::addItem);
         table.getColumnModel().getColumn(ScanLabels.STRUCTURE_COLUMN).setCellEditor(new DefaultCellEditor(structures));
-        return Dialogs.widths(table, 60, 200, 90, 200);
+        return Dialogs.widths(Dialogs.leftByTab(table), 60, 200, 90, 200);
     }
 
     private Optional<String> template() {
@@ -169,18 +178,22 @@ final class ScanImportDialog {
     }
 
     private void showRecognised() {
-        recognised.setText(labels.recognised() + " of " + labels.getRowCount() + " labels become a structure");
+        recognised.setText(labels.unknown()
+                .map(name -> "'" + name + "' is no structure, choose one of the list")
+                .orElse(labels.recognised() + " of " + labels.getRowCount() + " labels become a structure"));
         enableStart();
     }
 
     private void enableStart() {
         boolean hasAxes = Controls.mark(axes, GeometryOverride.areAxes(axes.getText()));
         boolean hasSpacing = Controls.mark(spacing, GeometryOverride.isSpacing(spacing.getText()));
-        boolean hasFolder = Controls.mark(folder, folder(folder.getText()).isPresent());
+        boolean hasFolder = Controls.mark(
+                folder,
+                folder(folder.getText()).filter(ScanImportDialog::isWritable).isPresent());
         boolean replaces = folder(folder.getText())
                 .filter(to -> Files.exists(to.resolve(ThoraxFolder.INDEX_FILE)))
                 .isPresent();
         start.setText(replaces ? "Import and replace the body" : "Import");
-        start.setEnabled(labels.recognised() > 0 && hasAxes && hasSpacing && hasFolder);
+        start.setEnabled(labels.recognised() > 0 && labels.unknown().isEmpty() && hasAxes && hasSpacing && hasFolder);
     }
 }

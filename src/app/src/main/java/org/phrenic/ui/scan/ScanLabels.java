@@ -108,6 +108,13 @@ final class ScanLabels extends AbstractTableModel {
         return structures.stream().filter(s -> !s.equals(NONE)).count();
     }
 
+    /** The first name in the table that is no structure. */
+    Optional<String> unknown() {
+        return structures.stream()
+                .filter(name -> !name.equals(NONE) && !LabelTable.isStructure(name))
+                .findFirst();
+    }
+
     /** Names of structures to choose from. */
     Set<String> known() {
         Set<String> known = new TreeSet<>();
@@ -185,7 +192,7 @@ final class ScanLabels extends AbstractTableModel {
 
     @Override
     public void setValueAt(Object value, int row, int column) {
-        structures.set(row, value.toString());
+        structures.set(row, value.toString().strip());
         edited = true;
         fireTableRowsUpdated(row, row);
     }

@@ -26,7 +26,9 @@ public final class FileOpener {
             return Optional.empty();
         }
         YamlMap yaml = YamlDocument.read(file);
-        return yaml.has("target") || yaml.has("steps") ? Optional.of(RehearsalPlan.read(file)) : Optional.empty();
+        // The steps of a plan are a list, those of a scenario their number.
+        boolean plan = yaml.has("target") || (yaml.has("steps") && !yaml.isNumber("steps"));
+        return plan ? Optional.of(RehearsalPlan.read(file)) : Optional.empty();
     }
 
     /**

@@ -146,7 +146,8 @@ public final class RenderLoop implements AutoCloseable {
     void snapshot(Camera camera, SceneStyle style, int width, int height, SnapshotListener done) {
         runTask(gl -> {
             if (renderer != null) {
-                SceneStyle marked = NeedleMarkers.apply(shownMarks, renderer, style);
+                SceneStyle marked =
+                        NeedleMarkers.apply(shownMarks, renderer, style).withSamples(SceneStyle.SMOOTH_SAMPLES);
                 done.drawn(gl.render(renderer, frame, camera, marked, width, height), shownTime, shownMarks);
             }
         });
@@ -182,7 +183,7 @@ public final class RenderLoop implements AutoCloseable {
             loop(gl);
         } catch (NoGraphicsException e) {
             listener.onUnavailable(e.getMessage());
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | OutOfMemoryError | LinkageError e) {
             LOG.log(System.Logger.Level.ERROR, "The view stopped", e);
             listener.onUnavailable("The view stopped (" + e.getMessage() + "); everything else goes on.");
         }
@@ -209,9 +210,10 @@ public final class RenderLoop implements AutoCloseable {
             boolean busy = false;
             try {
                 busy = turn(gl, wanted, now, task);
-                failures = 0;
-            } catch (RuntimeException e) {
-                // A frame or a task that fails does not end the view; a lost context fails each time.
+                failures = busy ? 0 : failures;
+            } catch (RuntimeException | OutOfMemoryError e) {
+                // A frame or a task that fails does not end the view. With a lost context each of them fails; turns
+                // between them, in which nothing is to be drawn, do not.
                 if (++failures == MAX_FAILURES) {
                     throw e;
                 }

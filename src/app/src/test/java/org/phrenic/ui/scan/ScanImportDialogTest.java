@@ -25,6 +25,13 @@ class ScanImportDialogTest {
         assertThat(ScanImportDialog.proposedFolder(scan)).isEqualTo(folder.resolve("case-body-2"));
     }
 
+    @Test
+    void aBodyCannotBeWrittenIntoAFile(@TempDir Path folder) throws IOException {
+        Path file = Files.createFile(folder.resolve("scan.nii"));
+        assertThat(ScanImportDialog.isWritable(folder.resolve("new/body"))).isTrue();
+        assertThat(ScanImportDialog.isWritable(file.resolve("body"))).isFalse();
+    }
+
     /** Without a name the body would be written into the working directory. */
     @ParameterizedTest
     @ValueSource(strings = {"", "  ", "/", "a\0b"})

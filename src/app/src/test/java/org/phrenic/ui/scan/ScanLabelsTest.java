@@ -52,6 +52,19 @@ class ScanLabelsTest {
                 .isEqualTo(new GeometryOverride(Optional.of("RAS"), Optional.of("4, 4, 5")));
     }
 
+    /** A table with such a name is refused by the import, after the dialog with all its answers is gone. */
+    @Test
+    void aNameThatIsNoStructureIsTold() throws IOException {
+        ScanLabels labels = ScanLabels.read(scan("4"), USUAL);
+        assertThat(labels.unknown()).isEmpty();
+        labels.setValueAt("liver, left", 2, ScanLabels.STRUCTURE_COLUMN);
+        assertThat(labels.unknown()).contains("liver, left");
+        labels.setValueAt(" liver ", 2, ScanLabels.STRUCTURE_COLUMN);
+        assertThat(labels.unknown()).isEmpty();
+        labels.setValueAt(ScanLabels.NONE, 2, ScanLabels.STRUCTURE_COLUMN);
+        assertThat(labels.unknown()).isEmpty();
+    }
+
     /** A liver above the lungs: other axes are proposed, and whoever keeps those of the file states them. */
     @Test
     void axesThatTheStructuresContradictAreReplaced() throws IOException {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -50,6 +51,33 @@ class RenderLoopTest {
                 CompletableFuture<Optional<PickResult>> answer = new CompletableFuture<>();
                 loop.pick(1, 1, null, surface -> 1, answer::complete);
                 assertThat(answer.get(100, TimeUnit.SECONDS)).isEmpty();
+            } finally {
+                loop.close();
+            }
+        }
+    }
+
+    /** As with a lost context: each frame fails, and in the turns between them nothing is to be drawn. */
+    @Test
+    void aViewThatDrawsNothingAnyMoreSaysSo() throws Exception {
+        FirstPicture never = new FirstPicture();
+        try (Session session = new Session(Scenario.defaults().with("resolution=low", "threads=1"))) {
+            RenderLoop loop = new RenderLoop(session.live(), Optional::empty, never);
+            loop.start();
+            try {
+                for (int frame = 0; frame < 20; frame++) {
+                    CountDownLatch failed = new CountDownLatch(1);
+                    loop.runTask(gl -> {
+                        failed.countDown();
+                        throw new IllegalStateException("no current context");
+                    });
+                    assertThat(failed.await(100, TimeUnit.SECONDS)).isTrue();
+                    Thread.sleep(20);
+                }
+                assertThat(never.picture)
+                        .failsWithin(100, TimeUnit.SECONDS)
+                        .withThrowableOfType(ExecutionException.class)
+                        .withMessageContaining("The view stopped (no current context)");
             } finally {
                 loop.close();
             }

@@ -204,7 +204,8 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         return (int) label;
     }
 
-    static boolean isStructure(String name) {
+    /** Whether a name can stand in the table: a structure, several under one label, or that a label is ignored. */
+    public static boolean isStructure(String name) {
         return name.equals(LUNGS)
                 || name.equals(IGNORE)
                 || name.equals(RIBS)
