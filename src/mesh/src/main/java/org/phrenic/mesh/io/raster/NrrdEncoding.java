@@ -1,9 +1,12 @@
 package org.phrenic.mesh.io.raster;
 
+import java.io.BufferedInputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.ByteOrder;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.zip.GZIPInputStream;
@@ -18,8 +21,10 @@ import org.phrenic.file.ScalarType;
  * @param kind raw, gzip, bzip2 or text
  */
 record NrrdEncoding(VolumeHeader header, String kind) {
-    private static final String LINE_SKIP = "line skip";
-    private static final String BYTE_SKIP = "byte skip";
+    static final String LINE_SKIP = "line skip";
+    static final String BYTE_SKIP = "byte skip";
+    /** The value of {@link #BYTE_SKIP} by which the voxels end the unpacked data. */
+    private static final int FROM_END = -1;
 
     /** @throws BadInputException if the header states another encoding */
     static NrrdEncoding of(VolumeHeader header) {
@@ -68,15 +73,15 @@ record NrrdEncoding(VolumeHeader header, String kind) {
             // By bzip2 equal voxels are packed a million to one: the size of the file says nothing.
             voxels.validate(file, kind.equals("bzip2") ? Long.MAX_VALUE : size, kind.equals("gzip"), volumes);
         }
+        long before = attached ? 0 : header.bytes();
         for (int n = header.has(LINE_SKIP) ? header.integers(LINE_SKIP)[0] : 0; n > 0; n--) {
             if (header.line(in) == null) {
                 throw new EOFException();
             }
         }
         long skip = header.has(BYTE_SKIP) ? header.integers(BYTE_SKIP)[0] : 0;
-        if (skip == -1 && kind.equals("raw") && !attached) {
-            // The voxels end the file.
-            skip = size - voxels.bytes() * volumes;
+        if (skip == FROM_END && !isText()) {
+            skip = skipToEnd(data, header.bytes() - before, voxels.bytes() * volumes);
         }
         if (skip < 0) {
             throw header.badInput(BYTE_SKIP, "found " + skip + ", expected 0 or more");
@@ -84,6 +89,27 @@ record NrrdEncoding(VolumeHeader header, String kind) {
         InputStream unpacked = unpacked(in);
         unpacked.skipNBytes(skip);
         return isText() ? new TextVoxels(file, unpacked) : unpacked;
+    }
+
+    /**
+     * Number of unpacked bytes before those that end the data; packed data are unpacked once to count them.
+     *
+     * @param start first byte of the data in their file
+     * @param needed number of bytes at the end
+     */
+    private long skipToEnd(Path data, long start, long needed) throws IOException {
+        long length = InputBytes.size(data) - start;
+        if (!kind.equals("raw")) {
+            try (InputStream in = new BufferedInputStream(Files.newInputStream(data), 1 << 16)) {
+                in.skipNBytes(start);
+                length = unpacked(in).transferTo(OutputStream.nullOutputStream());
+            }
+        }
+        if (length < needed) {
+            throw new BadInputException(
+                    data + ": found " + length + " bytes of voxels, expected " + needed + " at the end of the data");
+        }
+        return length - needed;
     }
 
     private InputStream unpacked(InputStream in) throws IOException {

@@ -14,8 +14,9 @@ import org.phrenic.file.Numbers;
  * {@code space units}, else {@code spacings} in that of {@code units}.
  */
 record NrrdPlace(VolumeHeader header) {
-    private static final String DIRECTIONS = "space directions";
-    private static final String ORIGIN = "space origin";
+    static final String DIRECTIONS = "space directions";
+    static final String ORIGIN = "space origin";
+    static final String SPACE_UNITS = "space units";
     private static final String SPACINGS = "spacings";
     private static final Pattern VECTOR = Pattern.compile("none|\\(([^)]*)\\)");
     private static final Pattern UNIT = Pattern.compile("\"([^\"]*)\"|(\\S+)");
@@ -48,7 +49,7 @@ record NrrdPlace(VolumeHeader header) {
         if (header.has(ORIGIN)) {
             origin = vector(ORIGIN, vectors(ORIGIN).get(0));
         }
-        double[] mm = millimetres("space units", new int[] {0, 1, 2}, notes);
+        double[] mm = millimetres(SPACE_UNITS, new int[] {0, 1, 2}, notes);
         return toLps(new VolumeAxes(steps, origin).scaled(mm[0], mm[1], mm[2]), notes);
     }
 

@@ -26,6 +26,15 @@ import org.phrenic.mesh.voxel.LabelGrid;
  */
 final class NrrdReader {
     private static final String DATA_FILE = "data file";
+    /** Fields of two words by their spelling as one word. */
+    private static final Map<String, String> SPACED = Map.of(
+            "datafile", DATA_FILE,
+            "lineskip", NrrdEncoding.LINE_SKIP,
+            "byteskip", NrrdEncoding.BYTE_SKIP,
+            "spacedirections", NrrdPlace.DIRECTIONS,
+            "spaceorigin", NrrdPlace.ORIGIN,
+            "spaceunits", NrrdPlace.SPACE_UNITS);
+
     private static final Pattern SEGMENT = Pattern.compile("(segment(\\d{1,5}))_(?:name|layer|id)");
 
     private final VolumeSource source;
@@ -90,7 +99,7 @@ final class NrrdReader {
                 }
                 int at = pair > 0 ? pair : colon;
                 String key = text.substring(0, at);
-                header.put(key.equals("datafile") ? DATA_FILE : key, text.substring(at + (pair > 0 ? 2 : 1)));
+                header.put(pair > 0 ? key : spaced(key), text.substring(at + (pair > 0 ? 2 : 1)));
             }
             text = header.line(in);
         }
@@ -99,6 +108,11 @@ final class NrrdReader {
             throw header.badInput("found the end of the file, expected voxels after an empty line");
         }
         return attached;
+    }
+
+    /** A field as the format definition spells it; Teem reads some without the space in them as well. */
+    private static String spaced(String field) {
+        return SPACED.getOrDefault(field.strip().toLowerCase(Locale.ROOT), field);
     }
 
     private int[] sizes() {

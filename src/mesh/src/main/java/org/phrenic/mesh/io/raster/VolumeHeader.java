@@ -22,6 +22,7 @@ final class VolumeHeader {
     private final Map<String, String> values = new TreeMap<>();
     private final Map<String, Integer> lines = new TreeMap<>();
     private int line;
+    private long bytes;
 
     VolumeHeader(String file) {
         this.file = file;
@@ -40,15 +41,22 @@ final class VolumeHeader {
             return null;
         }
         line++;
+        bytes++;
         while (c >= 0 && c != '\n') {
             text.write(c);
             if (text.size() > MAX_LINE) {
                 throw badInput("found a line without end, expected a text header");
             }
             c = in.read();
+            bytes += c >= 0 ? 1 : 0;
         }
         String read = text.toString(StandardCharsets.UTF_8);
         return read.endsWith("\r") ? read.substring(0, read.length() - 1) : read;
+    }
+
+    /** Number of bytes of all lines read so far, with their line breaks. */
+    long bytes() {
+        return bytes;
     }
 
     void put(String key, String value) {

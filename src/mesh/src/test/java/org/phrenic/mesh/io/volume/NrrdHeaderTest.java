@@ -1,0 +1,75 @@
+package org.phrenic.mesh.io.volume;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/** Headers of NRRD as Teem, ITK and earlier versions of 3D Slicer write them. */
+class NrrdHeaderTest {
+    private static final byte[] SHORTS = VolumeSamples.voxels(4, ByteOrder.LITTLE_ENDIAN, 1);
+
+    @TempDir
+    private Path folder;
+
+    private LabelVolume read(String name, String header, byte[] data) {
+        return LabelVolumeFiles.read(VolumeSamples.write(folder, name, VolumeSamples.join(header, data)));
+    }
+
+    private static void assertIsSample(LabelVolume volume) {
+        LabelGrid grid = volume.grid();
+        assertThat(grid.voxelCount()).isEqualTo(VolumeSamples.VOXELS);
+        for (int v = 0; v < grid.voxelCount(); v++) {
+            assertThat(grid.label(v)).isEqualTo(v);
+        }
+        double[] place = new double[3];
+        grid.voxelToMm(1, 1, 1, place);
+        assertThat(place).containsExactly(-8, -23, 34);
+    }
+
+    private static byte[] text(String text) {
+        return text.getBytes(StandardCharsets.US_ASCII);
+    }
+
+    /** Teem reads fields of two words without the space between them, in any case of letters. */
+    @Test
+    void fieldsWithoutASpaceAreThoseWithOne() {
+        String header = VolumeSamples.nrrd("short", "raw")
+                .replace("space directions", "spacedirections")
+                .replace("space origin", "SpaceOrigin");
+        byte[] behind = VolumeSamples.join(text("two\nlines\n12345"), SHORTS);
+        assertIsSample(read("raw.nrrd", header + "lineskip: 2\nbyteskip: 5\n\n", behind));
+        VolumeSamples.write(folder, "voxels.raw", behind);
+        assertIsSample(read("apart.nhdr", header + "lineskip: 2\nbyteskip: 5\nDataFile: voxels.raw\n", new byte[0]));
+    }
+
+    /** ITK counts back from the end of the unpacked data, whatever packs them; lines are skipped before. */
+    @Test
+    void voxelsThatEndTheirDataAreFoundInPackedDataAsInRaw() {
+        byte[] ending = VolumeSamples.join(new byte[77], SHORTS);
+        for (String encoding : new String[] {"raw", "gzip", "bzip2"}) {
+            byte[] stored = encoding.equals("gzip")
+                    ? VolumeSamples.gzip(ending)
+                    : encoding.equals("bzip2") ? VolumeSamples.bzip2(ending) : ending;
+            byte[] data = VolumeSamples.join(text("a line\n"), stored);
+            String header = VolumeSamples.nrrd("short", encoding) + "line skip: 1\nbyte skip: -1\n";
+            assertIsSample(read(encoding + ".nrrd", header + "\n", data));
+            VolumeSamples.write(folder, encoding + ".bin", data);
+            assertIsSample(read(encoding + ".nhdr", header + "data file: " + encoding + ".bin\n", new byte[0]));
+        }
+    }
+
+    @Test
+    void tooFewBytesBeforeTheEndOfTheDataAreRefused() {
+        String header = VolumeSamples.nrrd("short", "gzip") + "byte skip: -1\n\n";
+        assertThatThrownBy(() -> read("short.nrrd", header, VolumeSamples.gzip(new byte[47])))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found 47 bytes of voxels, expected 48 at the end of the data");
+    }
+}
