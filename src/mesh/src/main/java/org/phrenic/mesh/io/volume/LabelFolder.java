@@ -91,12 +91,17 @@ final class LabelFolder {
                 }
             }
         }
-        if (labelled.size() == 1 && labelled.get(0).names().contains("")) {
+        if (labelled.size() == 1 && hasOwnLabels(labelled.get(0))) {
             LabelVolume volume = LabelVolumeFiles.read(labelled.get(0).file());
             notes.addAll(volume.notes());
             return Optional.of(new LabelVolume(volume.grid(), volume.names(), notes));
         }
         return labelled.isEmpty() ? Optional.empty() : Optional.of(painted(folder, labelled, notes));
+    }
+
+    /** Whether a volume is more than a mask: it has several structures, or one without a name. */
+    private static boolean hasOwnLabels(LabelRuns volume) {
+        return volume.structures().size() > 1 || volume.names().contains("");
     }
 
     private static LabelVolume painted(Path folder, List<LabelRuns> labelled, List<String> notes) {

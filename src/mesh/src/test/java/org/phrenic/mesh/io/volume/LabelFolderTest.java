@@ -104,6 +104,23 @@ class LabelFolderTest {
         assertThat(volume.grid().label(23)).isEqualTo(23);
     }
 
+    /** A table of labels goes by the numbers in the file: liver and spleen stay 5 and 9. */
+    @Test
+    void aVolumeAloneKeepsItsLabelsWithTheirNames() throws IOException {
+        Path alone = Files.createDirectory(folder.resolve("alone"));
+        String header = "NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 3 4\n"
+                + "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: text\n"
+                + "Segment0_LabelValue:=5\nSegment0_Name:=liver\nSegment1_LabelValue:=9\nSegment1_Name:=spleen\n\n";
+        Path file = alone.resolve("organs.seg.nrrd");
+        Files.writeString(file, header + "5 9 0 0 ".repeat(6));
+        volume(alone.resolve("ct.nii"), INT16, h -> {}, v -> v - 1000);
+        LabelVolume volume = LabelVolumeFiles.read(alone);
+        assertThat(volume.names()).isEqualTo(Map.of(5, "liver", 9, "spleen"));
+        assertThat(volume.grid().counts())
+                .containsExactly(LabelVolumeFiles.read(file).grid().counts());
+        assertThat(volume.notes()).containsExactly("ct.nii is an image and is left out");
+    }
+
     @Test
     void aMaskAloneHasTheNameOfItsFile() throws IOException {
         Path alone = folder.resolve("alone");
