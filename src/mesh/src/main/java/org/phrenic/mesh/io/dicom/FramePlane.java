@@ -13,9 +13,16 @@ import org.phrenic.file.BadInputException;
  * @param columnSpacing distance of neighbouring columns, mm
  * @param rowSpacing distance of neighbouring rows, mm
  * @param between stated distance of neighbouring planes, mm; NaN if not stated
+ * @param thickness stated thickness of the plane, mm; NaN if not stated
  */
 public record FramePlane(
-        double[] position, double[] along, double[] down, double columnSpacing, double rowSpacing, double between) {
+        double[] position,
+        double[] along,
+        double[] down,
+        double columnSpacing,
+        double rowSpacing,
+        double between,
+        double thickness) {
     /** Unit vector at right angles to the plane, such that columns, rows and it are right-handed. */
     public double[] normal() {
         return new double[] {
@@ -59,9 +66,10 @@ public record FramePlane(
         }
         double[] along = unit(orientation, cosines, 0);
         double[] down = unit(orientation, cosines, 3);
-        double between = measures.number(DicomTag.SPACING_BETWEEN_SLICES, Double.NaN);
-        return new FramePlane(
-                position.numbers(DicomTag.IMAGE_POSITION, 3), along, down, spacing[1], spacing[0], Math.abs(between));
+        double between = Math.abs(measures.number(DicomTag.SPACING_BETWEEN_SLICES, Double.NaN));
+        double thickness = measures.number(DicomTag.SLICE_THICKNESS, Double.NaN);
+        double[] first = position.numbers(DicomTag.IMAGE_POSITION, 3);
+        return new FramePlane(first, along, down, spacing[1], spacing[0], between, thickness);
     }
 
     /** Directions are rounded in files; those whose length is farther than a thousandth from 1 are no unit vectors. */

@@ -116,7 +116,7 @@ final class ContourGrid {
             for (int row = 0; row < 3; row++) {
                 corner[row] = left * along[row] + top * down[row] + height * normal[row];
             }
-            planes.add(new FramePlane(corner, along, down, spacing, spacing, Double.NaN));
+            planes.add(new FramePlane(corner, along, down, spacing, spacing, Double.NaN, Double.NaN));
         }
         PlaneStack stack = new PlaneStack(file, planes, true);
         int columns = (int) Math.ceil((u[1] - left) / spacing) + 2;

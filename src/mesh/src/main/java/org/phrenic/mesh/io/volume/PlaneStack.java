@@ -17,6 +17,11 @@ final class PlaneStack {
     /** Slices of the grid for each plane there is, where slices may be left out. */
     private static final int MAX_GAP = 64;
 
+    /** Greatest share by which a spacing that is rounded to a digit or two differs from that of positions. */
+    private static final double ROUNDED = 0.01;
+    /** Planes whose distances say how far slices are apart, whatever is stated; fewer may be even by chance. */
+    private static final int MIN_EVEN = 4;
+
     private static final double MAX_TURN = 1e-3;
 
     private final String file;
@@ -86,27 +91,91 @@ final class PlaneStack {
 
     private double step(boolean mayHaveGaps) {
         if (distinct.length == 1) {
-            if (first.between() > 0) {
-                return first.between();
-            }
-            notes.add("one slice without a stated thickness: it was taken to be 1 mm thick");
-            return 1;
+            return thickness();
         }
         if (!mayHaveGaps) {
             return range() / (distinct.length - 1);
         }
-        double smallest = Double.MAX_VALUE;
-        for (int d = 1; d < distinct.length; d++) {
-            smallest = Math.min(smallest, distinct[d] - distinct[d - 1]);
-        }
-        double stated = first.between();
-        double nearly = stated > 0 && stated < (1 + OFF) * smallest && stated > SAME_PLANE ? stated : smallest;
-        double steps = Math.rint(range() / nearly);
+        double used = spacing();
+        double steps = Math.rint(range() / used);
         if (steps > (double) MAX_GAP * distinct.length) {
             throw new BadInputException(file + ": found " + distinct.length + " planes over " + (long) steps
                     + " slices, expected no more than " + MAX_GAP + " slices a plane");
         }
+        if (first.between() > 0 && Math.abs(used - first.between()) > ROUNDED * used) {
+            notes.add(String.format(
+                    Locale.ROOT,
+                    "slices are %.3f mm apart by their positions, and %.3f mm by what the file states: positions were"
+                            + " taken",
+                    used,
+                    first.between()));
+        }
+        return used;
+    }
+
+    /** The thickness of a single plane. */
+    private double thickness() {
+        if (first.between() > 0) {
+            return first.between();
+        }
+        if (first.thickness() > 0) {
+            return first.thickness();
+        }
+        notes.add("one slice without a stated thickness: it was taken to be 1 mm thick");
+        return 1;
+    }
+
+    /**
+     * The distance of slices, of which some may have no plane. It is the smallest gap between planes if there are
+     * enough planes and all lie at multiples of it, for some programs state the gap between the faces of thick slices.
+     * It is the stated distance where that is about the smallest gap, or a half of it, as in a segmentation of every
+     * second slice, or where planes are few or lie otherwise.
+     */
+    private double spacing() {
+        double[] gaps = gaps();
+        Arrays.sort(gaps);
+        double smallest = gaps[0];
+        double byPlaces = refined(gaps, smallest);
+        double stated = first.between();
+        if (!(stated > SAME_PLANE && stated < (1 + OFF) * smallest)) {
+            return byPlaces;
+        }
+        boolean isSame = stated > (1 - OFF) * smallest;
+        boolean isHalf = Math.abs(2 * stated - smallest) <= OFF * smallest;
+        if (!isSame && !isHalf && distinct.length >= MIN_EVEN && fits(byPlaces)) {
+            return byPlaces;
+        }
+        double whole = range() / Math.rint(range() / stated);
+        return fits(whole) ? whole : refined(gaps, stated);
+    }
+
+    private double[] gaps() {
+        double[] gaps = new double[distinct.length - 1];
+        Arrays.setAll(gaps, d -> distinct[d + 1] - distinct[d]);
+        return gaps;
+    }
+
+    /**
+     * The distance of slices from a rounded one, by numbers of slices in gaps from the smallest to the largest: each
+     * makes it more exact for the next.
+     */
+    private double refined(double[] sortedGaps, double rounded) {
+        double along = 0;
+        double steps = 0;
+        double refined = rounded;
+        for (double gap : sortedGaps) {
+            along += gap;
+            steps += Math.max(1, Math.rint(gap / refined));
+            refined = along / steps;
+        }
         return range() / steps;
+    }
+
+    /** Whether all planes lie in slices of this distance. */
+    private boolean fits(double spacing) {
+        return Arrays.stream(distinct)
+                .map(offset -> (offset - distinct[0]) / spacing)
+                .allMatch(along -> Math.abs(along - Math.rint(along)) <= OFF);
     }
 
     private void checkPlace(int f) {
@@ -128,8 +197,7 @@ final class PlaneStack {
 
     /** An exception that names the gap that differs most from most gaps. */
     private BadInputException uneven() {
-        double[] gaps = new double[distinct.length - 1];
-        Arrays.setAll(gaps, d -> distinct[d + 1] - distinct[d]);
+        double[] gaps = gaps();
         double[] sorted = gaps.clone();
         Arrays.sort(sorted);
         double usual = sorted[sorted.length / 2];

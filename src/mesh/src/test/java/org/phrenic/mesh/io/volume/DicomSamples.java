@@ -1,0 +1,109 @@
+package org.phrenic.mesh.io.volume;
+
+import java.io.ByteArrayOutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.stream.IntStream;
+
+/** Files of DICOM made element by element, in explicit little endian. */
+final class DicomSamples {
+    /** Columns of the only row of a frame of {@link #segmentation}. */
+    static final int COLUMNS = 4;
+
+    private DicomSamples() {}
+
+    static byte[] element(int tag, String representation, byte[] value) {
+        byte[] even = value.length % 2 == 0 ? value : VolumeSamples.join(value, new byte[1]);
+        boolean isLong = representation.equals("SQ") || representation.equals("OB");
+        ByteBuffer bytes = ByteBuffer.allocate((isLong ? 12 : 8) + even.length).order(ByteOrder.LITTLE_ENDIAN);
+        bytes.putShort((short) (tag >>> 16)).putShort((short) tag);
+        bytes.put(representation.getBytes(StandardCharsets.US_ASCII));
+        if (isLong) {
+            bytes.putShort((short) 0).putInt(even.length);
+        } else {
+            bytes.putShort((short) even.length);
+        }
+        return bytes.put(even).array();
+    }
+
+    static byte[] text(int tag, String representation, String value) {
+        return element(tag, representation, value.getBytes(StandardCharsets.US_ASCII));
+    }
+
+    static byte[] number(int tag, int value) {
+        return element(tag, "US", new byte[] {(byte) value, (byte) (value >> 8)});
+    }
+
+    static byte[] joined(byte[]... parts) {
+        ByteArrayOutputStream all = new ByteArrayOutputStream();
+        for (byte[] part : parts) {
+            all.writeBytes(part);
+        }
+        return all.toByteArray();
+    }
+
+    /** A sequence with one item for each argument. */
+    static byte[] sequence(int tag, byte[]... items) {
+        ByteArrayOutputStream all = new ByteArrayOutputStream();
+        for (byte[] item : items) {
+            ByteBuffer head = ByteBuffer.allocate(8).order(ByteOrder.LITTLE_ENDIAN);
+            all.writeBytes(head.putShort((short) 0xFFFE)
+                    .putShort((short) 0xE000)
+                    .putInt(item.length)
+                    .array());
+            all.writeBytes(item);
+        }
+        return element(tag, "SQ", all.toByteArray());
+    }
+
+    /** A file of a class of objects, with these elements in the order of their tags. */
+    static byte[] file(String sopClass, byte[]... elements) {
+        return joined(
+                new byte[128],
+                "DICM".getBytes(StandardCharsets.US_ASCII),
+                text(0x00020010, "UI", "1.2.840.10008.1.2.1"),
+                text(0x00080016, "UI", sopClass),
+                joined(elements));
+    }
+
+    /** The functional groups of a frame of a segment, whose plane lies at this height, mm. */
+    static byte[] frame(int segment, double height) {
+        return joined(
+                sequence(0x00209113, text(0x00200032, "DS", "10\\20\\" + height)),
+                sequence(0x0062000A, number(0x0062000B, segment)));
+    }
+
+    private static byte[] segment(int number, String label) {
+        return joined(number(0x00620004, number), text(0x00620005, "LO", label));
+    }
+
+    /**
+     * A segmentation of a liver and a cyst, segments 1 and 2, in frames of one row of pixels of 2 x 2 mm.
+     *
+     * @param measures other elements of the measures of pixels, such as the spacing of slices
+     * @param frames functional groups of each frame
+     * @param fractions pixels, frame after frame
+     */
+    static byte[] segmentation(String type, int maximum, byte[] measures, byte[][] frames, int... fractions) {
+        byte[] pixels = new byte[fractions.length];
+        IntStream.range(0, pixels.length).forEach(n -> pixels[n] = (byte) fractions[n]);
+        return file(
+                "1.2.840.10008.5.1.4.1.1.66.4",
+                text(0x00280008, "IS", String.format(Locale.ROOT, "%d", frames.length)),
+                number(0x00280010, 1),
+                number(0x00280011, COLUMNS),
+                number(0x00280100, Byte.SIZE),
+                text(0x00620001, "CS", type),
+                sequence(0x00620002, segment(1, "liver"), segment(2, "cyst")),
+                number(0x0062000E, maximum),
+                sequence(
+                        0x52009229,
+                        joined(
+                                sequence(0x00209116, text(0x00200037, "DS", "1\\0\\0\\0\\1\\0")),
+                                sequence(0x00289110, joined(measures, text(0x00280030, "DS", "2\\2"))))),
+                sequence(0x52009230, frames),
+                element(0x7FE00010, "OB", pixels));
+    }
+}
