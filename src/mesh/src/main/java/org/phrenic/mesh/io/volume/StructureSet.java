@@ -17,7 +17,7 @@ import org.phrenic.mesh.voxel.LabelGrid;
  * Reader of structure sets of radiotherapy (PS3.3, A.19 and C.8.8.5, C.8.8.6): closed planar contours, filled slice by
  * slice with the even-odd rule on the grid of the series that they were drawn on, else on one through their own planes.
  * Slices between contoured ones are interpolated ({@link ContouredRegion}). Labels are the numbers of regions of
- * interest.
+ * interest, or free ones where these are no labels.
  */
 final class StructureSet {
     /** Greatest distance of a contour's points from their slice, in slices. */
@@ -42,6 +42,7 @@ final class StructureSet {
         if (contours.isEmpty()) {
             throw new BadInputException(set.file() + ": found no closed contours, expected some");
         }
+        makeLabels();
         Optional<SliceGrid> series = series(path);
         SliceGrid grid = series.orElseGet(this::ownGrid);
         LabelPainter painter = new LabelPainter(set.file(), grid.columns(), grid.rows(), grid.slices());
@@ -81,7 +82,7 @@ final class StructureSet {
 
     private void readNames() {
         for (DicomDataSet region : set.items(DicomTag.STRUCTURE_SET_ROI_SEQUENCE)) {
-            int number = region.whole(DicomTag.ROI_NUMBER, 1, LabelGrid.MAX_LABEL);
+            int number = region.whole(DicomTag.ROI_NUMBER, Integer.MIN_VALUE, Integer.MAX_VALUE);
             if (names.put(number, region.text(DicomTag.ROI_NAME, "")) != null) {
                 throw region.badInput(DicomTag.ROI_NUMBER, "found " + number + " twice, expected it once");
             }
@@ -91,7 +92,7 @@ final class StructureSet {
     private void readContours() {
         int other = 0;
         for (DicomDataSet region : set.items(DicomTag.ROI_CONTOUR_SEQUENCE)) {
-            int number = region.whole(DicomTag.REFERENCED_ROI_NUMBER, 1, LabelGrid.MAX_LABEL);
+            int number = region.whole(DicomTag.REFERENCED_ROI_NUMBER, Integer.MIN_VALUE, Integer.MAX_VALUE);
             for (DicomDataSet contour : region.items(DicomTag.CONTOUR_SEQUENCE)) {
                 if (!contour.text(DicomTag.CONTOUR_GEOMETRIC_TYPE).startsWith("CLOSED")) {
                     other++;
@@ -109,6 +110,31 @@ final class StructureSet {
         }
         if (other > 0) {
             notes.add(other + " points and open contours are no volumes and were left out");
+        }
+    }
+
+    /** Gives regions whose number is no label the next one that no region has. */
+    private void makeLabels() {
+        List<String> changed = new ArrayList<>();
+        int free = 1;
+        for (int number : List.copyOf(contours.keySet())) {
+            if (number >= 1 && number <= LabelGrid.MAX_LABEL) {
+                continue;
+            }
+            while (contours.containsKey(free) || names.containsKey(free)) {
+                free++;
+            }
+            if (free > LabelGrid.MAX_LABEL) {
+                throw new BadInputException(set.file() + ": found more regions than there are labels, expected at most "
+                        + LabelGrid.MAX_LABEL);
+            }
+            changed.add(name(number) + " from " + number + " to " + free);
+            contours.put(free, contours.remove(number));
+            names.put(free, names.getOrDefault(number, ""));
+        }
+        if (!changed.isEmpty()) {
+            notes.add("region numbers that are no labels from 1 to " + LabelGrid.MAX_LABEL + " were changed: "
+                    + String.join(", ", changed));
         }
     }
 
