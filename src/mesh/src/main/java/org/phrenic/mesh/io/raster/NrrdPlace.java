@@ -14,9 +14,15 @@ import org.phrenic.file.Numbers;
  * {@code space units}, else {@code spacings} in that of {@code units}.
  */
 record NrrdPlace(VolumeHeader header) {
+    static final String DIMENSION = "space dimension";
     static final String DIRECTIONS = "space directions";
     static final String ORIGIN = "space origin";
     static final String SPACE_UNITS = "space units";
+    /** Numbers of a vector of space and time. */
+    private static final int WITH_TIME = 4;
+    /** Greatest share of a vector that is taken for rounding. */
+    private static final double ROUNDING = 1e-6;
+
     private static final String SPACINGS = "spacings";
     private static final Pattern VECTOR = Pattern.compile("none|\\(([^)]*)\\)");
     private static final Pattern UNIT = Pattern.compile("\"([^\"]*)\"|(\\S+)");
@@ -45,12 +51,37 @@ record NrrdPlace(VolumeHeader header) {
             }
             steps[i] = vector(DIRECTIONS, vector);
         }
+        if (hasTime()) {
+            checkTime(axes, vectors);
+        }
         double[] origin = new double[3];
         if (header.has(ORIGIN)) {
             origin = vector(ORIGIN, vectors(ORIGIN).get(0));
         }
         double[] mm = millimetres(SPACE_UNITS, new int[] {0, 1, 2}, notes);
         return toLps(new VolumeAxes(steps, origin).scaled(mm[0], mm[1], mm[2]), notes);
+    }
+
+    /** Refuses vectors that lie in space and in time. */
+    private void checkTime(int[] axes, List<String> vectors) {
+        for (int axis = 0; axis < vectors.size(); axis++) {
+            String[] parts = vectors.get(axis).split(",", -1);
+            double space = 0;
+            double time = 0;
+            for (int i = 0; i < parts.length; i++) {
+                double part = Math.abs(Numbers.parse(parts[i].strip()).orElse(0));
+                space = Math.max(space, i < 3 ? part : 0);
+                time = Math.max(time, i < 3 ? 0 : part);
+            }
+            int a = axis;
+            boolean isSpatial = Arrays.stream(axes).anyMatch(spatial -> spatial == a);
+            if (isSpatial ? time > ROUNDING * space : space > ROUNDING * time) {
+                throw header.badInput(
+                        DIRECTIONS,
+                        "found (" + vectors.get(axis) + ") for axis " + axis + ", expected one "
+                                + (isSpatial ? "in space" : "in time") + " only");
+            }
+        }
     }
 
     private VolumeAxes spaced(int[] axes, List<String> notes) {
@@ -102,7 +133,8 @@ record NrrdPlace(VolumeHeader header) {
 
     /** Whether vectors have a fourth number, which is time. */
     private boolean hasTime() {
-        return space().matches(".*-time|[lr][ap]st");
+        return space().matches(".*-time|[lr][ap]st")
+                || (header.has(DIMENSION) && header.integers(DIMENSION)[0] == WITH_TIME);
     }
 
     private VolumeAxes toLps(VolumeAxes given, List<String> notes) {
@@ -134,9 +166,10 @@ record NrrdPlace(VolumeHeader header) {
         return vectors;
     }
 
+    /** The spatial part of a vector. */
     private double[] vector(String key, String text) {
         String[] parts = text.split(",", -1);
-        int expected = hasTime() ? 4 : 3;
+        int expected = hasTime() ? WITH_TIME : 3;
         if (parts.length != expected) {
             throw header.badInput(key, "found a vector of " + parts.length + " numbers, expected " + expected);
         }

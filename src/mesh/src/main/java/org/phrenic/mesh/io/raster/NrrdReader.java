@@ -31,6 +31,7 @@ final class NrrdReader {
             "datafile", DATA_FILE,
             "lineskip", NrrdEncoding.LINE_SKIP,
             "byteskip", NrrdEncoding.BYTE_SKIP,
+            "spacedimension", NrrdPlace.DIMENSION,
             "spacedirections", NrrdPlace.DIRECTIONS,
             "spaceorigin", NrrdPlace.ORIGIN,
             "spaceunits", NrrdPlace.SPACE_UNITS);

@@ -72,4 +72,33 @@ class NrrdHeaderTest {
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("found 47 bytes of voxels, expected 48 at the end of the data");
     }
+
+    /** ITK writes images of four dimensions in a space of four, which it does not name. */
+    private static String fourDimensions(String columns, String time) {
+        return VolumeSamples.nrrd("short", "raw")
+                        .replace("space: right-anterior-superior", "space dimension: 4")
+                        .replace("dimension: 3", "dimension: 4")
+                        .replace("sizes: 4 3 2", "sizes: 4 3 2 2")
+                        .replace("(-2,0,0) (0,3,0) (0,0,4)", columns + " (0,-3,0,0) (0,0,4,0) " + time)
+                        .replace("domain domain domain", "domain domain domain domain")
+                        .replace("(10,20,30)", "(-10,-20,30,0)")
+                + "\n";
+    }
+
+    @Test
+    void aSpaceOfFourDimensionsHasTimeAsTheLast() {
+        byte[] two = VolumeSamples.join(new byte[SHORTS.length], SHORTS);
+        VolumeSamples.write(folder, "itk.nrrd", VolumeSamples.join(fourDimensions("(2,0,0,0)", "(0,0,0,0.5)"), two));
+        assertIsSample(LabelVolumeFiles.read(folder.resolve("itk.nrrd#1")));
+        assertAxesRefused("found (2,0,0,0.1) for axis 0, expected one in space only", "(2,0,0,0.1)", "(0,0,0,0.5)");
+        assertAxesRefused("found (0,1,0,0.5) for axis 3, expected one in time only", "(2,0,0,0)", "(0,1,0,0.5)");
+    }
+
+    private void assertAxesRefused(String message, String columns, String time) {
+        byte[] file = VolumeSamples.join(fourDimensions(columns, time), VolumeSamples.join(SHORTS, SHORTS));
+        VolumeSamples.write(folder, "turned.nrrd", file);
+        assertThatThrownBy(() -> LabelVolumeFiles.read(folder.resolve("turned.nrrd#0")))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining(message);
+    }
 }
