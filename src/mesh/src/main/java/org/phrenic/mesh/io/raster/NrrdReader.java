@@ -22,7 +22,8 @@ import org.phrenic.mesh.voxel.LabelGrid;
 /**
  * Reader of NRRD and of 3D Slicer segmentations ({@code .seg.nrrd}), raw, gzip, bzip2 or text, with the header in the
  * file or in a separate file ({@code .nhdr}). It follows the format definition, teem.sourceforge.net/nrrd/format.html.
- * Label names come from {@code SegmentN_Name} and {@code SegmentN_LabelValue}.
+ * Label names come from {@code SegmentN_Name} and {@code SegmentN_LabelValue}. Segmentations of Slicer up to 4.10 have
+ * no values, but a layer of 0 and 1 for each segment.
  */
 final class NrrdReader {
     private static final String DATA_FILE = "data file";
@@ -36,6 +37,8 @@ final class NrrdReader {
             "spaceorigin", NrrdPlace.ORIGIN,
             "spaceunits", NrrdPlace.SPACE_UNITS);
 
+    private static final String VALUE = "_labelvalue";
+    private static final String LAYER = "_layer";
     private static final Pattern SEGMENT = Pattern.compile("(segment(\\d{1,5}))_(?:name|layer|id)");
 
     private final VolumeSource source;
@@ -180,8 +183,10 @@ final class NrrdReader {
     /** The segments of a segmentation with several layers, if no layer is named by its number. */
     private Optional<LayeredSegments> layers() {
         List<Segment> segments = segments();
-        boolean layered = segments.stream().anyMatch(s -> header.has("segment" + (s.label() - 1) + "_layer"));
-        if (frames.count() < 2 || source.phase().isPresent() || !layered) {
+        boolean stated = segments.stream().anyMatch(s -> header.has("segment" + (s.label() - 1) + LAYER));
+        boolean isLayerEach = segments.size() == frames.count()
+                && segments.stream().noneMatch(s -> header.has("segment" + (s.label() - 1) + VALUE));
+        if (frames.count() < 2 || source.phase().isPresent() || !(stated || isLayerEach)) {
             return Optional.empty();
         }
         for (Segment segment : segments) {
@@ -206,17 +211,25 @@ final class NrrdReader {
         }
         List<Segment> segments = new ArrayList<>();
         keys.forEach((number, key) -> {
-            String value = key + "_labelvalue";
-            int layer = header.has(key + "_layer") ? header.integers(key + "_layer")[0] : 0;
-            if (header.has(value) && number < LabelGrid.MAX_LABEL) {
-                int stored = header.integers(value)[0];
-                if (stored < 1 || stored > LabelGrid.MAX_LABEL) {
-                    throw header.unexpected(value, header.text(value), "a label from 1 to " + LabelGrid.MAX_LABEL);
-                }
-                segments.add(new Segment(number + 1, layer, stored, header.text(key + "_name", "")));
+            boolean hasValue = header.has(key + VALUE) || frames.count() > 1 || keys.size() == 1;
+            if (hasValue && number < LabelGrid.MAX_LABEL) {
+                segments.add(segment(number, key));
             }
         });
         return segments;
+    }
+
+    /** A segment; without a value it is the 1 of a layer of its own. */
+    private Segment segment(int number, String key) {
+        int layer = frames.count() > 1 && !header.has(key + VALUE) ? number : 0;
+        if (header.has(key + LAYER)) {
+            layer = header.integers(key + LAYER)[0];
+        }
+        int stored = header.has(key + VALUE) ? header.integers(key + VALUE)[0] : 1;
+        if (stored < 1 || stored > LabelGrid.MAX_LABEL) {
+            throw header.unexpected(key + VALUE, header.text(key + VALUE), "a label from 1 to " + LabelGrid.MAX_LABEL);
+        }
+        return new Segment(number + 1, layer, stored, header.text(key + "_name", ""));
     }
 
     /** Names by stored value, of the layer that is read. */

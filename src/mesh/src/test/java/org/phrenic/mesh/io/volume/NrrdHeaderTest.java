@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.file.BadInputException;
@@ -71,6 +72,60 @@ class NrrdHeaderTest {
         assertThatThrownBy(() -> read("short.nrrd", header, VolumeSamples.gzip(new byte[47])))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("found 47 bytes of voxels, expected 48 at the end of the data");
+    }
+
+    /** A header with the layers of segments as its first axis. */
+    private static String layered(int layers, String segments) {
+        return VolumeSamples.nrrd("uchar", "gzip")
+                        .replace("dimension: 3", "dimension: 4")
+                        .replace("sizes: 4 3 2", "sizes: " + layers + " 4 3 2")
+                        .replace("(-2,0,0)", "none (-2,0,0)")
+                        .replace("kinds: domain", "kinds: list domain")
+                + segments + "\n";
+    }
+
+    /** Layers of 0 and 1 side by side: a voxel is in segment n if it is a multiple of n + 2. */
+    private static byte[] layers(int count) {
+        byte[] values = new byte[count * VolumeSamples.VOXELS];
+        for (int n = 0; n < values.length; n++) {
+            values[n] = (byte) (n / count % (n % count + 2) == 0 ? 1 : 0);
+        }
+        return VolumeSamples.gzip(values);
+    }
+
+    private static String segment(int number, String name) {
+        return "Segment%d_ID:=s_%d\nSegment%d_Name:=%s\nSegment%d_Extent:=0 3 0 2 0 1\n"
+                .formatted(number, number, number, name, number);
+    }
+
+    /** Versions of 3D Slicer up to 4.10 write a layer for each segment, and neither its number nor a value. */
+    @Test
+    void eachSegmentWithoutALayerOrAValueHasALayerOfItsOwn() {
+        String segments = segment(0, "body") + segment(1, "liver") + segment(2, "cyst");
+        LabelVolume volume = read("old.seg.nrrd", layered(3, segments), layers(3));
+        assertThat(volume.names()).isEqualTo(Map.of(1, "body", 2, "liver", 3, "cyst"));
+        LabelGrid grid = volume.grid();
+        for (int v = 0; v < grid.voxelCount(); v++) {
+            assertThat(grid.label(v)).isEqualTo(v % 4 == 0 ? 3 : v % 3 == 0 ? 2 : v % 2 == 0 ? 1 : 0);
+        }
+        LabelVolume one = LabelVolumeFiles.read(folder.resolve("old.seg.nrrd#1"));
+        assertThat(one.names()).isEqualTo(Map.of(1, "liver"));
+        assertThat(one.grid().counts()).containsExactly(16, 8);
+    }
+
+    @Test
+    void aSegmentAloneWithoutAValueIsItsOnes() {
+        LabelVolume volume = read("one.seg.nrrd", layered(1, segment(0, "liver")), layers(1));
+        assertThat(volume.names()).isEqualTo(Map.of(1, "liver"));
+        assertThat(volume.grid().counts()).containsExactly(12, 12);
+    }
+
+    /** Two volumes with one segment are no layers of it, but such as phases of which one has to be named. */
+    @Test
+    void volumesOfAnotherNumberThanSegmentsAreNoLayers() {
+        assertThatThrownBy(() -> read("phases.seg.nrrd", layered(2, segment(0, "liver")), layers(2)))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("2 volumes, expected the number of one");
     }
 
     /** ITK writes images of four dimensions in a space of four, which it does not name. */
