@@ -17,16 +17,22 @@ public final class NodeMasses {
         this.least = least.clone();
     }
 
-    /** Mass of a node whose tissue is {@code factor} times as heavy, kg. */
-    public double of(int node, double factor) {
-        return Math.max(factor * tissue[node], least[node]);
+    /**
+     * Mass of a node, kg.
+     *
+     * @param density factor of the tissue's area density
+     * @param tissueFactor further factor of the tissue's mass
+     * @param leastFactor factor of the least mass
+     */
+    public double of(int node, double density, double tissueFactor, double leastFactor) {
+        return Math.max(tissueFactor * (density * tissue[node]), leastFactor * least[node]);
     }
 
     /** Masses of all nodes, kg. */
     public double[] all() {
         double[] out = new double[tissue.length];
         for (int i = 0; i < out.length; i++) {
-            out[i] = of(i, 1);
+            out[i] = of(i, 1, 1, 1);
         }
         return out;
     }

@@ -101,15 +101,18 @@ public final class TissueMass extends ScenePart {
         int pastSheet = sheet.firstNode + sheet.diaphragm.sheet().vertexCount();
         return (value, assembled, asAssembled) -> {
             double all = value[0] / assembled[0];
-            // Least masses and those of tissue go with the stiffness.
+            // The mass of tissue goes with its stiffness relative to muscle, the least mass with that of its springs.
             double tendon = perArea ? value[2] / assembled[2] : 1;
-            double lung = perArea ? value[4] / assembled[4] / (value[3] / assembled[3]) : 1;
+            double lungSprings = perArea ? value[4] / assembled[4] : 1;
+            double lung = perArea ? lungSprings / (value[3] / assembled[3]) : 1;
             for (int i = 0; i < layout.nodeCount(); i++) {
                 int node = layout.caller(i);
                 boolean inTendon =
                         node >= sheet.firstNode && node < pastSheet && sheet.diaphragm.isTendon(node - sheet.firstNode);
-                double stiffer = asAssembled ? 1 : node >= firstLungNode ? lung : inTendon ? tendon : 1;
-                system.setMass(i, stiffer * scene.nodeMasses().of(node, asAssembled ? 1 : all));
+                boolean inLung = node >= firstLungNode;
+                double tissue = asAssembled ? 1 : inLung ? lung : inTendon ? tendon : 1;
+                double least = asAssembled ? 1 : inLung ? lungSprings : inTendon ? tendon : 1;
+                system.setMass(i, scene.nodeMasses().of(node, asAssembled ? 1 : all, tissue, least));
             }
             setDamping(scene, value[1]);
         };

@@ -43,8 +43,8 @@ class MassScalingTest {
         double least = scaling().leastMasses(STEP_S)[0];
         NodeMasses masses = new NodeMasses(new double[] {0.5 * least, 0.5 * least}, new double[] {least, least});
         assertThat(masses.addedPercent()).isCloseTo(100, offset(EXACT));
-        assertThat(masses.of(0, 1.5)).isEqualTo(least);
-        assertThat(masses.of(0, 4)).isCloseTo(2 * least, offset(EXACT * least));
+        assertThat(masses.of(0, 1.5, 1, 1)).isEqualTo(least);
+        assertThat(masses.of(0, 4, 1, 1)).isCloseTo(2 * least, offset(EXACT * least));
     }
 
     @Test

@@ -6,10 +6,35 @@ import static org.assertj.core.data.Percentage.withPercentage;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Runs;
 import org.phrenic.simulation.Simulation;
 
 class TissueMassTest {
+    /** Springs of the lungs do not change with the muscle's, so that their nodes need no other least mass. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.5, 2})
+    void aLiveChangeOfTheMuscleGivesLungsTheMassesOfASceneAssembledWithIt(double factor) {
+        Scenario usual = Scenario.defaults().with("resolution=low", "sternum=kinematic", "threads=1");
+        String change = "muscle_stiffness_n_per_m=" + factor * usual.get(SheetSprings.MUSCLE_STIFFNESS);
+        try (Simulation live = Simulation.of(usual, Runs.male());
+                Simulation assembled = Simulation.of(usual.with(change), Runs.male())) {
+            live.change(Assignment.parse(change));
+            while (live.time() < 1) {
+                live.step();
+            }
+            ParticleSystem system = live.scene().system();
+            double[] expected = assembled.scene().nodeMasses().all();
+            for (int i = 0; i < expected.length; i++) {
+                int node = system.layout().caller(i);
+                if (node >= live.scene().firstLungNode()) {
+                    assertThat(system.masses()[i]).as("node %d", node).isCloseTo(expected[node], withPercentage(1e-6));
+                }
+            }
+        }
+    }
+
     /** The force on a node of mass m and velocity v is -γ v; in a sheet of usual size γ / m is the rate, 1/s. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 5, 40})
