@@ -18,6 +18,9 @@ public record Needle(int gauge, double lengthMm, double coreMm) {
     private static final Map<Integer, Double> DIAMETER_MM =
             Map.of(14, 2.1, 15, 1.8, 16, 1.6, 17, 1.4, 18, 1.2, 19, 1.1, 20, 0.9, 21, 0.8, 22, 0.7);
 
+    /** Places along the needle are known to this, mm. */
+    private static final double ROUNDING_MM = 1e-9;
+
     private static final double MIN_LENGTH_MM = 20;
     private static final double MAX_LENGTH_MM = 300;
 
@@ -44,6 +47,11 @@ public record Needle(int gauge, double lengthMm, double coreMm) {
             throw new IllegalArgumentException("found a needle " + lengthMm + " mm long, expected " + MIN_LENGTH_MM
                     + " to " + MAX_LENGTH_MM + " mm");
         }
+    }
+
+    /** Whether a path of some length, mm, is too long for the needle, by more than rounding makes of its own length. */
+    public boolean isShorterThan(double pathMm) {
+        return pathMm > lengthMm + ROUNDING_MM;
     }
 
     private static boolean isCore(double mm) {

@@ -187,7 +187,7 @@ final class AttemptLog {
 
     List<String> warnings(Optional<PathAnalysis> needle, double pullMm) {
         List<String> warnings = new ArrayList<>();
-        needle.ifPresent(n -> warnings.addAll(n.reasons(avoided)));
+        needle.ifPresent(n -> warnings.addAll(n.touches(avoided)));
         if (pullMm > AttemptRecord.PULL_WARNING_MM) {
             warnings.add(String.format(
                     Locale.ROOT, "the moving liver pulls the capsule %.0f mm aside of the needle", pullMm));

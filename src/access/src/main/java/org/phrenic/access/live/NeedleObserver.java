@@ -60,8 +60,10 @@ final class NeedleObserver {
         double aimed = placed ? Math.max(aimedMm, shaft.depth()) : Math.max(1, along);
         double[] end = Vectors.addScaled(start, direction, aimed);
         Optional<PathAnalysis> path = from.map(skin -> analyzer.analyze(skin, end));
+        boolean reaches =
+                path.isPresent() && !plan.needle().isShorterThan(path.get().lengthMm());
         PathAnalyzer.Margin margin =
-                path.isPresent() ? analyzer.margin(start, end, plan.avoided()) : new PathAnalyzer.Margin(0, "");
+                reaches ? analyzer.margin(start, end, plan.avoided()) : new PathAnalyzer.Margin(0, "");
         double depth = placed ? shaft.depth() : 0;
         return new NeedleState(
                 frame.timeS(),
@@ -76,7 +78,7 @@ final class NeedleObserver {
                 aimed,
                 needle.isMoving(),
                 placed ? Optional.of(needle.targetingError()) : Optional.empty(),
-                path.map(p -> p.reasons(plan.avoided())).orElse(List.of()),
+                path.map(p -> p.reasons(plan.avoided(), plan.needle())).orElse(List.of()),
                 margin.mm(),
                 anatomy.labelOf(margin.nearest()),
                 placed ? needle.warnings() : List.of(),

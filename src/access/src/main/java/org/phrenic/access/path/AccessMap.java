@@ -146,7 +146,7 @@ public final class AccessMap {
         double length = Vectors.length(path);
         lengthMm[v] = Math.max(lengthMm[v], (float) length);
         double inward = -Vectors.dot(path, Arrays.copyOfRange(normals, 3 * v, 3 * v + 3));
-        if (length > needle.lengthMm() || !(inward > 0)) {
+        if (needle.isShorterThan(length) || !(inward > 0)) {
             touched[moment][v] = OUT_OF_REACH;
             return;
         }

@@ -2,10 +2,12 @@ package org.phrenic.access.path;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.document.OrderedValues;
 
@@ -48,9 +50,20 @@ public record PathAnalysis(
     }
 
     /**
-     * Reasons why the path is not free, such as "crosses right rib 8". Empty if it touches no zone of {@code avoided}.
+     * Reasons why the path is not free for a needle, such as "crosses right rib 8". Empty if it touches no zone of
+     * {@code avoided} and is no longer than the needle.
      */
-    public List<String> reasons(Set<NoGoZone> avoided) {
+    public List<String> reasons(Set<NoGoZone> avoided, Needle needle) {
+        List<String> reasons = new ArrayList<>();
+        if (needle.isShorterThan(lengthMm)) {
+            reasons.add(String.format(Locale.ROOT, "is longer than the needle of %.0f mm", needle.lengthMm()));
+        }
+        reasons.addAll(touches(avoided));
+        return reasons;
+    }
+
+    /** What of {@code avoided} the path touches, such as "crosses right rib 8". Empty if it touches no such zone. */
+    public List<String> touches(Set<NoGoZone> avoided) {
         List<String> reasons = new ArrayList<>();
         addIfTouched(reasons, NoGoZone.LUNG, avoided, "crosses lung");
         if (avoided.contains(NoGoZone.BONE)) {

@@ -24,6 +24,7 @@ import org.phrenic.document.OrderedValues;
  * @param marginsFrom display name of the structure that the margin is measured from at each moment; empty if none is in
  *     range
  * @param motion motion of the target
+ * @param needle needle that the path is for
  */
 public record PathOverBreath(
         List<BreathMoment> cycle,
@@ -31,6 +32,7 @@ public record PathOverBreath(
         double[] marginsMm,
         List<String> marginsFrom,
         TargetMotion motion,
+        Needle needle,
         Set<NoGoZone> avoided) {
     /**
      * Analyses the path at each moment. Afterwards the anatomy is at the last moment.
@@ -62,12 +64,17 @@ public record PathOverBreath(
             margins[m] = margin.mm();
             marginsFrom.add(anatomy.labelOf(margin.nearest()));
         }
-        return new PathOverBreath(cycle, analyses, margins, marginsFrom, new TargetMotion(targets), avoided);
+        return new PathOverBreath(cycle, analyses, margins, marginsFrom, new TargetMotion(targets), needle, avoided);
+    }
+
+    /** Why the path is not free at a moment; empty if it is. */
+    public List<String> reasons(int moment) {
+        return analyses.get(moment).reasons(avoided, needle);
     }
 
     /** Whether the path is free at a moment. */
     public boolean isFree(int moment) {
-        return analyses.get(moment).reasons(avoided).isEmpty();
+        return reasons(moment).isEmpty();
     }
 
     /** Number of moments at which the path is free. */
@@ -95,7 +102,7 @@ public record PathOverBreath(
                 .with("free", isFree(m))
                 .with("margin_mm", marginsMm[m])
                 .with("length_mm", analysis.lengthMm())
-                .with("reasons", analysis.reasons(avoided))
+                .with("reasons", reasons(m))
                 .with(
                         "crosses",
                         analysis.crossings().stream().map(Crossing::name).toList());

@@ -43,7 +43,7 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
         int tightest = -1;
         for (int m = 0; m < moments; m++) {
             RespiratoryPhase phase = path.cycle().get(m).label();
-            for (String reason : path.analyses().get(m).reasons(path.avoided())) {
+            for (String reason : path.reasons(m)) {
                 phases.computeIfAbsent(reason, r -> new LinkedHashSet<>()).add(phase);
             }
             if (path.isFree(m) && (tightest < 0 || path.marginsMm()[m] < path.marginsMm()[tightest])) {

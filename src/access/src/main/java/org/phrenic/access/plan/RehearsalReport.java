@@ -296,7 +296,7 @@ public final class RehearsalReport {
         List<List<String>> rows = new ArrayList<>();
         for (int m = 0; m < path.analyses().size(); m++) {
             BreathMoment moment = path.cycle().get(m);
-            String reasons = String.join(", ", path.analyses().get(m).reasons(path.avoided()));
+            String reasons = String.join(", ", path.reasons(m));
             String free = reasons.isEmpty() ? "free" : reasons;
             rows.add(List.of(number(moment.timeS()), moment.label().label(), free, mm(path.marginsMm()[m])));
         }

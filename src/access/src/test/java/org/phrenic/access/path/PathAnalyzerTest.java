@@ -37,7 +37,7 @@ class PathAnalyzerTest {
             assertThat(reading.crossings().get(i).toMm()).isCloseTo(faces[2 * i + 1], within(TOLERANCE_MM));
         }
         assertThat(reading.noGo()).contains(NoGoZone.BONE, NoGoZone.LUNG);
-        assertThat(reading.reasons(NoGoZone.defaults())).contains("crosses lung", "crosses right rib 8");
+        assertThat(reading.touches(NoGoZone.defaults())).contains("crosses lung", "crosses right rib 8");
         assertThat(reading.capsuleAngleDeg()).isCloseTo(90, within(1e-3));
     }
 
@@ -116,6 +116,6 @@ class PathAnalyzerTest {
                 free.costalGrooveRib(),
                 free.capsuleAngleDeg(),
                 Set.of(NoGoZone.ORGAN));
-        assertThat(touching.reasons(NoGoZone.defaults())).containsExactly("touches right superior epigastric vessels");
+        assertThat(touching.touches(NoGoZone.defaults())).containsExactly("touches right superior epigastric vessels");
     }
 }

@@ -14,6 +14,7 @@ import org.phrenic.access.NoGoZone;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.simulation.observe.Frame;
 
 class PathAdviceTest {
     /**
@@ -41,5 +42,34 @@ class PathAdviceTest {
                 Needle.standard(),
                 EnumSet.of(avoided));
         assertThat(PathAdvice.of(path).margin()).isEqualTo(margin);
+    }
+
+    /** The target is 90 mm from the entry at rest and 110 mm when the breath has carried it away from the skin. */
+    @ParameterizedTest
+    @CsvSource({
+        "120, FREE, Free over the whole breath, 2",
+        "100, CAREFUL, Free in 50 % of the breath, 1",
+        "80, BARRED, Barred over the whole breath, 0"
+    })
+    void aPathThatIsLongerThanTheNeedleIsNotFree(
+            double needleMm, PathAdvice.Level level, String headline, int freeMoments) {
+        BoxAnatomy body = new BoxAnatomy();
+        MovingAnatomy scene = new MovingAnatomy(body.surfaces);
+        scene.update(body.still(0));
+        Frame inspired = body.frame(1, 0.25, new double[] {20, 0, 0}, 0, 0);
+        List<BreathMoment> breath = List.of(
+                new BreathMoment(body.still(0), RespiratoryPhase.PAUSE),
+                new BreathMoment(inspired, RespiratoryPhase.INSPIRATION));
+        TargetLesion target = TargetLesion.at(scene, new double[] {90, 0, -20}, 20);
+        Needle needle = new Needle(18, needleMm);
+        double[] entry = {0, 0, -20};
+        PathOverBreath path = PathOverBreath.of(scene, breath, entry, target, needle, NoGoZone.defaults());
+        PathAdvice advice = PathAdvice.of(path);
+        assertThat(advice.level()).isEqualTo(level);
+        assertThat(advice.headline()).isEqualTo(headline);
+        assertThat(path.toMap()).containsEntry("free_moments", freeMoments);
+        if (freeMoments == 1) {
+            assertThat(advice.reasons()).containsExactly("is longer than the needle of 100 mm: while breathing in");
+        }
     }
 }

@@ -1,0 +1,76 @@
+package org.phrenic.access.live;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.phrenic.access.BoxAnatomy;
+import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.Needle;
+import org.phrenic.access.SkinPoint;
+import org.phrenic.access.TargetLesion;
+import org.phrenic.access.attempt.NeedleInsertion;
+import org.phrenic.access.plan.HeldProbe;
+import org.phrenic.access.plan.NeedleState;
+import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.scenario.Scenario;
+
+/** What is shown of a needle at an entry 90 mm from its target, with nothing at risk between them. */
+class NeedleObserverTest {
+    private static final double[] ENTRY = {0, 0, -20};
+    private static final double[] TARGET = {90, 0, -20};
+    private static final double DIAMETER_MM = 20;
+
+    private final BoxAnatomy body = new BoxAnatomy();
+    private final MovingAnatomy scene = new MovingAnatomy(body.surfaces);
+
+    private NeedleInsertion needle(double lengthMm) {
+        scene.update(body.still(0));
+        TargetLesion target = TargetLesion.at(scene, TARGET, DIAMETER_MM);
+        return new NeedleInsertion(
+                scene,
+                target,
+                new Needle(18, lengthMm),
+                RehearsalPlan.practice(Scenario.defaults(), target, new Needle(18, lengthMm))
+                        .avoided());
+    }
+
+    private NeedleState state(NeedleInsertion needle, double aimedMm) {
+        RehearsalPlan plan = RehearsalPlan.practice(Scenario.defaults(), needle.target(), needle.needle());
+        Optional<SkinPoint> entry = Optional.of(SkinPoint.atRest(scene.skin(), ENTRY));
+        return new NeedleObserver(scene, plan)
+                .describe(
+                        needle,
+                        new HeldProbe(scene),
+                        new NeedleObserver.Planned(entry, Optional.empty()),
+                        aimedMm,
+                        Optional.empty(),
+                        body.still(0),
+                        RespiratoryPhase.PAUSE);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"91, true", "90, true", "89, false"})
+    void aWayToTheTargetThatIsLongerThanTheNeedleIsNotFree(double lengthMm, boolean free) {
+        NeedleState state = state(needle(lengthMm), 0);
+        assertThat(state.reasons().isEmpty()).isEqualTo(free);
+        assertThat(state.marginMm() > 0).as("a margin").isEqualTo(free);
+        if (!free) {
+            assertThat(state.reasons()).containsExactly("is longer than the needle of 89 mm");
+        }
+    }
+
+    /** Places along a slanting needle are known but for rounding; that makes no needle too short for its own length. */
+    @Test
+    void aNeedleThatIsInUpToItsHubIsNotTooShort() {
+        for (int angle = 1; angle < 20; angle++) {
+            NeedleInsertion needle = needle(60);
+            double[] to = {50, angle, -20 - 0.3 * angle};
+            needle.place(ENTRY, to);
+            assertThat(state(needle, 60).reasons()).isEmpty();
+        }
+    }
+}
