@@ -1,6 +1,8 @@
 package org.phrenic.access.attempt;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.DoubleStream;
 import org.phrenic.access.Needle;
 import org.phrenic.access.path.Crossing;
 import org.phrenic.anatomy.StructureKind;
@@ -42,6 +44,9 @@ public record NeedleLoad(
     private static final double LIVER_N = 0.94;
     private static final double FRICTION_N_PER_MM = 0.01;
     private static final double REFERENCE_RADIUS_MM = 0.6;
+    /** Depths along the needle are known to this, mm. */
+    private static final double TOLERANCE_MM = 1e-9;
+
     private static final double STEEL_MPA = 193_000;
     private static final double TISSUE_N_PER_MM = 0.5;
 
@@ -57,6 +62,9 @@ public record NeedleLoad(
         }
     }
 
+    /** A membrane, and the depth at which it rests, mm; infinite if there is none. */
+    private record Resting(Membrane membrane, double restMm) {}
+
     /** How far a needle pushes the capsule of the liver before it is cut, mm. */
     static double capsulePushMm(Needle needle) {
         return CAPSULE.pushMm * scale(needle);
@@ -67,7 +75,7 @@ public record NeedleLoad(
     }
 
     /**
-     * Load on a needle that has advanced.
+     * Load on a needle that has advanced. A part of the liver that the tip has left is not pushed.
      *
      * @param crossings what the needle crosses at its new depth
      * @param inLiver whether the capsule is cut
@@ -75,19 +83,19 @@ public record NeedleLoad(
     static NeedleLoad advancing(
             Needle needle, double fromMm, double toMm, List<Crossing> crossings, boolean inLiver, NeedleLoad side) {
         double scale = scale(needle);
-        double capsule = first(crossings, StructureKind.LIVER);
         double pleura = Math.min(first(crossings, StructureKind.PLEURA), recess(crossings));
-        double[] rest = {0, pleura, capsule};
-        Membrane[] membranes = {SKIN, PLEURA, CAPSULE};
+        List<Resting> membranes = new ArrayList<>(List.of(new Resting(SKIN, 0), new Resting(PLEURA, pleura)));
+        capsules(crossings, fromMm).forEach(restMm -> membranes.add(new Resting(CAPSULE, restMm)));
         String layer = inLiver ? "liver" : "wall";
         double push = 0;
-        for (int i = 0; i < rest.length; i++) {
-            double force = membranes[i].forceN(rest[i], fromMm, toMm, membranes[i].pushMm * scale);
-            layer = force > 0 ? membranes[i].name : layer;
+        for (Resting m : membranes) {
+            double force = m.membrane.forceN(m.restMm, fromMm, toMm, m.membrane.pushMm * scale);
+            layer = force > 0 ? m.membrane.name : layer;
             push = Math.max(push, force);
         }
         double cutting = inLiver ? LIVER_N : WALL_N;
         double axial = scale * (cutting + FRICTION_N_PER_MM * toMm + push);
+        double capsule = capsules(crossings, toMm).min().orElse(Double.POSITIVE_INFINITY);
         double pushed = inLiver ? 0 : Math.max(0, toMm - capsule);
         return new NeedleLoad(layer, axial, pushed, side.sideN, side.bendingMm, inLiver);
     }
@@ -100,6 +108,13 @@ public record NeedleLoad(
         double k = 3 * STEEL_MPA * inertia / (length * length * length);
         double force = pullMm * k * TISSUE_N_PER_MM / (k + TISSUE_N_PER_MM);
         return new NeedleLoad("", 0, 0, force, force / k, true);
+    }
+
+    /** Depths of the capsules of the parts of the liver that hold a tip or lie beyond it, mm. */
+    private static DoubleStream capsules(List<Crossing> crossings, double tipMm) {
+        return crossings.stream()
+                .filter(c -> c.kind() == StructureKind.LIVER && c.toMm() >= tipMm - TOLERANCE_MM)
+                .mapToDouble(Crossing::fromMm);
     }
 
     private static double first(List<Crossing> crossings, StructureKind kind) {

@@ -32,6 +32,28 @@ class NeedleLoadTest {
         assertThat(within.capsulePushMm()).isZero();
     }
 
+    /** A path through two lobes: behind the first the tip is 5 mm from the second, whose capsule it then pushes. */
+    @Test
+    void behindALobeNoCapsuleIsPushedUntilTheNextIsMet() {
+        Crossing second = new Crossing("liver", "liver", StructureKind.LIVER, 90, 120);
+        NeedleLoad behind = NeedleLoad.advancing(NEEDLE, 84, 85, List.of(LIVER), false, NeedleLoad.NONE);
+        assertThat(behind.capsulePushMm()).isZero();
+        assertThat(behind.layer()).isEqualTo("wall");
+        NeedleLoad at = NeedleLoad.advancing(NEEDLE, 91, 91.75, List.of(LIVER, second), false, NeedleLoad.NONE);
+        assertThat(at.capsulePushMm()).isCloseTo(1.75, within(1e-9));
+        assertThat(at.layer()).isEqualTo("capsule");
+        assertThat(at.axialN()).isCloseTo(0.8 + 0.9175 + 1.5 / 4, within(1e-9));
+    }
+
+    /** A lobe of 2 mm gives way before it is cut; the tip that has left it meets nothing more of it. */
+    @Test
+    void behindAThinEdgeOfTheLiverNothingIsPushed() {
+        Crossing edge = new Crossing("liver", "liver", StructureKind.LIVER, 40, 42);
+        NeedleLoad left = NeedleLoad.advancing(NEEDLE, 42.5, 43, List.of(edge), false, NeedleLoad.NONE);
+        assertThat(left.capsulePushMm()).isZero();
+        assertThat(left.axialN()).isCloseTo(0.8 + 0.43, within(1e-9));
+    }
+
     @Test
     void aFastNeedleMeetsTheSamePeakAsASlowOne() {
         assertThat(at(NEEDLE, 30, 60, true).axialN()).isCloseTo(0.94 + 0.6 + 1.5, within(1e-9));
