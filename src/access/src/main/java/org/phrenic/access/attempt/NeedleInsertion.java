@@ -214,7 +214,11 @@ public final class NeedleInsertion {
      */
     public void turn(NeedleAngles angles) {
         requireTurnable();
-        shaft.pointAt(Vectors.addScaled(shaft.entry(), angles.direction(), needle.lengthMm() / 2));
+        pointAt(Vectors.addScaled(shaft.entry(), angles.direction(), needle.lengthMm() / 2));
+    }
+
+    private void pointAt(double[] aim) {
+        shaft.pointAt(aim);
         if (shaft.depth() > 0 && !turned) {
             log.event(AttemptEvent.Kind.REDIRECTION, "", shaft.depth());
         }
@@ -235,15 +239,14 @@ public final class NeedleInsertion {
     }
 
     /**
-     * Points the needle at another position by rotating it about its skin point.
+     * Points the needle at another position by rotating it about its skin point. It counts like {@link #turn}.
      *
      * @throws BadInputException if the needle is not placed, its tip is in the liver, or it is too short
      */
     public void redirect(double[] aim) {
         requireTurnable();
         needle.requireReach(shaft.entry(), aim);
-        shaft.pointAt(aim);
-        log.event(AttemptEvent.Kind.REDIRECTION, "", shaft.depth());
+        pointAt(aim);
     }
 
     /**

@@ -118,6 +118,40 @@ class NeedleInsertionTest {
         assertThat(session.record().count(AttemptEvent.Kind.REDIRECTION)).isEqualTo(2);
     }
 
+    /** A needle that is pointed at a place is turned as one to angles is. */
+    @Test
+    void pointedAtAPlaceBeforeThePunctureItIsNotRedirectedAndInTheSkinOnceBetweenTwoMovements() {
+        NeedleInsertion session = session(20);
+        session.place(new double[] {0, 0, 0}, new double[] {90, 0, 20});
+        session.redirect(new double[] {90, 0, 10});
+        session.redirect(session.targetNow());
+        session.advance(15, AT_ONCE);
+        next(session);
+        assertThat(session.record().count(AttemptEvent.Kind.REDIRECTION)).isZero();
+        session.redirect(new double[] {90, 0, 10});
+        session.turn(new NeedleAngles(88, 0));
+        session.redirect(session.targetNow());
+        assertThat(session.record().count(AttemptEvent.Kind.REDIRECTION)).isEqualTo(1);
+        session.advance(16, AT_ONCE);
+        next(session);
+        session.redirect(new double[] {90, 0, 10});
+        assertThat(session.record().count(AttemptEvent.Kind.REDIRECTION)).isEqualTo(2);
+    }
+
+    /** The liver is 100 mm thick. */
+    @Test
+    void behindTheLiverNoCapsuleIsPushed() {
+        NeedleInsertion session = session(20);
+        session.place(new double[] {0, 0, 0}, new double[] {90, 0, 0});
+        session.advance(150, 50);
+        while (session.isMoving()) {
+            next(session);
+        }
+        assertThat(session.load().inLiver()).isFalse();
+        assertThat(session.load().capsulePushMm()).isZero();
+        assertThat(session.record().loads().capsulePushMm()).isBetween(0.0, 3.5);
+    }
+
     @Test
     void aimedObliquelyTheErrorPartsIntoAxialAndLateral() {
         NeedleInsertion session = session(20);
