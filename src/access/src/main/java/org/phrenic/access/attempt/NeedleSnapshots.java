@@ -5,35 +5,43 @@ import java.util.List;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.simulation.observe.Frame;
 
-/** Takes the snapshots shown in a report: one at each placement on the skin, each sample and each image. */
+/**
+ * Takes the snapshots shown in a report: one at each placement on the skin, each sample and each image, before anything
+ * else is done to the needle.
+ */
 public final class NeedleSnapshots {
     /** Prefix for the names of the moments of ultrasound images, before their number. */
     static final String IMAGE_PREFIX = "ultrasound_";
 
     private final List<NeedleSnapshot> snapshots = new ArrayList<>();
     private boolean wasPlaced;
+    private int placements;
     private int samples;
     private int images;
 
-    /**
-     * Observes the needle after all commands of a frame have been executed.
-     *
-     * @param asked number of images asked for since the start
-     */
-    public void observe(NeedleInsertion needle, Frame frame, RespiratoryPhase label, int asked) {
+    /** Observes the needle at a frame and after each command that was executed there. */
+    public void observe(NeedleInsertion needle, Frame frame, RespiratoryPhase label) {
         boolean placed = needle.shaft().isPlaced();
         if (placed && !wasPlaced) {
-            add("placed", needle, frame, label);
+            placements++;
+            add(numbered("placed", placements), needle, frame, label);
         }
         wasPlaced = placed;
         int taken = needle.record().samples().size();
         if (taken > samples) {
-            add(taken == 1 ? "sample" : "sample_" + taken, needle, frame, label);
+            add(numbered("sample", taken), needle, frame, label);
         }
         samples = taken;
-        while (images < asked) {
-            add(IMAGE_PREFIX + ++images, needle, frame, label);
-        }
+    }
+
+    /** Takes a snapshot for an ultrasound image. */
+    public void image(NeedleInsertion needle, Frame frame, RespiratoryPhase label) {
+        images++;
+        add(IMAGE_PREFIX + images, needle, frame, label);
+    }
+
+    private static String numbered(String name, int number) {
+        return number == 1 ? name : name + "_" + number;
     }
 
     private void add(String name, NeedleInsertion needle, Frame frame, RespiratoryPhase label) {

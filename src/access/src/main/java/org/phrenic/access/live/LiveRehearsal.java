@@ -175,7 +175,7 @@ public final class LiveRehearsal implements StepListener {
             // After steps that have passed, requests wait for the frame of a step of their own.
             done = order.isLast(timeS) && act(1 + (int) frame.values()[BREATH]);
         }
-        snapshots.observe(needle, frame, phase, player == null ? 0 : player.images());
+        snapshots.observe(needle, frame, phase);
         if (done) {
             finish();
         }
@@ -212,7 +212,7 @@ public final class LiveRehearsal implements StepListener {
         steps.clear();
         needle = new NeedleInsertion(anatomy, target, plan.needle(), plan.avoided());
         snapshots = new NeedleSnapshots();
-        player = map.isPresent() ? new PlanPlayer(plan, needle, probe, map.get(), breathing::hold) : null;
+        player = map.isPresent() ? new PlanPlayer(plan, needle, snapshots, probe, map.get(), breathing::hold) : null;
         breathing.begin();
         over = false;
         fresh = true;
@@ -222,7 +222,7 @@ public final class LiveRehearsal implements StepListener {
         requests.clear();
         turns.drop();
         try {
-            return !over && player.update(phase, breath);
+            return !over && player.update(frame, phase, breath);
         } catch (BadInputException bad) {
             over = true;
             listener.refused(bad.getMessage());
@@ -237,6 +237,7 @@ public final class LiveRehearsal implements StepListener {
         for (Optional<Runnable> next = requests.poll(); next.isPresent(); next = requests.poll()) {
             try {
                 next.get().run();
+                snapshots.observe(needle, frame, phase);
             } catch (BadInputException bad) {
                 listener.refused(bad.getMessage());
             }

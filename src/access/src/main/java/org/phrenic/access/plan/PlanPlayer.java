@@ -3,6 +3,7 @@ package org.phrenic.access.plan;
 import java.util.List;
 import java.util.Locale;
 import org.phrenic.access.attempt.NeedleInsertion;
+import org.phrenic.access.attempt.NeedleSnapshots;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
@@ -21,12 +22,12 @@ public final class PlanPlayer {
 
     private final RehearsalPlan plan;
     private final NeedleInsertion needle;
+    private final NeedleSnapshots snapshots;
     private final HeldProbe probe;
     private final AccessMap map;
     private final Breathing breathing;
     private int next;
     private boolean begun;
-    private int images;
     private double aimedMm;
     private double sinceS;
     private RespiratoryPhase before = RespiratoryPhase.PAUSE;
@@ -35,8 +36,18 @@ public final class PlanPlayer {
     /** Whether the breath stands still because a step holds it. A pattern with a breath hold of its own goes on. */
     private boolean still;
 
-    /** @param map access map of the target, for steps that use its best entry points */
-    public PlanPlayer(RehearsalPlan plan, NeedleInsertion needle, HeldProbe probe, AccessMap map, Breathing breathing) {
+    /**
+     * @param snapshots gets the needle after each step
+     * @param map access map of the target, for steps that use its best entry points
+     */
+    public PlanPlayer(
+            RehearsalPlan plan,
+            NeedleInsertion needle,
+            NeedleSnapshots snapshots,
+            HeldProbe probe,
+            AccessMap map,
+            Breathing breathing) {
+        this.snapshots = snapshots;
         this.probe = probe;
         this.plan = plan;
         this.needle = needle;
@@ -44,28 +55,29 @@ public final class PlanPlayer {
         this.breathing = breathing;
     }
 
-    NeedleInsertion needle() {
-        return needle;
-    }
-
     /** Moves needle and probe to a frame, and executes all steps that are possible then. */
     boolean update(Frame frame, RespiratoryPhase phase) {
         needle.update(frame, phase);
         probe.update(frame, needle);
-        return update(phase, 1 + (int) frame.values()[BREATH]);
+        return update(frame, phase, 1 + (int) frame.values()[BREATH]);
     }
 
     /**
-     * Executes all steps that are possible at this frame.
+     * Executes all steps that are possible at this frame, to which needle and probe have been moved.
      *
      * @param breath number of the breath, starting at 1
      * @return whether all steps are done
      * @throws BadInputException if a step cannot be executed or its event does not occur; the message names the step
      */
-    public boolean update(RespiratoryPhase phase, int breath) {
+    public boolean update(Frame frame, RespiratoryPhase phase, int breath) {
         List<PlanStep> steps = plan.steps();
         still = phase == RespiratoryPhase.HOLD && (held || still);
+        snapshots.observe(needle, frame, phase);
         while (next < steps.size() && isDone(steps.get(next), phase, breath)) {
+            if (steps.get(next) instanceof PlanStep.Image) {
+                snapshots.image(needle, frame, phase);
+            }
+            snapshots.observe(needle, frame, phase);
             next++;
             begun = false;
         }
@@ -74,11 +86,6 @@ public final class PlanPlayer {
             breathBefore = breath;
         }
         return next == steps.size();
-    }
-
-    /** Number of images that the steps have asked for. */
-    public int images() {
-        return images;
     }
 
     private boolean isDone(PlanStep step, RespiratoryPhase phase, int breath) {
@@ -125,9 +132,7 @@ public final class PlanPlayer {
                 needle.advance(advance.depthMm().orElse(aimedMm), advance.speedMmPerS());
             }
             return !advance.awaited() || !needle.isMoving();
-        } else if (step instanceof PlanStep.Image) {
-            images++;
-        } else {
+        } else if (step instanceof PlanStep.Sample) {
             needle.sample();
         }
         return true;

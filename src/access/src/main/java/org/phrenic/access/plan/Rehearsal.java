@@ -17,7 +17,6 @@ import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.access.path.SkinEntries;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.UserCache;
@@ -91,12 +90,12 @@ public record Rehearsal(
                         new PlanPlayer(
                                 plan,
                                 needle,
+                                snapshots,
                                 probe,
                                 access.map(),
                                 (held, origin) -> simulation.change(Assignment.of(origin, Breathing.HOLD, held))),
                         simulation,
                         surfaces,
-                        snapshots,
                         progress);
                 return new Rehearsal(
                         plan,
@@ -114,11 +113,7 @@ public record Rehearsal(
     }
 
     private static void attempt(
-            PlanPlayer player,
-            Simulation simulation,
-            SceneSurfaces surfaces,
-            NeedleSnapshots snapshots,
-            SimulationRun.Progress progress) {
+            PlanPlayer player, Simulation simulation, SceneSurfaces surfaces, SimulationRun.Progress progress) {
         Frame frame = surfaces.newFrame();
         double dt = simulation.stepper().dt();
         long stepsPerFrame = Math.max(1, Math.round(FRAME_INTERVAL_S / dt));
@@ -126,9 +121,7 @@ public record Rehearsal(
         long begun = System.nanoTime();
         while (!done) {
             surfaces.capture(frame);
-            RespiratoryPhase phase = simulation.breathLabel();
-            done = player.update(frame, phase);
-            snapshots.observe(player.needle(), frame, phase, player.images());
+            done = player.update(frame, simulation.breathLabel());
             for (long i = 0; !done && i < stepsPerFrame; i++) {
                 simulation.step();
             }

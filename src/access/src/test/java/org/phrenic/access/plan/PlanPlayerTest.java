@@ -2,6 +2,7 @@ package org.phrenic.access.plan;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -17,10 +18,13 @@ import org.phrenic.access.BreathMoment;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.attempt.NeedleInsertion;
+import org.phrenic.access.attempt.NeedleSnapshot;
+import org.phrenic.access.attempt.NeedleSnapshots;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.file.BadInputException;
+import org.phrenic.simulation.observe.Frame;
 
 /** Plans played on a body of boxes that breathes once in four seconds: 1.6 s in, 1.8 s out, 0.6 s at rest. */
 class PlanPlayerTest {
@@ -31,6 +35,7 @@ class PlanPlayerTest {
 
     private final BoxAnatomy body = new BoxAnatomy();
     private final List<Boolean> held = new ArrayList<>();
+    private NeedleSnapshots snapshots = new NeedleSnapshots();
     private double stoppedFromS;
     private double stoppedToS;
 
@@ -63,11 +68,14 @@ class PlanPlayerTest {
                     plan.needle(),
                     plan.avoided(),
                     workers);
-            PlanPlayer player = new PlanPlayer(plan, needle, new HeldProbe(scene), map, (on, origin) -> held.add(on));
+            snapshots = new NeedleSnapshots();
+            PlanPlayer player =
+                    new PlanPlayer(plan, needle, snapshots, new HeldProbe(scene), map, (on, origin) -> held.add(on));
             for (int i = 0; ; i++) {
                 double t = i * FRAME_S;
-                needle.update(body.frame(t, t / 4 % 1, new double[3], -100, 0), label(t));
-                if (player.update(label(t), 1 + (int) (t / 4 + 1e-9))) {
+                Frame frame = body.frame(t, t / 4 % 1, new double[3], -100, 0);
+                needle.update(frame, label(t));
+                if (player.update(frame, label(t), 1 + (int) (t / 4 + 1e-9))) {
                     return needle;
                 }
             }
@@ -128,6 +136,41 @@ class PlanPlayerTest {
         assertThat(needle.record().hit()).isTrue();
         // 90 mm in at 45 mm/s, out at 90 mm/s.
         assertThat(needle.timeS()).isBetween(3.0 - FRAME_S, 3.0 + 3 * FRAME_S);
+    }
+
+    /** All steps but the advance are done in one frame: the pictures show the needle before what follows them. */
+    @Test
+    void aPictureShowsTheNeedleAsItIsAtItsStepWhateverFollowsInTheSameFrame() throws IOException {
+        play("steps:\n  - image: {}\n  - place: {entry: [0, 0, 0], aim: [90, 0, 0]}\n"
+                + "  - redirect: {aim: [90, 0, 20]}\n  - advance: {depth_mm: 20, speed_mm_per_s: 900}\n"
+                + "  - image: {}\n  - sample: now\n  - redirect: {aim: [90, 0, 0]}\n  - sample: now\n"
+                + "  - place: {entry: [0, 5, 0], aim: target}\n  - image: {}\n");
+        assertThat(snapshots.all())
+                .extracting(NeedleSnapshot::name)
+                .containsExactly("ultrasound_1", "placed", "ultrasound_2", "sample", "sample_2", "ultrasound_3");
+        assertThat(snapshots.all())
+                .extracting(NeedleSnapshot::placed)
+                .containsExactly(false, true, true, true, true, true);
+        double slantedMm = 20 * 20 / Math.hypot(90, 20);
+        assertThat(tipZ(1)).as("put on the skin").isZero();
+        assertThat(snapshots.all().get(1).hub()[2]).as("before it is turned").isCloseTo(0, within(1e-9));
+        assertThat(tipZ(2)).isCloseTo(slantedMm, within(1e-9));
+        assertThat(tipZ(3)).isCloseTo(slantedMm, within(1e-9));
+        assertThat(tipZ(4)).as("turned").isCloseTo(0, within(1e-9));
+        assertThat(snapshots.all().get(5).tip()[1]).as("at another place").isCloseTo(5, within(1e-9));
+    }
+
+    private double tipZ(int snapshot) {
+        return snapshots.all().get(snapshot).tip()[2];
+    }
+
+    /** Out of the skin and in again in one frame. */
+    @Test
+    void eachPlacementHasItsPicture() throws IOException {
+        play("steps:\n  - place: {entry: [0, 0, 0], aim: target}\n  - advance: {depth_mm: 20}\n  - withdraw: {}\n"
+                + "  - place: {entry: [0, 5, 0], aim: target}\n");
+        assertThat(snapshots.all()).extracting(NeedleSnapshot::name).containsExactly("placed", "placed_2");
+        assertThat(snapshots.all().get(1).tip()[1]).isCloseTo(5, within(1e-9));
     }
 
     @Test
