@@ -80,6 +80,9 @@ public record RehearsalPlan(
             "9-small-moving.yaml");
     private static final int MAX_MOMENTS = 100;
     private static final double TIMEOUT_S = 60;
+    /** More simulated time than any attempt takes, by hand over days too, s. */
+    private static final double MAX_TIMEOUT_S = 1e6;
+
     /** Time in which a patient follows a breathing command, s. */
     private static final double REACTION_S = 0.4;
 
@@ -139,8 +142,8 @@ public record RehearsalPlan(
         return of(ShippedFile.yaml("exercises/" + name), Path.of(name));
     }
 
-    /** Returns a plan without steps, for free practice. */
-    public static RehearsalPlan practice(Scenario scenario, TargetLesion target, Needle needle) {
+    /** Returns a plan without steps, for free practice with a breath recorded at so many moments. */
+    public static RehearsalPlan practice(Scenario scenario, TargetLesion target, Needle needle, int moments) {
         return new RehearsalPlan(
                 "Practice",
                 "A target and an entry of one's own choice.",
@@ -149,7 +152,7 @@ public record RehearsalPlan(
                 TargetSpec.of(target),
                 needle,
                 NoGoZone.defaults(),
-                BreathCycle.PHASES,
+                moments,
                 TIMEOUT_S,
                 Goals.none(),
                 Aids.SEE_THROUGH,
@@ -168,7 +171,7 @@ public record RehearsalPlan(
                 needle(yaml),
                 avoided(yaml),
                 (int) within(yaml, "phases", (double) yaml.integer("phases", BreathCycle.PHASES), 2, MAX_MOMENTS),
-                within(yaml, "give_up_after_s", yaml.number("give_up_after_s", TIMEOUT_S), 1, 3600),
+                within(yaml, "give_up_after_s", yaml.number("give_up_after_s", TIMEOUT_S), 1, MAX_TIMEOUT_S),
                 Goals.read(yaml.mapOrEmpty("done_when")),
                 aids(yaml),
                 yaml.has("steps") ? PlanStepYaml.read(yaml.maps("steps"), file.toString()) : List.of(),

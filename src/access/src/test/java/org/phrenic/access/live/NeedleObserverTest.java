@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.access.BoxAnatomy;
+import org.phrenic.access.BreathCycle;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.Needle;
 import org.phrenic.access.SkinPoint;
@@ -34,12 +35,13 @@ class NeedleObserverTest {
                 scene,
                 target,
                 new Needle(18, lengthMm),
-                RehearsalPlan.practice(Scenario.defaults(), target, new Needle(18, lengthMm))
+                RehearsalPlan.practice(Scenario.defaults(), target, new Needle(18, lengthMm), BreathCycle.PHASES)
                         .avoided());
     }
 
     private NeedleState state(NeedleInsertion needle, double aimedMm) {
-        RehearsalPlan plan = RehearsalPlan.practice(Scenario.defaults(), needle.target(), needle.needle());
+        RehearsalPlan plan =
+                RehearsalPlan.practice(Scenario.defaults(), needle.target(), needle.needle(), BreathCycle.PHASES);
         Optional<SkinPoint> entry = Optional.of(SkinPoint.atRest(scene.skin(), ENTRY));
         return new NeedleObserver(scene, plan)
                 .describe(

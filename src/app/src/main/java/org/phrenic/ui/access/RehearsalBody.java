@@ -48,7 +48,8 @@ record RehearsalBody(
     /** Computes the access map of a target; takes a while, and leaves a processor to the window. */
     StudiedTarget studyTarget(
             TargetLesion target, List<BreathMoment> breath, Optional<RehearsalPlan> exercise, Scenario scenario) {
-        RehearsalPlan meant = exercise.orElseGet(() -> RehearsalPlan.practice(scenario, target, Needle.standard()));
+        RehearsalPlan meant =
+                exercise.orElseGet(() -> RehearsalPlan.practice(scenario, target, Needle.standard(), breath.size()));
         try (Workers workers = Workers.of(Math.max(1, Runtime.getRuntime().availableProcessors() - 1))) {
             TargetAccess study =
                     TargetAccess.of(planningScene, breath, target, meant.needle(), meant.avoided(), workers);

@@ -90,12 +90,16 @@ final class RehearsalPreparation {
         enter(RehearsalStage.RECORDING_BREATH);
         cycle = List.of();
         rehearsal.entrySelection().clear();
-        // The needle does not move the body, so a steady breath need not be simulated again.
-        repeatSteadyBreath();
         rehearsal.recordedFraction = 0;
         // With other breathing than the exercise's the target stays, for practice.
         rehearsal.exercise =
                 rehearsal.exercise.filter(exercise -> breatheAlike(exercise.scenario(), session.scenario()));
+        // The needle does not move the body, so a steady breath need not be simulated again, if no exercise asks for
+        // it.
+        repeatSteadyBreath(rehearsal
+                .exercise
+                .map(exercise -> exercise.scenario().get(Breathing.REPEAT))
+                .orElse(true));
         int moments = rehearsal.exercise.map(RehearsalPlan::moments).orElse(BreathCycle.PHASES);
         Frame frame = rehearsal.body.orElseThrow().frame();
         BooleanSupplier wanted = worker.notDiscardedSince();
@@ -117,11 +121,12 @@ final class RehearsalPreparation {
         rehearsal.fireState();
     }
 
-    /** Repeats steady breaths from their record until {@link #endRepetition}. */
-    private void repeatSteadyBreath() {
-        if (!session.scenario().get(Breathing.REPEAT)) {
-            setsRepetition = true;
-            setRepetition(true);
+    /** Repeats steady breaths from their record until {@link #endRepetition}, or simulates each. */
+    private void repeatSteadyBreath(boolean repeated) {
+        boolean changes = session.scenario().get(Breathing.REPEAT) != repeated;
+        setsRepetition = repeated && (setsRepetition || changes);
+        if (changes) {
+            setRepetition(repeated);
         }
     }
 

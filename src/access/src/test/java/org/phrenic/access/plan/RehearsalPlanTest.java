@@ -1,0 +1,50 @@
+package org.phrenic.access.plan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.access.Needle;
+import org.phrenic.access.TargetLesion;
+import org.phrenic.document.YamlWriter;
+import org.phrenic.scenario.Scenario;
+
+/** The plan of an attempt by hand that is saved can be read and says what was. */
+class RehearsalPlanTest {
+    private static final TargetLesion TARGET = new TargetLesion(new double[] {-90, 0, 50}, 20);
+    private static final double HOUR_S = 3600;
+
+    @TempDir
+    Path folder;
+
+    private RehearsalPlan savedAndRead(RehearsalPlan plan) {
+        YamlWriter.write(folder.resolve("scenario.yaml"), plan.scenario().toMap());
+        YamlWriter.write(folder.resolve("plan.yaml"), plan.toMap("scenario.yaml"));
+        return RehearsalPlan.read(folder.resolve("plan.yaml"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {10, HOUR_S, 3 * HOUR_S, 100 * HOUR_S})
+    void thePlanOfAnAttemptOfAnyLengthCanBeReadAgain(double lastS) {
+        RehearsalPlan practice = RehearsalPlan.practice(Scenario.defaults(), TARGET, Needle.standard(), 40);
+        RehearsalPlan kept = practice.withSteps(TARGET, List.of(), lastS);
+        RehearsalPlan read = savedAndRead(kept);
+        assertThat(read.timeoutS()).isEqualTo(kept.timeoutS()).isGreaterThan(lastS);
+        assertThat(read.moments()).as("moments of the breath that was recorded").isEqualTo(40);
+    }
+
+    @Test
+    void aTimeThatNeverComesIsRefused() throws IOException {
+        Path file = Files.writeString(
+                folder.resolve("plan.yaml"),
+                "target: {rest_mm: [-90, 0, 50], diameter_mm: 20}\ngive_up_after_s: .inf\n");
+        assertThatThrownBy(() -> RehearsalPlan.read(file)).hasMessageContaining("give_up_after_s");
+    }
+}
