@@ -1,5 +1,6 @@
 package org.phrenic.access.attempt;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -61,6 +62,38 @@ public record AttemptRecord(
         return samples.stream().anyMatch(TargetingError::hit);
     }
 
+    /**
+     * The sample that tells what came of the attempt: of those that hit, the nearest to the middle of the target; if
+     * none hit, the last.
+     */
+    public Optional<TargetingError> decisive() {
+        return samples.stream()
+                .filter(TargetingError::hit)
+                .min(Comparator.comparingDouble(TargetingError::distanceMm))
+                .or(this::last);
+    }
+
+    /** The last sample. */
+    public Optional<TargetingError> last() {
+        return samples.isEmpty() ? Optional.empty() : Optional.of(samples.get(samples.size() - 1));
+    }
+
+    /** Whether the target was hit, such as "Missed" or, of several samples, "Hit in 1 of 2 samples". */
+    public String verdict() {
+        int taken = samples.size();
+        if (taken == 0) {
+            return "No sample";
+        }
+        long hits = samples.stream().filter(TargetingError::hit).count();
+        String counted = hits > 0 ? " in " + hits + " of " + taken + " samples" : " in " + taken + " samples";
+        return (hits > 0 ? "Hit" : "Missed") + (taken > 1 ? counted : "");
+    }
+
+    /** Which of several samples {@link #decisive} is, such as "in the last, "; empty if there is no other. */
+    public String whichSample() {
+        return samples.size() < 2 ? "" : hit() ? "in the nearest that hit, " : "in the last, ";
+    }
+
     /** Largest rotation of the needle caused by liver motion, degrees. */
     public double rotationByLiverDeg() {
         return loads.rotationDeg();
@@ -77,10 +110,8 @@ public record AttemptRecord(
     /** The main measures. Keys include the unit. */
     public OrderedValues headlines() {
         OrderedValues map = new OrderedValues().with("hit", hit());
-        if (!samples.isEmpty()) {
-            TargetingError last = samples.get(samples.size() - 1);
-            map.with("axial_error_mm", last.axialMm()).with("lateral_error_mm", last.lateralMm());
-        }
+        last().ifPresent(sample ->
+                map.with("axial_error_mm", sample.axialMm()).with("lateral_error_mm", sample.lateralMm()));
         return map.with("attempts", count(AttemptEvent.Kind.SKIN_PUNCTURE))
                 .with("redirections", count(AttemptEvent.Kind.REDIRECTION))
                 .with("skin_contacts", count(AttemptEvent.Kind.SKIN_CONTACT))

@@ -171,15 +171,15 @@ public final class RehearsalReport {
     }
 
     private String headline() {
-        if (record.samples().isEmpty()) {
-            return "No sample was taken.";
-        }
-        TargetingError last = record.samples().get(record.samples().size() - 1);
-        return (record.hit() ? "Hit" : "Missed")
-                + (last.coreInTargetMm().isEmpty() ? ": the tip was " : ": the middle of the core was ")
-                + mm(last.distanceMm())
+        return record.decisive().map(this::headline).orElse("No sample was taken.");
+    }
+
+    private String headline(TargetingError sample) {
+        return record.verdict() + ": " + record.whichSample()
+                + (sample.coreInTargetMm().isEmpty() ? "the tip was " : "the middle of the core was ")
+                + mm(sample.distanceMm())
                 + " mm from the middle of a target of " + mm(rehearsal.target().diameterMm()) + " mm ("
-                + place(last) + ")." + core(last)
+                + place(sample) + ")." + core(sample)
                 + motion();
     }
 

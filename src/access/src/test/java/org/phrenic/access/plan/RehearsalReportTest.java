@@ -2,15 +2,71 @@ package org.phrenic.access.plan;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.phrenic.access.BoxAnatomy;
+import org.phrenic.access.BreathMoment;
+import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.Needle;
+import org.phrenic.access.TargetLesion;
+import org.phrenic.access.attempt.NeedleInsertion;
 import org.phrenic.access.attempt.TargetingError;
+import org.phrenic.access.path.TargetAccess;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.document.report.HtmlPage;
+import org.phrenic.engine.parallel.Workers;
+import org.phrenic.scenario.Scenario;
 
 class RehearsalReportTest {
+    private static final double AT_ONCE = 1e6;
+
     /** The tip 3 mm beyond the middle of the target and 4 mm beside it. */
     @Test
     void theHeadlineTellsWhatIsAlongTheNeedleFromWhatIsAside() {
         TargetingError sample = new TargetingError(-3, 4, true, OptionalDouble.empty());
         assertThat(RehearsalReport.place(sample)).isEqualTo("-3.0 mm along the needle, 4.0 mm aside");
+    }
+
+    /** The report of samples at these depths on the way to a target of 20 mm in a depth of 90 mm, to be read. */
+    private static String report(double... depthsMm) {
+        BoxAnatomy body = new BoxAnatomy();
+        MovingAnatomy scene = new MovingAnatomy(body.surfaces);
+        scene.update(body.still(0));
+        TargetLesion target = TargetLesion.at(scene, new double[] {90, 0, -20}, 20);
+        List<BreathMoment> breath = List.of(new BreathMoment(body.still(0), RespiratoryPhase.PAUSE));
+        RehearsalPlan plan = RehearsalPlan.practice(Scenario.defaults(), target, Needle.standard(), breath.size());
+        try (Workers workers = Workers.of(1)) {
+            TargetAccess access = TargetAccess.of(scene, breath, target, plan.needle(), plan.avoided(), workers);
+            NeedleInsertion needle = new NeedleInsertion(scene, target, plan.needle(), plan.avoided());
+            needle.update(body.still(0), RespiratoryPhase.PAUSE);
+            needle.place(new double[] {0, 0, -20}, needle.targetNow());
+            for (int i = 0; i < depthsMm.length; i++) {
+                needle.advance(depthsMm[i], AT_ONCE);
+                needle.update(body.still(1 + i), RespiratoryPhase.PAUSE);
+                needle.sample();
+            }
+            Rehearsal rehearsal = new Rehearsal(
+                    plan,
+                    body.surfaces,
+                    access,
+                    Optional.empty(),
+                    needle.record(),
+                    new HeldProbe(scene).use(),
+                    List.of(),
+                    "");
+            return HtmlPage.format(new RehearsalReport(rehearsal).document(List.of(), List.of(), "today"));
+        }
+    }
+
+    @Test
+    void theHeadlineTellsADistanceOfTheSampleThatItsVerdictIsOf() {
+        String of = " mm from the middle of a target of 20.0 mm";
+        assertThat(report(88)).contains("Hit: the tip was 2.0" + of);
+        assertThat(report(60)).contains("Missed: the tip was 30.0" + of);
+        assertThat(report(84, 88, 60)).contains("Hit in 2 of 3 samples: in the nearest that hit, the tip was 2.0" + of);
+        assertThat(report(70, 60)).contains("Missed in 2 samples: in the last, the tip was 30.0" + of);
+        assertThat(report()).contains("No sample was taken.");
     }
 }

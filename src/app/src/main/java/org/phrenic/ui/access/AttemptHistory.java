@@ -67,17 +67,10 @@ public record AttemptHistory(Path file, String session) {
 
     private String row(Rehearsal attempt) {
         AttemptRecord record = attempt.record();
-        List<TargetingError> samples = record.samples();
         List<String> cells =
                 new ArrayList<>(List.of(session, now(), quoted(attempt.plan().title())));
         cells.add(attempt.plan().aids().key());
-        cells.add(Boolean.toString(record.hit()));
-        if (samples.isEmpty()) {
-            cells.addAll(List.of("", "", ""));
-        } else {
-            TargetingError last = samples.get(samples.size() - 1);
-            cells.addAll(List.of(number(last.distanceMm()), number(last.axialMm()), number(last.lateralMm())));
-        }
+        cells.addAll(record.last().map(AttemptHistory::sampleCells).orElse(List.of("", "", "", "")));
         cells.add(number(record.timeS()));
         cells.add(number(record.inNoGoS()));
         cells.add(number(attempt.probe().probeS()));
@@ -90,6 +83,14 @@ public record AttemptHistory(Path file, String session) {
         cells.add(number(record.loads().sideN()));
         cells.add(number(record.loads().bendingMm()));
         return String.join(",", cells);
+    }
+
+    private static List<String> sampleCells(TargetingError sample) {
+        return List.of(
+                Boolean.toString(sample.hit()),
+                number(sample.distanceMm()),
+                number(sample.axialMm()),
+                number(sample.lateralMm()));
     }
 
     /** A title without what separates cells and rows. */

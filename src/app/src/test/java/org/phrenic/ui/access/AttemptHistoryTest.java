@@ -6,9 +6,20 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.access.BreathCycle;
+import org.phrenic.access.Needle;
+import org.phrenic.access.attempt.AttemptRecord;
+import org.phrenic.access.attempt.ProbeUse;
+import org.phrenic.access.attempt.TargetingError;
+import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.file.BadInputException;
+import org.phrenic.scenario.Scenario;
 
 /** What is said of a file of attempts, which a user may edit. */
 class AttemptHistoryTest {
@@ -39,6 +50,28 @@ class AttemptHistoryTest {
     void tenSamplesTellBothEnds() throws IOException {
         String rows = (ROW + "false,10\n").repeat(5) + (ROW + "true,2\n").repeat(5);
         assertThat(history(rows).learningCurve("Dome")).endsWith("; the first 5 10.0 mm, the last 5 2.0 mm.");
+    }
+
+    /** A row's hit, distance and errors are of one sample, the last; a learning curve counts the hits of those. */
+    @Test
+    void theRowOfAnAttemptIsThatOfItsLastSample() throws IOException {
+        TargetingError hit = new TargetingError(3, 4, true, OptionalDouble.empty());
+        TargetingError miss = new TargetingError(-12, 5, false, OptionalDouble.empty());
+        AttemptHistory kept = new AttemptHistory(folder.resolve("kept.csv"), "2026-11-25T10:00");
+        RehearsalPlan plan = RehearsalPlan.practice(
+                Scenario.defaults(), SampledAttempts.TARGET, Needle.standard(), BreathCycle.PHASES);
+        for (AttemptRecord record : List.of(
+                SampledAttempts.record(hit, miss), SampledAttempts.record(miss, hit), SampledAttempts.record())) {
+            kept.add(new Rehearsal(plan, List.of(), null, Optional.empty(), record, ProbeUse.NONE, List.of(), ""));
+        }
+        assertThat(Files.readAllLines(kept.file()))
+                .extracting(row -> row.replaceFirst("^[^,]*,[^,]*,", ""))
+                .satisfiesExactly(
+                        header -> assertThat(header).startsWith("exercise,help,hit,distance_mm,axial_mm,lateral_mm,"),
+                        row -> assertThat(row).startsWith("Practice,see-through,false,13.00,-12.00,5.00,"),
+                        row -> assertThat(row).startsWith("Practice,see-through,true,5.00,3.00,4.00,"),
+                        row -> assertThat(row).startsWith("Practice,see-through,,,,,"));
+        assertThat(kept.learningCurve("Practice")).startsWith("This exercise: 2 samples in 1 session, 1 hit, 9.0");
     }
 
     @Test

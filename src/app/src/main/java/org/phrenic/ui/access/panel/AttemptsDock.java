@@ -45,10 +45,10 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
     private static final List<Column> COLUMNS = List.of(
             new Column("", "Number of the attempt", 22, null),
             new Column("Exercise", "What is rehearsed", 92, r -> r.plan().title()),
-            column("Result", "Hit or missed", 58, r -> sample(r, s -> r.hit() ? "hit" : "missed")),
+            column("Result", "Hit or missed", 58, r -> sample(r, s -> s.hit() ? "hit" : "missed")),
             column(
                     "mm off",
-                    "Distance between tip and middle of the target at the last sample, mm",
+                    "Distance from the middle of the target at the nearest sample that hit, or else at the last, mm",
                     56,
                     r -> sample(r, s -> oneDecimal(s.distanceMm()))),
             column("s", "Time from the first contact with the skin, s", 44, r -> oneDecimal(r.timeS())),
@@ -135,8 +135,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
     }
 
     private static String sample(AttemptRecord record, Function<TargetingError, String> text) {
-        List<TargetingError> samples = record.samples();
-        return samples.isEmpty() ? "-" : text.apply(samples.get(samples.size() - 1));
+        return record.decisive().map(text).orElse("-");
     }
 
     private static String oneDecimal(double value) {

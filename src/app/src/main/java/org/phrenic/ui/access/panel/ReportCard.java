@@ -14,6 +14,7 @@ import org.phrenic.access.plan.Goals;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.ui.session.NumberFormats;
+import org.phrenic.ui.widget.Controls;
 
 /** The result of an attempt: hit or missed, the targeting error, goals and measures. */
 public final class ReportCard extends JPanel {
@@ -55,23 +56,24 @@ public final class ReportCard extends JPanel {
     }
 
     private static String headline(Rehearsal rehearsal, boolean asks) {
-        String hit = rehearsal.record().samples().isEmpty()
-                ? "No sample"
-                : rehearsal.record().hit() ? "Hit" : "Missed";
+        String hit = rehearsal.record().verdict();
         return asks ? hit + (rehearsal.goalsReached() ? ", and done" : ", not done") : hit;
     }
 
-    private static String sampleText(AttemptRecord record) {
-        if (record.samples().isEmpty()) {
-            return "The needle was removed without a sample.";
-        }
-        TargetingError last = record.samples().get(record.samples().size() - 1);
-        String core = last.coreInTargetMm().isEmpty()
+    static String sampleText(AttemptRecord record) {
+        return record.decisive()
+                .map(sample -> sampleText(record, sample))
+                .orElse("The needle was removed without a sample.");
+    }
+
+    private static String sampleText(AttemptRecord record, TargetingError sample) {
+        String core = sample.coreInTargetMm().isEmpty()
                 ? ""
                 : NumberFormats.text(
                         " Of the core of %.0f mm, %.1f mm lay in it.",
-                        record.needle().coreMm(), last.coreInTargetMm().getAsDouble());
-        return (core.isEmpty() ? "The tip" : "The middle of the core") + place(last) + core;
+                        record.needle().coreMm(), sample.coreInTargetMm().getAsDouble());
+        String what = core.isEmpty() ? "the tip" : "the middle of the core";
+        return Controls.capitalise(record.whichSample() + what) + place(sample) + core;
     }
 
     static String place(TargetingError sample) {

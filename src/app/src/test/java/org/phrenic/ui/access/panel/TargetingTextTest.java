@@ -7,6 +7,7 @@ import javax.swing.text.BadLocationException;
 import org.junit.jupiter.api.Test;
 import org.phrenic.access.attempt.NeedleLoad;
 import org.phrenic.access.attempt.TargetingError;
+import org.phrenic.ui.access.SampledAttempts;
 import org.phrenic.ui.session.EventThread;
 
 /** An axial error is positive where the middle of the target lies deeper than the tip. */
@@ -25,6 +26,17 @@ class TargetingTextTest {
     void theCardSaysWhetherTheSampleWasShortOrDeep() {
         assertThat(ReportCard.place(SHORT)).contains("13.0 mm from the middle", "12.0 mm short of it, 5.0 mm aside");
         assertThat(ReportCard.place(DEEP)).contains("12.0 mm too deep, 5.0 mm aside");
+    }
+
+    @Test
+    void theCardTellsOfTheSampleThatHit() {
+        TargetingError hit = new TargetingError(3, 4, true, OptionalDouble.empty());
+        assertThat(ReportCard.sampleText(SampledAttempts.record(hit, SHORT)))
+                .startsWith("In the nearest that hit, the tip was 5.0 mm from");
+        assertThat(ReportCard.sampleText(SampledAttempts.record(DEEP, SHORT)))
+                .startsWith("In the last, the tip was 13.0 mm from");
+        assertThat(ReportCard.sampleText(SampledAttempts.record(SHORT))).startsWith("The tip was 13.0 mm from");
+        assertThat(ReportCard.sampleText(SampledAttempts.record())).contains("without a sample");
     }
 
     @Test
