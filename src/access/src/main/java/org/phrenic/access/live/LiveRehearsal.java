@@ -40,6 +40,9 @@ public final class LiveRehearsal implements StepListener {
 
         /** An attempt has ended: the needle was withdrawn after a sample, or the plan is complete. */
         void finished(LiveAttempt attempt);
+
+        /** A plan has ended at a step that could not be executed, of which {@link #refused} has told. */
+        default void stopped() {}
     }
 
     /** Wall-clock time between two published states, ns. */
@@ -226,6 +229,7 @@ public final class LiveRehearsal implements StepListener {
         } catch (BadInputException bad) {
             over = true;
             listener.refused(bad.getMessage());
+            listener.stopped();
             return false;
         }
     }

@@ -1,6 +1,7 @@
 package org.phrenic.access.live;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -64,6 +65,8 @@ class LiveAttemptTest {
 
     private final Map<Double, ImageMoment> moments = new ConcurrentHashMap<>();
 
+    private final CompletableFuture<Void> stopped = new CompletableFuture<>();
+
     private RehearsalPlan plan(String steps) throws IOException {
         return RehearsalPlan.read(Files.writeString(folder.resolve("plan.yaml"), BODY + steps));
     }
@@ -120,6 +123,13 @@ class LiveAttemptTest {
         assertThat(imageAtSample(headless))
                 .as("the image of the sample's moment, without and with a live run")
                 .isEqualTo(liveImage(live, sample(live)));
+    }
+
+    @Test
+    void aPlanWithAStepThatCannotBeExecutedIsToldAndEndsThere() throws Exception {
+        RehearsalPlan plan = plan("steps: [{wait: 0.1}, {advance: {depth_mm: 20}}]\n");
+        assertThatThrownBy(() -> live(plan, true, needle -> {})).hasMessageContaining("step 2, advance");
+        stopped.get(PATIENCE_S, TimeUnit.SECONDS);
     }
 
     private static NeedleSnapshot sample(Rehearsal rehearsal) {
@@ -206,7 +216,7 @@ class LiveAttemptTest {
                     plan,
                     study.target(),
                     played ? Optional.of(study.map()) : Optional.empty(),
-                    new Ended(ended));
+                    new Ended(ended, stopped));
             StepListener watching = needle.andThen(
                     (frame, label) -> needle.imageMoment().ifPresent(moment -> moments.put(frame.timeS(), moment)));
             run.restart(StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), watching);
@@ -217,7 +227,8 @@ class LiveAttemptTest {
         }
     }
 
-    private record Ended(CompletableFuture<LiveAttempt> attempt) implements LiveRehearsal.Listener {
+    private record Ended(CompletableFuture<LiveAttempt> attempt, CompletableFuture<Void> stop)
+            implements LiveRehearsal.Listener {
         @Override
         public void refused(String sentence) {
             attempt.completeExceptionally(new IllegalStateException(sentence));
@@ -226,6 +237,11 @@ class LiveAttemptTest {
         @Override
         public void finished(LiveAttempt done) {
             attempt.complete(done);
+        }
+
+        @Override
+        public void stopped() {
+            stop.complete(null);
         }
     }
 

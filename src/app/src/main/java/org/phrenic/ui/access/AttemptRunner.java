@@ -30,6 +30,8 @@ final class AttemptRunner implements AutoCloseable {
     private final ExecutorService sectionThread = BackgroundWorker.daemonThread("phrenic-section");
     private final ExecutorService pictureThread = BackgroundWorker.daemonThread("phrenic-pictures");
     private volatile LiveRehearsal rehearsal;
+    /** Whether the attempt is played, so that its needle takes no commands. */
+    private boolean isPlayed;
 
     AttemptRunner(Session session, BackgroundWorker work, RehearsalController controller) {
         this.session = session;
@@ -50,6 +52,7 @@ final class AttemptRunner implements AutoCloseable {
             RehearsalPlan plan,
             boolean played,
             Optional<EntrySelection.Entry> entry) {
+        isPlayed = played;
         BooleanSupplier current = work.notDiscardedSince();
         controller.pictures().begin();
         LiveRehearsal.Listener listener = new LiveRehearsal.Listener() {
@@ -74,6 +77,15 @@ final class AttemptRunner implements AutoCloseable {
                     }
                 });
             }
+
+            @Override
+            public void stopped() {
+                SwingUtilities.invokeLater(() -> {
+                    if (current.getAsBoolean()) {
+                        controller.onAttemptEnded(played);
+                    }
+                });
+            }
         };
         Optional<AccessMap> map = played ? Optional.of(about.map()) : Optional.empty();
         LiveRehearsal watching = new LiveRehearsal(
@@ -86,6 +98,13 @@ final class AttemptRunner implements AutoCloseable {
         session.restart(
                 StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), pictures(watching, body, about, plan, current));
         session.restoreSpeed();
+    }
+
+    /** Begins an attempt by hand if a plan has been played, whose needle takes no commands. */
+    void takeOver() {
+        if (isPlayed && controller.stage() == RehearsalStage.READY) {
+            controller.startAttempt(false);
+        }
     }
 
     /** The listener that computes sections and pictures beside the needle. */

@@ -54,6 +54,7 @@ public final class EntrySelection {
         if (rehearsal.stage() != RehearsalStage.READY) {
             return;
         }
+        rehearsal.attempt.takeOver();
         if (rehearsal.state().filter(s -> s.placed() && s.depthMm() > 0).isPresent()) {
             session.note("Take the needle out first.");
             return;

@@ -32,8 +32,12 @@ public final class NeedleController {
         this.view = view;
     }
 
-    /** Passes a command to the needle, and resumes the simulation, in whose time it is carried out. */
+    /**
+     * Passes a command to the needle, and resumes the simulation, in whose time it is carried out. After a played plan
+     * an attempt by hand begins with it, from the start of the run.
+     */
     void command(Consumer<LiveRehearsal> what) {
+        rehearsal.attempt.takeOver();
         rehearsal.usableNeedle().ifPresent(needle -> {
             what.accept(needle);
             if (!session.live().isPlaying()) {

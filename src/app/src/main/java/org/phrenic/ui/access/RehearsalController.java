@@ -60,7 +60,7 @@ public final class RehearsalController implements Session.Listener {
     private final SceneViewport view;
     private final BackgroundWorker worker = new BackgroundWorker("phrenic-rehearsal");
     final RehearsalPreparation preparation;
-    private final AttemptRunner attempt;
+    final AttemptRunner attempt;
     private final EntrySelection entrySelection;
     private final PickMode pickMode;
     private final NeedleController needle;
