@@ -13,6 +13,8 @@ final class VoxelRegion {
     private static final short UNKNOWN = Short.MAX_VALUE;
     /** Components smaller than the segment divided by this value are not numbered, so that numbers fit into a byte. */
     private static final int MAX_COMPONENTS = 100;
+    /** Voxels that the border adds to each side of the bounding box. */
+    private static final int BORDER = 2;
 
     private final Segmentation segmentation;
     /** First column, row and slice of the bounding box. */
@@ -26,14 +28,15 @@ final class VoxelRegion {
 
     private final int[] queue;
 
+    /** Prepares a segment; one without voxels has no member. */
     VoxelRegion(Segmentation segmentation, int segment) {
         this.segmentation = segmentation;
         int[] box = segmentation.box(segment);
         low = new int[] {box[0], box[1], box[2]};
-        wide = box[3] - box[0] + 3;
-        high = box[4] - box[1] + 3;
+        wide = size(box, 0);
+        high = size(box, 1);
         steps = new int[] {-1, 1, -wide, wide, -wide * high, wide * high};
-        depth = new short[wide * high * (box[5] - box[2] + 3)];
+        depth = new short[wide * high * size(box, 2)];
         int members = 0;
         for (int k = box[2]; k <= box[5]; k++) {
             for (int j = box[1]; j <= box[4]; j++) {
@@ -48,6 +51,10 @@ final class VoxelRegion {
             }
         }
         queue = new int[members];
+    }
+
+    private static int size(int[] box, int direction) {
+        return Math.max(0, box[3 + direction] - box[direction] + 1) + BORDER;
     }
 
     /** Number of cells. */

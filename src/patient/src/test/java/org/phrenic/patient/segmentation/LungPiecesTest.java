@@ -49,4 +49,15 @@ class LungPiecesTest {
         assertThat(LungPieces.name(s)).isEmpty();
         assertThat(count(s, "lung_L")).isEqualTo(33 * 100);
     }
+
+    @Test
+    void aLungOfSpecksAloneIsNone() {
+        Segmentation s = lung(0, 20, 30, 40);
+        byte right = (byte) s.segment("lung_R");
+        s.voxels[25] = right;
+        s.voxels[27] = right;
+        SegmentationRepair.mend(s);
+        assertThat(LungPieces.name(s)).singleElement().asString().startsWith("lung_L: a piece of 1 ml lies apart");
+        assertThat(count(s, "lung_R")).isZero();
+    }
 }
