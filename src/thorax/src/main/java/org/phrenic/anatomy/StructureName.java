@@ -27,6 +27,10 @@ public record StructureName(StructureKind kind, int level, Side side) {
     private static final Pattern VERTEBRA = Pattern.compile("vertebra_([tl])0*(\\d{1,2})");
     private static final Pattern DISC = Pattern.compile("disc_([ctl])0*(\\d{1,2})_[tls]0*\\d{1,2}");
     private static final Pattern LUNG = Pattern.compile("(lung|pleura)_([rl])(_.*)?");
+    /** Names of vertebrae and discs, whose regions are capitals. */
+    private static final Pattern SPINAL = Pattern.compile("((?:bone_)?vertebra_|disc_)([ctls]\\d.*)");
+
+    private static final Pattern SUFFIX = Pattern.compile("_[rl](?=_|$)");
 
     /** Parses a name; empty if the name is unknown, or none of a file. */
     public static Optional<StructureName> parse(String name) {
@@ -65,6 +69,39 @@ public record StructureName(StructureKind kind, int level, Side side) {
             kind = StructureKind.SKIN;
         }
         return kind == null ? OrganNames.parse(name) : Optional.of(new StructureName(kind, 0, Side.MIDLINE));
+    }
+
+    /**
+     * The usual spelling of a name, by which other code finds the structure: {@code Rib_5_r} is {@code rib_05_R}. Text
+     * that is no structure's name stays as it is.
+     */
+    public static String usual(String name) {
+        return parse(name)
+                .map(known -> known.spelling(name.toLowerCase(Locale.ROOT)))
+                .orElse(name);
+    }
+
+    private String spelling(String lower) {
+        return switch (kind) {
+            case RIB, COSTAL_CARTILAGE ->
+                String.format(
+                        Locale.ROOT,
+                        "%s_%02d_%s",
+                        kind.name().toLowerCase(Locale.ROOT),
+                        level,
+                        side == Side.RIGHT ? "R" : "L");
+            case VERTEBRA ->
+                level < FIRST_LUMBAR
+                        ? String.format(Locale.ROOT, "vertebra_T%02d", level)
+                        : String.format(Locale.ROOT, "vertebra_L%02d", level - FIRST_LUMBAR + 1);
+            default -> {
+                Matcher spinal = SPINAL.matcher(lower);
+                yield spinal.matches()
+                        ? spinal.group(1)
+                                + spinal.group(2).toUpperCase(Locale.ROOT).replaceAll("(?<=[CTLS])0+(?=\\d)", "")
+                        : SUFFIX.matcher(lower).replaceFirst(m -> m.group().toUpperCase(Locale.ROOT));
+            }
+        };
     }
 
     private static Side side(String letter) {

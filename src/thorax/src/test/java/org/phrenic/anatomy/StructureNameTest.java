@@ -73,11 +73,34 @@ class StructureNameTest {
         assertThat(StructureName.parse(name)).contains(new StructureName(StructureKind.OTHER, 0, Side.MIDLINE));
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "rib_1_L, rib_01_L",
+        "Rib_12_r, rib_12_R",
+        "rib_005_R, rib_05_R",
+        "costal_cartilage_5_R, costal_cartilage_05_R",
+        "vertebra_T1, vertebra_T01",
+        "VERTEBRA_t12, vertebra_T12",
+        "vertebra_L1, vertebra_L01",
+        "vertebra_c7, vertebra_C7",
+        "disc_t04_T05, disc_T4_T5",
+        "disc_T9_T10, disc_T9_T10",
+        "Lung_r_Middle, lung_R_middle",
+        "Liver, liver",
+        "kidney_l, kidney_L",
+        "bone_vertebra_l6, bone_vertebra_L6",
+        "no name, no name",
+    })
+    void aNameHasOneUsualSpelling(String name, String usual) {
+        assertThat(StructureName.usual(name)).isEqualTo(usual);
+    }
+
     @Test
     void theNamesOfTheVirtualBodySayWhatItsStructuresAre() {
         assertThat(VirtualThorax.ofPreset("adult-male", Resolution.LOW).structures())
                 .allSatisfy(s -> assertThat(StructureName.parse(s.name()))
                         .as(s.name())
-                        .contains(new StructureName(s.kind(), s.level(), s.side())));
+                        .contains(new StructureName(s.kind(), s.level(), s.side())))
+                .allSatisfy(s -> assertThat(StructureName.usual(s.name())).isEqualTo(s.name()));
     }
 }

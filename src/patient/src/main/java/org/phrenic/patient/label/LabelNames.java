@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -40,8 +41,6 @@ public final class LabelNames {
             "tenth",
             "eleventh",
             "twelfth");
-    private static final Pattern SPINAL = Pattern.compile("((?:vertebra|disc)_)(.*)");
-    private static final Pattern SUFFIX = Pattern.compile("_[rl](?=_|$)");
     /** Words that capitals part, such as "SpinalCord". */
     private static final Pattern JOINED_WORDS = Pattern.compile("(?<=[a-z])(?=[A-Z])");
     /** A side written in one word with what it is of, such as "leftlung". */
@@ -120,7 +119,7 @@ public final class LabelNames {
         BY_EXPRESSION.put(Pattern.compile("(.* )?skin( .*)?"), LabelTable.SKIN);
     }
 
-    /** Structures by names of labels of segmentation tools and public data sets. */
+    /** Structures by names of labels of segmentation tools and public data sets, in lower case. */
     private static final Map<String, String> OF_TOOLS = ofTools();
 
     private static final Map<String, String> SYNONYMS = Map.ofEntries(
@@ -128,27 +127,40 @@ public final class LabelNames {
             Map.entry("clavicula", "clavicle"),
             Map.entry("gall_bladder", "gallbladder"),
             Map.entry("ivc", "inferior_vena_cava"),
+            Map.entry("svc", "superior_vena_cava"),
             Map.entry("bladder", "urinary_bladder"),
             Map.entry("adrenal", "adrenal_gland"),
             Map.entry("small_intestine", "small_bowel"),
             Map.entry("large_bowel", "colon"),
+            Map.entry("large_intestine", "colon"),
             Map.entry("bowel", "organ_bowel"),
             Map.entry("intestine", "organ_bowel"),
             Map.entry("kidneys", "organ_kidneys"),
+            Map.entry("both_kidneys", "organ_kidneys"),
             Map.entry("portalvein", "portal_vein"),
             Map.entry("vena_cava", "inferior_vena_cava"),
             Map.entry("venacava", "inferior_vena_cava"),
+            Map.entry("vena_cava_inferior", "inferior_vena_cava"),
+            Map.entry("vena_cava_superior", "superior_vena_cava"),
             Map.entry("a_aorta", "aorta"),
             Map.entry("v_venacava_i", "inferior_vena_cava"),
             Map.entry("v_venacava_s", "superior_vena_cava"),
             Map.entry("bowel_small", "small_bowel"),
             Map.entry("bowel_large", "colon"));
 
+    /** Vessels of which a scan shows several; other plurals are pairs of organs, whose two sides one name would mix. */
+    private static final Map<String, String> VESSELS = Map.of("veins", "vein", "arteries", "artery");
+
+    private static final Pattern PLURAL_VESSELS = Pattern.compile("(?<![a-z])(veins|arteries)(?![a-z])");
+    /** Vertebrae that some people have beyond the usual number. */
+    private static final Set<String> EXTRA_VERTEBRAE = Set.of("T13", "L6");
+
     private LabelNames() {}
 
     private static Map<String, String> ofTools() {
         Map<String, String> all = new TreeMap<>();
-        NumberTable.ALL.forEach(table -> table.names().forEach(all::putIfAbsent));
+        NumberTable.ALL.forEach(table ->
+                table.names().forEach((name, structure) -> all.putIfAbsent(name.toLowerCase(Locale.ROOT), structure)));
         return all;
     }
 
@@ -173,7 +185,7 @@ public final class LabelNames {
         boolean lesion = LESION.matcher(rest).find();
         boolean beside = BESIDE.matcher(rest).find();
         if (LabelTable.isStructure(name) && (isNamed(name) || !(lesion || beside))) {
-            return Optional.of(withUsualCase(name));
+            return Optional.of(StructureName.usual(name));
         }
         if (lesion) {
             return Optional.of("lesion_" + String.join("_", words) + suffix);
@@ -223,15 +235,6 @@ public final class LabelNames {
         return vertebra(words).or(() -> organ(words, suffix));
     }
 
-    /** A structure's name in lower case, but for its side or level. */
-    private static String withUsualCase(String name) {
-        String lower = name.toLowerCase(Locale.ROOT);
-        Matcher spinal = SPINAL.matcher(lower);
-        return spinal.matches()
-                ? spinal.group(1) + spinal.group(2).toUpperCase(Locale.ROOT)
-                : SUFFIX.matcher(lower).replaceFirst(m -> m.group().toUpperCase(Locale.ROOT));
-    }
-
     private static Side side(List<String> words) {
         boolean right = words.removeAll(List.of("right", "r", "rt"));
         boolean left = words.removeAll(List.of("left", "l", "lt"));
@@ -244,8 +247,7 @@ public final class LabelNames {
         for (String word : words) {
             Matcher m = NUMBER.matcher(ordinal(word).replaceAll("^(ribs?|cartilages?)", ""));
             if (m.matches() && side != Side.MIDLINE) {
-                return known(String.format(
-                        Locale.ROOT, "%s_%02d_%s", stem, Integer.parseInt(m.group(1)), side == Side.RIGHT ? "R" : "L"));
+                return known(stem + "_" + m.group(1) + (side == Side.RIGHT ? "_R" : "_L"));
             }
         }
         boolean several = words.stream().anyMatch(word -> word.matches("ribs|ribcage|cartilages"));
@@ -258,7 +260,8 @@ public final class LabelNames {
         for (String word : joined) {
             Matcher m = VERTEBRA.matcher(word);
             if (m.matches() && (joined.size() == 1 || FILLERS.containsAll(without(joined, word)))) {
-                return vertebra(m.group(1), Integer.parseInt(m.group(2)));
+                Optional<String> usual = vertebra(m.group(1), Integer.parseInt(m.group(2)));
+                return usual.isPresent() ? usual : extraVertebra(word, joined.size() > 1);
             }
             Matcher number = NUMBER.matcher(ordinal(word));
             if (number.matches() && words.contains("vertebra") && FILLERS.containsAll(without(words, word))) {
@@ -274,8 +277,15 @@ public final class LabelNames {
     /** @param region c, t or th, l or s */
     private static Optional<String> vertebra(String region, int number) {
         String letter = region.substring(0, 1).toUpperCase(Locale.ROOT);
-        boolean padded = letter.equals("T") || letter.equals("L");
-        return known(String.format(Locale.ROOT, padded ? "vertebra_%s%02d" : "vertebra_%s%d", letter, number));
+        return known("vertebra_" + letter + number);
+    }
+
+    /** @param stated whether the name says that it is a vertebra: "T13" alone may be anything, as a slice or a time */
+    private static Optional<String> extraVertebra(String word, boolean stated) {
+        String name = word.toUpperCase(Locale.ROOT);
+        return EXTRA_VERTEBRAE.contains(name) && (stated || name.startsWith("L"))
+                ? known("bone_vertebra_" + name)
+                : Optional.empty();
     }
 
     /** The number of an ordinal such as "fifth"; any other word as it is. */
@@ -289,11 +299,11 @@ public final class LabelNames {
     }
 
     private static Optional<String> organ(List<String> words, String suffix) {
-        String stem = String.join("_", words);
+        String stem = PLURAL_VESSELS.matcher(String.join("_", words)).replaceAll(m -> VESSELS.get(m.group()));
         return known(SYNONYMS.getOrDefault(stem, stem) + suffix);
     }
 
     private static Optional<String> known(String structure) {
-        return StructureName.parse(structure).map(name -> structure);
+        return StructureName.parse(structure).map(name -> StructureName.usual(structure));
     }
 }

@@ -57,7 +57,8 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
 
     /**
      * Reads a table with the columns {@code label} or {@code name} (label number or name in the volume) and
-     * {@code structure}. If both are present, names are used if the volume has any.
+     * {@code structure}, in any case and with or without leading zeros. If label and name are present, names are used
+     * if the volume has any.
      *
      * @throws BadInputException if the table cannot be read, contains an unknown structure, or gives a label to two
      */
@@ -142,8 +143,8 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         Map<Integer, String> map = new TreeMap<>();
         List<String> absent = new ArrayList<>();
         for (int row = 0; row < structures.size(); row++) {
-            String structure = structures.get(row);
             requireStructure(table, row, structures);
+            String structure = StructureName.usual(structures.get(row));
             List<Integer> labels =
                     byName ? labelsNamed(volume, table.texts("name").get(row)) : List.of(label(table, row));
             for (int label : labels) {

@@ -180,8 +180,47 @@ class LabelNamesTest {
         "Th12, vertebra_T12",
         "12th thoracic vertebra, vertebra_T12",
         "first lumbar vertebra, vertebra_L01",
+        "vertebra_T1, vertebra_T01",
+        "vertebra_L1, vertebra_L01",
+        "rib_1_L, rib_01_L",
+        "Rib_5_r, rib_05_R",
+        "costal_cartilage_5_R, costal_cartilage_05_R",
     })
     void partsAndOtherOrdersOfWordsAreKnown(String name, String structure) {
+        assertThat(LabelNames.structure(name)).contains(structure);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "hepatic veins, hepatic_vein",
+        "Hepatic_Veins, hepatic_vein",
+        "pulmonary veins, pulmonary_vein",
+        "pulmonary_arteries, pulmonary_artery",
+        "left iliac arteries, iliac_artery_L",
+        "SVC, superior_vena_cava",
+        "Vena cava inferior, inferior_vena_cava",
+        "vena_cava_superior, superior_vena_cava",
+        "large_intestine, colon",
+        "Large Intestine, colon",
+        "both kidneys, organ_kidneys",
+    })
+    void pluralsAndCommonSpellingsAreKnown(String name, String structure) {
+        assertThat(LabelNames.structure(name)).contains(structure);
+    }
+
+    /** Names of tables that hold capitals, and the vertebrae that some people have beyond the usual number. */
+    @ParameterizedTest
+    @CsvSource({
+        "vertebrae_L6, bone_vertebra_L6",
+        "vertebra L6, bone_vertebra_L6",
+        "L6, bone_vertebra_L6",
+        "bone_vertebra_L6, bone_vertebra_L6",
+        "vertebra T13, bone_vertebra_T13",
+        "vertebrae_T13, bone_vertebra_T13",
+        "IVD, other_intervertebral_discs",
+        "vertebrae_S1, vertebra_S1",
+    })
+    void namesOfToolsWithCapitalsAreKnown(String name, String structure) {
         assertThat(LabelNames.structure(name)).contains(structure);
     }
 }

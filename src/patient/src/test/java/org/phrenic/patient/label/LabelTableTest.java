@@ -42,4 +42,13 @@ class LabelTableTest {
                         .structures())
                 .containsExactlyInAnyOrderEntriesOf(Map.of(5, "liver", 6, "liver"));
     }
+
+    @Test
+    void aStructureIsKnownWithoutLeadingZerosAndInAnyCase() throws IOException {
+        assertThat(read("label,structure\n5,rib_5_R\n6,VERTEBRA_t1\n", Map.of()).structures())
+                .isEqualTo(Map.of(5, "rib_05_R", 6, "vertebra_T01"));
+        assertThat(read("label,structure\n5,costal_cartilage_5_l\n6,vertebra_L1\n", Map.of())
+                        .structures())
+                .isEqualTo(Map.of(5, "costal_cartilage_05_L", 6, "vertebra_L01"));
+    }
 }

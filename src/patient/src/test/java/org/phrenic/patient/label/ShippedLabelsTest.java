@@ -98,4 +98,12 @@ class ShippedLabelsTest {
             }
         }
     }
+
+    /** A file that names its labels as a tool does gets the structures of the tool's table. */
+    @Test
+    void everyNameOfATableStandsForItsStructure() {
+        NumberTable.ALL.forEach(table -> table.names()
+                .forEach((name, structure) ->
+                        assertThat(LabelNames.structure(name)).as(name).contains(structure)));
+    }
 }
