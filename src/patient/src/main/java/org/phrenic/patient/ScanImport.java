@@ -107,7 +107,7 @@ public final class ScanImport {
     private void split(Segmentation segmentation) {
         if (segmentation.find(LabelTable.LUNGS) > 0) {
             progress.stage("separating the lungs");
-            LungSplitter.split(segmentation).ifPresent(problem -> {
+            LungSplitter.split(segmentation, notes).ifPresent(problem -> {
                 throw new BadInputException(file + ": " + problem);
             });
         }
@@ -207,10 +207,10 @@ public final class ScanImport {
                 .toList();
     }
 
-    /** Whether every piece of a structure is kept: an obstacle is one wherever it lies. */
+    /** Whether every piece of a structure is kept: an obstacle is one wherever it lies, and each of several bones. */
     private static boolean keepsPieces(String structure) {
         StructureKind kind = StructureName.parse(structure).orElseThrow().kind();
-        return kind.isNamed() && kind != StructureKind.BONE;
+        return (kind.isNamed() && kind != StructureKind.BONE) || LabelTable.isSeveralBones(structure);
     }
 
     private static boolean isSkin(String structure) {

@@ -173,6 +173,30 @@ class ScanImportTest {
         assertThat(body.notes()).noneMatch(note -> note.contains("left out"));
     }
 
+    /** Three vertebrae that do not touch, under the label of all: each is an obstacle, and tells where the spine is. */
+    @Test
+    void allBonesUnderOneLabelAreKept() {
+        byte[] labels = new byte[ScanSamples.COLUMNS * ScanSamples.ROWS * ScanSamples.SLICES];
+        for (int v = 0; v < labels.length; v++) {
+            int i = v % ScanSamples.COLUMNS;
+            int j = v / ScanSamples.COLUMNS % ScanSamples.ROWS;
+            int k = v / ScanSamples.COLUMNS / ScanSamples.ROWS;
+            boolean bone = Math.abs(i - 30) < 5 && Math.abs(j - 30) < 4 && k >= 5 && k < 35 && k % 10 < 7;
+            labels[v] = (byte) (bone ? 3 : 0);
+        }
+        double s = ScanSamples.SPACING_MM;
+        LabelGrid grid = LabelGrid.of(ScanSamples.COLUMNS, ScanSamples.ROWS, ScanSamples.SLICES, labels, new double[] {
+            s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0
+        });
+        for (String several : List.of(LabelTable.SPINE, LabelTable.ALL_BONES)) {
+            PatientBody body = body(new LabelVolume(grid, Map.of(), List.of()), new LabelTable(Map.of(3, several)));
+            PatientStructure bones = body.structure(several).orElseThrow();
+            double scanMl = bones.scan().orElseThrow().volumeMl();
+            assertThat(MeshMeasure.signedVolumeMl(bones.structure().mesh())).isCloseTo(scanMl, within(0.1 * scanMl));
+            assertThat(body.notes()).noneMatch(note -> note.contains("the largest was taken"));
+        }
+    }
+
     @Test
     void whatCannotBeBuiltIsToldInOneSentence() {
         assertThatThrownBy(() -> body(ScanSamples.volume(), new LabelTable(Map.of(3, "liver"))))

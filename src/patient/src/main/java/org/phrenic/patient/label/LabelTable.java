@@ -205,6 +205,11 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         return (int) label;
     }
 
+    /** Whether a structure is several bones under one name, which are no pieces of each other. */
+    public static boolean isSeveralBones(String structure) {
+        return structure.equals(ALL_BONES) || structure.equals(SPINE);
+    }
+
     /** Whether a name can stand in the table: a structure, several under one label, or that a label is ignored. */
     public static boolean isStructure(String name) {
         return name.equals(LUNGS)

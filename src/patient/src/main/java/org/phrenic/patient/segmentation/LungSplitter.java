@@ -1,14 +1,18 @@
 package org.phrenic.patient.segmentation;
 
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.phrenic.patient.label.LabelTable;
 
 /**
  * Splits a label that two lungs share. Where the lungs have labels as well, it holds vessels or the like, which go to
  * the lung about them. Where one of them has, its largest component is the other lung if it is large enough, and
- * vessels of the one otherwise. Else the label is eroded until it separates into two large components. These are then
- * grown back, with each voxel assigned to the nearer one. The component closer to the patient's right is the right
- * lung.
+ * vessels of the one otherwise. Else the label is eroded until it separates into two large components side by side, or
+ * has a small one beside the large one from the beginning, as where air or fluid about a lung makes it collapse. These
+ * are then grown back, with each voxel assigned to the nearer one. The component closer to the patient's right is the
+ * right lung.
  */
 public final class LungSplitter {
     /**
@@ -16,6 +20,14 @@ public final class LungSplitter {
      * volume.
      */
     private static final double MIN_SHARE = 0.3;
+    /** The same of a collapsed lung, which lies apart from the other and beside it. */
+    private static final double MIN_SHARE_COLLAPSED = 0.05;
+    /** Least volume of a collapsed lung, and of what is left out with a note, ml. */
+    private static final double MIN_ML = 30;
+    /** Lower share of a lung's height, beside which gas in the stomach and the bowel lies. */
+    private static final double LOW_SHARE = 0.25;
+    /** Greatest width of one lung over its depth; two that touch are at least 1.3 times as wide as deep. */
+    private static final double MAX_WIDTH = 1.15;
 
     private static final int MAX_EROSIONS = 60;
     private static final String RIGHT = "lung_R";
@@ -23,46 +35,83 @@ public final class LungSplitter {
 
     private LungSplitter() {}
 
-    /** Replaces the common segment by one per lung. Returns a note if the lungs cannot be split. */
-    public static Optional<String> split(Segmentation segmentation) {
+    /**
+     * Replaces the common segment by one per lung.
+     *
+     * @param notes receives a sentence if much belongs to neither lung
+     * @return a sentence if the lungs cannot be split
+     */
+    public static Optional<String> split(Segmentation segmentation, List<String> notes) {
         int both = segmentation.find(LabelTable.LUNGS);
         if (segmentation.find(RIGHT) > 0 || segmentation.find(LEFT) > 0) {
             if (segmentation.find(RIGHT) == 0 || segmentation.find(LEFT) == 0) {
                 nameOther(segmentation, new VoxelRegion(segmentation, both));
             }
             if (segmentation.counts()[both] > 0) {
-                join(segmentation, new VoxelRegion(segmentation, both));
+                join(segmentation, new VoxelRegion(segmentation, both), notes);
             }
             return Optional.empty();
         }
         VoxelRegion region = new VoxelRegion(segmentation, both);
         region.computeDepths();
         byte[] piece = new byte[region.cells()];
+        int[] whole = new int[2];
         for (int erosion = 0; erosion < MAX_EROSIONS; erosion++) {
             int[] sizes = region.connectedComponents(erosion, piece);
             int first = largest(sizes, 0);
             int second = largest(sizes, first);
-            if (second > 0 && sizes[second] > MIN_SHARE * sizes[first]) {
-                divide(segmentation, region, piece, first, second);
-                return Optional.empty();
+            if (erosion == 0) {
+                whole = new int[] {sizes[first], sizes[second]};
+            }
+            if (second > 0) {
+                Place large = Place.of(segmentation, region, piece, first);
+                Place small = Place.of(segmentation, region, piece, second);
+                boolean parted = small.voxels > MIN_SHARE * large.voxels && (erosion == 0 || small.isBeside(large));
+                if (parted || (erosion == 0 && isCollapsed(segmentation, small, large))) {
+                    divide(segmentation, region, piece, large, small, notes);
+                    return Optional.empty();
+                }
             }
             if (first == 0) {
                 break;
             }
         }
-        return Optional.of(LabelTable.LUNGS
-                + ": found one body that does not part into two, expected both lungs"
-                + " (or label one as lung_R or lung_L)");
+        return Optional.of(refusal(
+                segmentation.grid().volumeMl(whole[0]), segmentation.grid().volumeMl(whole[1])));
+    }
+
+    private static String refusal(double firstMl, double secondMl) {
+        String found = secondMl < MIN_ML
+                ? "one body that does not part into two side by side"
+                : String.format(
+                        Locale.ROOT,
+                        "a body of %.0f ml that does not part into two, and one of %.0f ml that is too small or does"
+                                + " not lie beside it",
+                        firstMl,
+                        secondMl);
+        return LabelTable.LUNGS + ": found " + found + ", expected both lungs (or label one as lung_R or lung_L)";
+    }
+
+    /** Whether a component is a small lung beside another, not touching it. */
+    private static boolean isCollapsed(Segmentation s, Place small, Place lung) {
+        return small.voxels > MIN_SHARE_COLLAPSED * lung.voxels
+                && s.grid().volumeMl(small.voxels) >= MIN_ML
+                && lung.size(0) <= MAX_WIDTH * lung.size(1)
+                && small.isBeside(lung)
+                && small.isAtHeightOf(lung);
     }
 
     /** Names the largest component the lung that has no label, unless it is too small beside the one that has. */
     private static void nameOther(Segmentation s, VoxelRegion region) {
-        int labelled = s.counts()[Math.max(s.find(RIGHT), s.find(LEFT))];
+        Place labelled = Place.of(s, (byte) Math.max(s.find(RIGHT), s.find(LEFT)));
         String other = s.find(RIGHT) > 0 ? LEFT : RIGHT;
         byte[] piece = new byte[region.cells()];
-        int[] sizes = region.connectedComponents(0, piece);
-        int first = largest(sizes, 0);
-        if (sizes[first] > MIN_SHARE * labelled) {
+        int first = largest(region.connectedComponents(0, piece), 0);
+        if (first == 0) {
+            return;
+        }
+        Place largest = Place.of(s, region, piece, first);
+        if (largest.voxels > MIN_SHARE * labelled.voxels || isCollapsed(s, largest, labelled)) {
             region.assign(piece, first, s.segment(other));
             s.inheritFrom(other, LabelTable.LUNGS);
         }
@@ -72,7 +121,7 @@ public final class LungSplitter {
      * Gives the voxels of the common segment to the lungs that have segments of their own, each to the lung from which
      * fewer steps through the common segment lead to it. Voxels that no lung leads to are discarded.
      */
-    private static void join(Segmentation s, VoxelRegion region) {
+    private static void join(Segmentation s, VoxelRegion region, List<String> notes) {
         byte[] lungs = {(byte) s.find(RIGHT), (byte) s.find(LEFT)};
         byte[] piece = new byte[region.cells()];
         int[] steps = s.steps();
@@ -84,6 +133,7 @@ public final class LungSplitter {
             }
         }
         region.growRegions(piece);
+        noteRest(s, region, piece, notes);
         for (int cell = 0; cell < piece.length; cell++) {
             if (region.isMember(cell)) {
                 s.voxels[region.voxel(cell)] = piece[cell] == 0 ? 0 : lungs[piece[cell] - 1];
@@ -101,31 +151,113 @@ public final class LungSplitter {
         return largest;
     }
 
-    private static void divide(Segmentation segmentation, VoxelRegion region, byte[] piece, int first, int second) {
-        double[] x = new double[2];
-        double[] count = new double[2];
+    private static void divide(
+            Segmentation segmentation,
+            VoxelRegion region,
+            byte[] piece,
+            Place first,
+            Place second,
+            List<String> notes) {
         for (int cell = 0; cell < piece.length; cell++) {
-            int which = piece[cell] == first ? 0 : piece[cell] == second ? 1 : -1;
-            if (which >= 0) {
-                x[which] += segmentation.coordinate(region.voxel(cell), 0);
-                count[which]++;
-            } else {
-                piece[cell] = 0;
-            }
+            piece[cell] = piece[cell] == first.mark || piece[cell] == second.mark ? piece[cell] : 0;
         }
         region.growRegions(piece);
+        noteRest(segmentation, region, piece, notes);
         // The x axis points to the patient's left.
-        boolean firstIsRight = x[0] / count[0] < x[1] / count[1];
+        boolean firstIsRight = first.centre(0) < second.centre(0);
         byte right = (byte) segmentation.segment(RIGHT);
         byte left = (byte) segmentation.segment(LEFT);
         for (int cell = 0; cell < piece.length; cell++) {
             if (region.isMember(cell)) {
-                boolean isFirst = piece[cell] == first;
+                boolean isFirst = piece[cell] == first.mark;
                 // Voxels connected to neither lung are discarded.
                 segmentation.voxels[region.voxel(cell)] = piece[cell] == 0 ? 0 : isFirst == firstIsRight ? right : left;
             }
         }
         segmentation.inheritFrom(RIGHT, LabelTable.LUNGS);
         segmentation.inheritFrom(LEFT, LabelTable.LUNGS);
+    }
+
+    /** Notes what belongs to neither lung. */
+    private static void noteRest(Segmentation s, VoxelRegion region, byte[] piece, List<String> notes) {
+        int rest = 0;
+        for (int cell = 0; cell < piece.length; cell++) {
+            rest += region.isMember(cell) && piece[cell] == 0 ? 1 : 0;
+        }
+        if (s.grid().volumeMl(rest) >= MIN_ML) {
+            notes.add(String.format(
+                    Locale.ROOT,
+                    "%s: %.0f ml that lie apart from both lungs are left out; a lobe of its own takes a label of its"
+                            + " own, as lung_R or lung_L",
+                    LabelTable.LUNGS,
+                    s.grid().volumeMl(rest)));
+        }
+    }
+
+    /** Where a component lies, mm. */
+    private static final class Place {
+        private final int mark;
+        private final double[] low = new double[3];
+        private final double[] high = new double[3];
+        private final double[] sum = new double[3];
+        private int voxels;
+
+        private Place(int mark) {
+            this.mark = mark;
+            Arrays.fill(low, Double.POSITIVE_INFINITY);
+            Arrays.fill(high, Double.NEGATIVE_INFINITY);
+        }
+
+        static Place of(Segmentation s, VoxelRegion region, byte[] piece, int mark) {
+            Place place = new Place(mark);
+            for (int cell = 0; cell < piece.length; cell++) {
+                if (piece[cell] == mark) {
+                    place.add(s, region.voxel(cell));
+                }
+            }
+            return place;
+        }
+
+        static Place of(Segmentation s, byte segment) {
+            Place place = new Place(segment);
+            for (int v = 0; v < s.voxels.length; v++) {
+                if (s.voxels[v] == segment) {
+                    place.add(s, v);
+                }
+            }
+            return place;
+        }
+
+        private void add(Segmentation s, int voxel) {
+            voxels++;
+            for (int axis = 0; axis < 3; axis++) {
+                double at = s.coordinate(voxel, axis);
+                low[axis] = Math.min(low[axis], at);
+                high[axis] = Math.max(high[axis], at);
+                sum[axis] += at;
+            }
+        }
+
+        double size(int axis) {
+            return high[axis] - low[axis];
+        }
+
+        double centre(int axis) {
+            return sum[axis] / voxels;
+        }
+
+        /** Whether neither component reaches from right to left about the middle of the other. */
+        boolean isBeside(Place other) {
+            return !spans(other.centre(0)) && !other.spans(centre(0));
+        }
+
+        private boolean spans(double x) {
+            return x >= low[0] && x <= high[0];
+        }
+
+        /** Whether the middle lies as high as the other component, and not at its lower end. */
+        boolean isAtHeightOf(Place other) {
+            return centre(2) >= other.low[2] + LOW_SHARE * other.size(2) && centre(2) <= other.high[2];
+        }
     }
 }

@@ -88,11 +88,6 @@ public final class SegmentationRepair {
                 .isPresent();
     }
 
-    /** Whether a structure is several bones under one name, which are no pieces of each other. */
-    private static boolean isSeveral(String name) {
-        return name.equals(LabelTable.ALL_BONES) || name.equals(LabelTable.SPINE);
-    }
-
     private void fill() {
         int[] counts = s.counts();
         List<Integer> bones = s.names().stream()
@@ -143,7 +138,7 @@ public final class SegmentationRepair {
     /** Decides which components of a segment are specks; bones in several pieces are entered to be joined. */
     private void sort(int segment, Map<Integer, Integer> sizes, boolean[] kept, Map<Integer, List<int[]>> pieces) {
         String name = s.names().get(segment - 1);
-        boolean bone = isBone(name) && !isSeveral(name);
+        boolean bone = isBone(name) && !LabelTable.isSeveralBones(name);
         boolean organ = kind(name)
                 .filter(k -> k.isNamed() || k == StructureKind.LUNG || k == StructureKind.LIVER)
                 .isPresent();

@@ -3,6 +3,7 @@ package org.phrenic.patient.segmentation;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -136,7 +137,7 @@ class EnclosedStructuresTest {
                 List.of());
         Segmentation s =
                 new Segmentation(volume, new LabelTable(Map.of(1, "lung_R", 2, "lung_L", 3, LabelTable.LUNGS)), "v");
-        assertThat(LungSplitter.split(s)).isEmpty();
+        assertThat(LungSplitter.split(s, new ArrayList<>())).isEmpty();
         assertThat(count(s.grid(), s.find("lung_R"))).isEqualTo(14 * 100);
         assertThat(count(s.grid(), s.find("lung_L"))).isEqualTo(14 * 100);
     }
@@ -150,14 +151,14 @@ class EnclosedStructuresTest {
             labels[v] = (byte) (v % 30 >= 14 ? 0 : tree ? 3 : 1);
         }
         Segmentation alone = oneLung(labels);
-        assertThat(LungSplitter.split(alone)).isEmpty();
+        assertThat(LungSplitter.split(alone, new ArrayList<>())).isEmpty();
         assertThat(count(alone.grid(), alone.find("lung_R"))).isEqualTo(14 * 100);
         assertThat(alone.find("lung_L")).isZero();
         for (int v = 0; v < labels.length; v++) {
             labels[v] = v % 30 > 15 ? 3 : labels[v];
         }
         Segmentation both = oneLung(labels);
-        assertThat(LungSplitter.split(both)).isEmpty();
+        assertThat(LungSplitter.split(both, new ArrayList<>())).isEmpty();
         assertThat(count(both.grid(), both.find("lung_R"))).isEqualTo(14 * 100);
         assertThat(count(both.grid(), both.find("lung_L"))).isEqualTo(14 * 100);
     }

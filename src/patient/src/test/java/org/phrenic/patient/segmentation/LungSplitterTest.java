@@ -1,0 +1,107 @@
+package org.phrenic.patient.segmentation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.label.LabelTable;
+
+/** Lungs under one label as boxes of voxels of 6 mm; a thousand voxels are 216 ml. */
+class LungSplitterTest {
+    private static final int COLUMNS = 60;
+    private static final int ROWS = 30;
+    private static final int SLICES = 45;
+    private static final double SPACING_MM = 6;
+
+    private final byte[] labels = new byte[COLUMNS * ROWS * SLICES];
+    private final List<String> notes = new ArrayList<>();
+
+    private void box(int label, int column, int row, int slice, int wide, int deep, int tall) {
+        for (int k = slice; k < slice + tall; k++) {
+            for (int j = row; j < row + deep; j++) {
+                for (int i = column; i < column + wide; i++) {
+                    labels[i + COLUMNS * (j + ROWS * k)] = (byte) label;
+                }
+            }
+        }
+    }
+
+    private Segmentation segmentation() {
+        double s = SPACING_MM;
+        LabelVolume volume = new LabelVolume(
+                LabelGrid.of(COLUMNS, ROWS, SLICES, labels, new double[] {s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0}),
+                Map.of(),
+                List.of());
+        return new Segmentation(volume, new LabelTable(Map.of(1, LabelTable.LUNGS, 2, "lung_R")), "scan");
+    }
+
+    private static int count(Segmentation s, String name) {
+        return s.find(name) > 0 ? s.counts()[s.find(name)] : 0;
+    }
+
+    private void rightLung(int label) {
+        box(label, 4, 5, 5, 20, 20, 30);
+    }
+
+    @Test
+    void aLungThatHasCollapsedIsToldFromTheOther() {
+        rightLung(1);
+        box(1, 30, 8, 10, 10, 15, 20);
+        Segmentation s = segmentation();
+        assertThat(LungSplitter.split(s, notes)).isEmpty();
+        assertThat(count(s, "lung_R")).isEqualTo(20 * 20 * 30);
+        assertThat(count(s, "lung_L")).isEqualTo(10 * 15 * 20);
+        assertThat(notes).isEmpty();
+    }
+
+    @Test
+    void aLungThatHasCollapsedIsToldBesideALabelOfTheOther() {
+        rightLung(2);
+        box(1, 30, 8, 20, 9, 10, 10);
+        Segmentation s = segmentation();
+        assertThat(LungSplitter.split(s, notes)).isEmpty();
+        assertThat(count(s, "lung_R")).isEqualTo(20 * 20 * 30);
+        assertThat(count(s, "lung_L")).isEqualTo(9 * 10 * 10);
+    }
+
+    /** Gas in the stomach lies on the other side as well, at the base of the lung. */
+    @Test
+    void gasInTheAbdomenIsNoLung() {
+        rightLung(1);
+        box(1, 30, 8, 4, 10, 10, 10);
+        Segmentation s = segmentation();
+        Optional<String> problem = LungSplitter.split(s, notes);
+        assertThat(problem.orElseThrow())
+                .contains("found a body of 2592 ml that does not part into two, and one of 216 ml");
+        assertThat(count(s, LabelTable.LUNGS)).isEqualTo(13_000);
+    }
+
+    /** Both lungs in one body part as before, whatever lies apart from them; that is left out with a note. */
+    @Test
+    void whatLiesApartFromBothLungsIsLeftOutWithANote() {
+        rightLung(1);
+        box(1, 24, 14, 20, 8, 2, 2);
+        box(1, 32, 5, 5, 18, 20, 30);
+        box(1, 52, 10, 15, 8, 10, 15);
+        Segmentation s = segmentation();
+        assertThat(LungSplitter.split(s, notes)).isEmpty();
+        assertThat(count(s, "lung_R") + count(s, "lung_L")).isEqualTo(12_000 + 32 + 10_800);
+        assertThat(notes).singleElement().asString().startsWith("lungs: 259 ml that lie apart from both lungs");
+    }
+
+    /** A lung with a waist parts into an upper and a lower half, which are no lungs of two sides. */
+    @Test
+    void theHalvesOfOneLungAreNoTwoLungs() {
+        box(1, 10, 5, 3, 18, 20, 16);
+        box(1, 16, 12, 19, 4, 4, 4);
+        box(1, 10, 5, 23, 18, 20, 16);
+        Segmentation s = segmentation();
+        assertThat(LungSplitter.split(s, notes).orElseThrow())
+                .contains("found one body that does not part into two side by side, expected both lungs");
+    }
+}
