@@ -21,11 +21,28 @@ import org.phrenic.simulation.observe.SkinMotion;
  * by lungs and central tendon, vessels of the abdominal wall by the skin.
  */
 final class SceneCarriers {
-    /** Vessels within the liver, and lesions whose names state no other organ. */
-    private static final Pattern IN_LIVER = Pattern.compile("(vessel_)?hepatic_vein.*|portal_vein_[rl]|liver_vessels"
-            + "|(?!.*(lung|kidney|spleen|pancrea|gland)).*(lesion|tumou?r).*");
-    /** Lesions of the lungs. */
-    private static final Pattern IN_LUNG = Pattern.compile("lesion_.*lung.*");
+    /** Words for bones in the names of lesions. */
+    private static final String BONES =
+            "bones?|skelet(on|al)|ribs?|costal|stern(um|al)|vertebra[el]?|spin(e|al)|sacr(um|al)"
+                    + "|scapula|clavicle|humerus|femur|hip|pelvis|skull";
+    /** Words for what lies in the chest in the names of lesions. */
+    private static final String CHEST = "pulmonary|pleural?|mediastin(um|al)|heart|cardiac|pericardi(um|al)|trachea";
+    /** Words for other organs outside the liver in the names of lesions. */
+    private static final String ORGANS = "o?esophag(us|eal)|thyroid|renal|splenic|adrenals?|gallbladder|stomach|gastric"
+            + "|duoden(um|al)|bowel|intestine|colon|colonic|rect(um|al)|bladder|prostate|uter(us|ine)|ovar(y|ian)"
+            + "|breast|brain|cord|muscles?|skin|nodes?";
+    /** Parts of such words that no other word holds. */
+    private static final String STEMS = ".*(lung|bronch|kidney|spleen|pancrea|gland).*";
+
+    /** Vessels within the liver, and lesions whose names state it, or no other organ and no bone. */
+    private static final Pattern IN_LIVER =
+            Pattern.compile("(vessel_)?hepatic_vein.*|portal_vein_[rl]|liver_vessels|(?="
+                    + holding("liver") + "$|(?!" + STEMS + "|" + holding(BONES + "|" + CHEST + "|" + ORGANS)
+                    + "$)).*(lesion|tumou?r).*");
+    /** Lesions of the lungs, and of what lies between them. */
+    private static final Pattern IN_CHEST = Pattern.compile("lesion_(.*(lung|bronch).*|" + holding(CHEST) + ")");
+
+    private static final Pattern IN_BONE = Pattern.compile("lesion_" + holding(BONES));
     /** Vessels that are fixed to the spine. */
     private static final Pattern FIXED = Pattern.compile("inferior_vena_cava");
 
@@ -74,6 +91,11 @@ final class SceneCarriers {
         }
     }
 
+    /** An expression for a name that holds one of some words. */
+    private static String holding(String words) {
+        return "(.*_)?(" + words + ")(_.*)?";
+    }
+
     /** Adds a lung, which carries organs of the chest; returns its index in {@link #moveLung}. */
     int addLung(double[] rest) {
         return chest.addMoving(rest, v -> true);
@@ -99,17 +121,27 @@ final class SceneCarriers {
     OrganMotion bind(String name, TriangleMesh mesh, SkinningWeights bones) {
         inUse = true;
         double[] rest = mesh.positions();
-        if (ofLiver >= 0 && IN_LIVER.matcher(name).matches()) {
+        if (ofLiver >= 0 && isInLiver(name)) {
             return new OrganMotion(rest, liver, OrganMotion.Hold.SLIDING);
         }
         if (IN_WALL.matcher(name).matches() && bindSkin(bones)) {
             return new OrganMotion(rest, wall, OrganMotion.Hold.SLIDING);
         }
-        if (IN_LUNG.matcher(name).matches() || DiaphragmSide.of(StructureKind.ORGAN, name) == DiaphragmSide.ABOVE) {
+        if (IN_CHEST.matcher(name).matches() || DiaphragmSide.of(StructureKind.ORGAN, name) == DiaphragmSide.ABOVE) {
             return new OrganMotion(rest, chest, OrganMotion.Hold.SLIDING).keepingVolume(mesh);
         }
         boolean fixed = FIXED.matcher(name).matches();
         return new OrganMotion(rest, around, fixed ? OrganMotion.Hold.FIXED : OrganMotion.Hold.SLIDING);
+    }
+
+    /** Whether what has a name in lower case lies in the liver and goes with it. */
+    static boolean isInLiver(String name) {
+        return IN_LIVER.matcher(name).matches();
+    }
+
+    /** Whether what has a name in lower case is a lesion of a bone, which goes with the bones. */
+    static boolean isInBone(String name) {
+        return !isInLiver(name) && IN_BONE.matcher(name).matches();
     }
 
     private boolean bindSkin(SkinningWeights bones) {
