@@ -10,6 +10,7 @@ import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.ImportProgress;
 import org.phrenic.patient.MeshingSettings;
 import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.ScanFragments;
 import org.phrenic.patient.ScanImport;
 import org.phrenic.patient.SkinEnvelope;
 import org.phrenic.patient.diaphragm.DiaphragmCompletion;
@@ -82,9 +83,10 @@ public final class ImportPipeline {
         return LabelTable.of(request.labels().get(), volume);
     }
 
-    private static RestingBody completed(ImportRequest request, PatientBody scanned, ImportProgress progress) {
+    private static RestingBody completed(ImportRequest request, PatientBody all, ImportProgress progress) {
         ImportRequest.Completion completion = request.completion().orElseThrow();
         Thorax template = completion.template();
+        PatientBody scanned = ScanFragments.leftOut(all, template);
         progress.stage("bringing " + template.name() + " to the scan for what it lacks");
         RestingBody resting;
         try {

@@ -1,0 +1,120 @@
+package org.phrenic.patient.registration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.patient.ExpectedStructures;
+import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.PatientStructure;
+import org.phrenic.patient.ScanFragments;
+
+/** A scan of the virtual woman's abdomen, or of her whole trunk, and fragments under names of whole structures. */
+class ScanFragmentsTest {
+    private static final Thorax WOMAN = VirtualThorax.ofPreset("adult-female", Resolution.LOW);
+    private static final Thorax MAN = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
+    private static final Set<StructureKind> SHOWN =
+            EnumSet.of(StructureKind.RIB, StructureKind.VERTEBRA, StructureKind.LUNG, StructureKind.LIVER);
+
+    private static PatientBody body(List<PatientStructure> shown) {
+        return new PatientBody("patient", shown, ExpectedStructures.missing(shown), List.of());
+    }
+
+    /** A structure made smaller about a place, mm. */
+    private static Structure shrunk(Structure s, double factor, double... place) {
+        double[] p = s.mesh().positions().clone();
+        double[] centre = s.mesh().centre();
+        for (int i = 0; i < p.length; i++) {
+            p[i] = place[i % 3] + factor * (p[i] - centre[i % 3]);
+        }
+        return s.withMesh(s.mesh().withPositions(p));
+    }
+
+    private static Structure smaller(Structure s, double factor) {
+        double[] p = s.mesh().positions().clone();
+        for (int i = 0; i < p.length; i++) {
+            p[i] *= factor;
+        }
+        return s.withMesh(s.mesh().withPositions(p));
+    }
+
+    /** All of her at a size, with a left lung that has collapsed to 0.15 of its volume. */
+    private static List<PatientStructure> collapsed(double size) {
+        List<PatientStructure> shown = new ArrayList<>();
+        for (Structure s : WOMAN.structures()) {
+            if (SHOWN.contains(s.kind())) {
+                boolean small = s.name().equals("lung_L");
+                Structure whole =
+                        small ? shrunk(s, StrictMath.cbrt(0.15), s.mesh().centre()) : s;
+                shown.add(BodyCompletionTest.scanned(smaller(whole, size), ""));
+            }
+        }
+        return shown;
+    }
+
+    private static List<PatientStructure> abdomen() {
+        List<PatientStructure> shown = new ArrayList<>();
+        for (Structure s : WOMAN.structures()) {
+            boolean rib = s.kind() == StructureKind.RIB && s.level() >= 9;
+            boolean vertebra = s.kind() == StructureKind.VERTEBRA && s.level() >= 9;
+            if (rib || vertebra || s.kind() == StructureKind.LIVER) {
+                shown.add(BodyCompletionTest.scanned(s, ""));
+            }
+        }
+        return shown;
+    }
+
+    @Test
+    void aSpeckOfARibAndGasWithTheLabelOfALungDoNotDeformTheTemplate() {
+        List<PatientStructure> shown = abdomen();
+        PatientBody clean = body(shown);
+        double[] low = WOMAN.find("liver").orElseThrow().mesh().centre();
+        shown.add(BodyCompletionTest.scanned(shrunk(WOMAN.find("rib_01_L").orElseThrow(), 0.2, low), ""));
+        shown.add(BodyCompletionTest.scanned(shrunk(WOMAN.find("lung_L").orElseThrow(), 0.13, low), ""));
+        shown.add(BodyCompletionTest.scanned(shrunk(WOMAN.find("vertebra_T02").orElseThrow(), 0.4, low), ""));
+        PatientBody rest = ScanFragments.leftOut(body(shown), MAN);
+        assertThat(rest.structures()).isEqualTo(clean.structures());
+        assertThat(rest.missing()).contains("rib_01_L", "lung_L", "vertebra_T02");
+        assertThat(rest.notes())
+                .singleElement()
+                .asString()
+                .startsWith(
+                        "left out, too small for what their labels name though the scan does not cut them: rib_01_L")
+                .contains("lung_L (", "vertebra_T02 (");
+        PatientBody completed = BodyCompletion.complete(rest, MAN);
+        assertThat(completed.structure("rib_01_L").orElseThrow().source()).isEqualTo(PatientStructure.Source.VIRTUAL);
+        assertThat(completed
+                        .structure("rib_01_L")
+                        .orElseThrow()
+                        .structure()
+                        .mesh()
+                        .centre()[2])
+                .isGreaterThan(low[2] + 150);
+    }
+
+    /** The size of the body is that of most of its structures: a third of a man is left whole to be refused. */
+    @Test
+    void lungsThatHaveCollapsedAndSmallBodiesCount() {
+        for (double size : new double[] {1, 0.55, 1 / 3.0}) {
+            PatientBody body = body(collapsed(size));
+            assertThat(ScanFragments.leftOut(body, MAN)).isSameAs(body);
+        }
+    }
+
+    @Test
+    void aSmallPieceThatTheScanCutsCounts() {
+        List<PatientStructure> shown = abdomen();
+        Structure rib = WOMAN.find("rib_06_R").orElseThrow();
+        shown.add(BodyCompletionTest.scanned(shrunk(rib, 0.25, rib.mesh().centre()), "S"));
+        PatientBody body = body(shown);
+        assertThat(ScanFragments.leftOut(body, MAN)).isSameAs(body);
+    }
+}
