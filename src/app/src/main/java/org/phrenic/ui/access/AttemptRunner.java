@@ -151,8 +151,15 @@ final class AttemptRunner implements AutoCloseable {
         work.runAlways(report, controller::onReport, session::refuse);
     }
 
+    /** Forgets the needle; a sample whose needle is still in the body gives no report, and that is said. */
     void detach() {
+        boolean unfinished = !isPlayed
+                && state().filter(needle -> needle.placed() && needle.samples() > 0)
+                        .isPresent();
         rehearsal = null;
+        if (unfinished) {
+            session.note("The attempt has ended without a report: the needle was not out after its sample.");
+        }
     }
 
     /** The needle in the run; empty if there is none. */

@@ -101,7 +101,7 @@ public final class DockManager {
         right.removeAll();
         bottom.removeAll();
         if (research) {
-            leaveRehearsal();
+            rehearsalController.deactivate();
             addOrgans();
             JComponent show = ScrollablePanel.scrollPane(display);
             left.addTab("Show", null, show, "The model over the surfaces, colours, clip plane");
@@ -170,18 +170,6 @@ public final class DockManager {
         int at = right.indexOfComponent(dock);
         if (at >= 0) {
             right.setSelectedIndex(at);
-        }
-    }
-
-    /** Ends the rehearsal; a sample whose needle is still in the body gives no report, and that is said. */
-    private void leaveRehearsal() {
-        boolean unfinished = rehearsalController
-                .state()
-                .filter(state -> state.placed() && state.samples() > 0)
-                .isPresent();
-        rehearsalController.deactivate();
-        if (unfinished) {
-            session.note("The attempt has ended without a report: the needle was not out after its sample.");
         }
     }
 

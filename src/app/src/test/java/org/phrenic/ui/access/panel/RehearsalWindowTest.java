@@ -214,6 +214,19 @@ class RehearsalWindowTest extends RehearsalProbeCases {
         clinic.ready();
     }
 
+    /** Another breath is recorded anew, without the needle. */
+    @Test
+    void anAttemptThatAnotherBreathEndsAfterASampleIsSaidToHaveNoReport() throws Exception {
+        clinic.begin();
+        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(12));
+        until("the needle in", () -> state().placed() && state().depthMm() > 11);
+        window.command("Take sample");
+        until("a sample", () -> state().samples() == 1);
+        window.key("D");
+        until("the note", () -> String.valueOf(window.window().banner().message())
+                .contains("without a report"));
+    }
+
     @Test
     void aHoldByKeyIsShownWhileItWaits() throws Exception {
         clinic.begin();
