@@ -174,9 +174,9 @@ final class FitCommand extends ReportingCommand {
             throw new BadInputException("fit: found no " + (thorax == null ? "THORAX" : "--target")
                     + ", expected a body and a --target PART=FILE, or --synthetic N");
         }
-        requireNotWrittenOver();
         Scenario base = scenario();
         List<FitTarget> read = targets();
+        requireNotWrittenOver();
         List<FitParameter> parameters = parameters(base);
         Thorax body = SimulationRun.loadThorax(base);
         int size = population == null ? 0 : OptionValues.integer("--population", population, 4, 1000);

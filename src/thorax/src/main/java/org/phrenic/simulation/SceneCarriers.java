@@ -21,28 +21,8 @@ import org.phrenic.simulation.observe.SkinMotion;
  * by lungs and central tendon, vessels of the abdominal wall by the skin.
  */
 final class SceneCarriers {
-    /** Words for bones in the names of lesions. */
-    private static final String BONES =
-            "bones?|skelet(on|al)|ribs?|costal|stern(um|al)|vertebra[el]?|spin(e|al)|sacr(um|al)"
-                    + "|scapula|clavicle|humerus|femur|hip|pelvis|skull";
-    /** Words for what lies in the chest in the names of lesions. */
-    private static final String CHEST = "pulmonary|pleural?|mediastin(um|al)|heart|cardiac|pericardi(um|al)|trachea";
-    /** Words for other organs outside the liver in the names of lesions. */
-    private static final String ORGANS = "o?esophag(us|eal)|thyroid|renal|splenic|adrenals?|gallbladder|stomach|gastric"
-            + "|duoden(um|al)|bowel|intestine|colon|colonic|rect(um|al)|bladder|prostate|uter(us|ine)|ovar(y|ian)"
-            + "|breast|brain|cord|muscles?|skin|nodes?";
-    /** Parts of such words that no other word holds. */
-    private static final String STEMS = ".*(lung|bronch|kidney|spleen|pancrea|gland).*";
-
-    /** Vessels within the liver, and lesions whose names state it, or no other organ and no bone. */
-    private static final Pattern IN_LIVER =
-            Pattern.compile("(vessel_)?hepatic_vein.*|portal_vein_[rl]|liver_vessels|(?="
-                    + holding("liver") + "$|(?!" + STEMS + "|" + holding(BONES + "|" + CHEST + "|" + ORGANS)
-                    + "$)).*(lesion|tumou?r).*");
-    /** Lesions of the lungs, and of what lies between them. */
-    private static final Pattern IN_CHEST = Pattern.compile("lesion_(.*(lung|bronch).*|" + holding(CHEST) + ")");
-
-    private static final Pattern IN_BONE = Pattern.compile("lesion_" + holding(BONES));
+    private static final Pattern VESSELS_IN_LIVER =
+            Pattern.compile("(vessel_)?hepatic_vein.*|portal_vein_[rl]|liver_vessels");
     /** Vessels that are fixed to the spine. */
     private static final Pattern FIXED = Pattern.compile("inferior_vena_cava");
 
@@ -91,11 +71,6 @@ final class SceneCarriers {
         }
     }
 
-    /** An expression for a name that holds one of some words. */
-    private static String holding(String words) {
-        return "(.*_)?(" + words + ")(_.*)?";
-    }
-
     /** Adds a lung, which carries organs of the chest; returns its index in {@link #moveLung}. */
     int addLung(double[] rest) {
         return chest.addMoving(rest, v -> true);
@@ -127,7 +102,7 @@ final class SceneCarriers {
         if (IN_WALL.matcher(name).matches() && bindSkin(bones)) {
             return new OrganMotion(rest, wall, OrganMotion.Hold.SLIDING);
         }
-        if (IN_CHEST.matcher(name).matches() || DiaphragmSide.of(StructureKind.ORGAN, name) == DiaphragmSide.ABOVE) {
+        if (LesionPlace.isInChest(name) || DiaphragmSide.of(StructureKind.ORGAN, name) == DiaphragmSide.ABOVE) {
             return new OrganMotion(rest, chest, OrganMotion.Hold.SLIDING).keepingVolume(mesh);
         }
         boolean fixed = FIXED.matcher(name).matches();
@@ -136,12 +111,7 @@ final class SceneCarriers {
 
     /** Whether what has a name in lower case lies in the liver and goes with it. */
     static boolean isInLiver(String name) {
-        return IN_LIVER.matcher(name).matches();
-    }
-
-    /** Whether what has a name in lower case is a lesion of a bone, which goes with the bones. */
-    static boolean isInBone(String name) {
-        return !isInLiver(name) && IN_BONE.matcher(name).matches();
+        return VESSELS_IN_LIVER.matcher(name).matches() || LesionPlace.isInLiver(name);
     }
 
     private boolean bindSkin(SkinningWeights bones) {

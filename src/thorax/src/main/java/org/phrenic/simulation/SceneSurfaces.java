@@ -199,7 +199,7 @@ public final class SceneSurfaces {
         String name = s.name().toLowerCase(Locale.ROOT);
         if (STILL.matcher(name).matches()) {
             addRigid(s, RibCage.TRUNK);
-        } else if (name.startsWith("internal_mammary") || SceneCarriers.isInBone(name)) {
+        } else if (name.startsWith("internal_mammary") || LesionPlace.isInBone(name)) {
             addBlended(s);
         } else {
             OrganMotion motion = carriers.bind(name, s.mesh(), bones());

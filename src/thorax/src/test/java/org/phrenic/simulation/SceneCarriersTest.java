@@ -26,7 +26,7 @@ class SceneCarriersTest {
             })
     void whatLiesInTheLiverGoesWithIt(String name) {
         assertThat(SceneCarriers.isInLiver(name)).isTrue();
-        assertThat(SceneCarriers.isInBone(name)).isFalse();
+        assertThat(LesionPlace.isInBone(name)).isFalse();
     }
 
     @ParameterizedTest
@@ -49,7 +49,7 @@ class SceneCarriersTest {
             })
     void aLesionOfAnotherOrganDoesNot(String name) {
         assertThat(SceneCarriers.isInLiver(name)).isFalse();
-        assertThat(SceneCarriers.isInBone(name)).isFalse();
+        assertThat(LesionPlace.isInBone(name)).isFalse();
     }
 
     @ParameterizedTest
@@ -63,6 +63,6 @@ class SceneCarriersTest {
             })
     void aLesionOfABoneGoesWithTheBones(String name) {
         assertThat(SceneCarriers.isInLiver(name)).isFalse();
-        assertThat(SceneCarriers.isInBone(name)).isTrue();
+        assertThat(LesionPlace.isInBone(name)).isTrue();
     }
 }

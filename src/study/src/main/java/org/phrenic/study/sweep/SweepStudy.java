@@ -44,6 +44,11 @@ public record SweepStudy(
 
     private static final List<String> KEYS =
             List.of("title", "model", "scenario", "settings", "cohort", "factors", "design", "responses", "series");
+    /** Keys that a model does not read. */
+    private static final Map<String, List<String>> UNREAD = Map.of(
+            AccessModel.NAME, List.of("responses", "series"),
+            IshigamiModel.NAME, List.of("responses", "series", "scenario", "settings"));
+
     private static final List<String> MODELS = List.of(BreathModel.NAME, AccessModel.NAME, IshigamiModel.NAME);
     /** Factors that a person stands in place of. */
     private static final String BODY = "body.";
@@ -98,28 +103,17 @@ public record SweepStudy(
 
     /** Refuses what the model and the design do not read. */
     private static void requireRead(YamlMap yaml, String model, DesignSpec.Kind kind) {
-        List<String> unread = model.equals(BreathModel.NAME)
-                ? List.of()
-                : model.equals(AccessModel.NAME)
-                        ? List.of("responses", "series")
-                        : List.of("responses", "series", "scenario", "settings");
-        for (String key : unread) {
+        for (String key : UNREAD.getOrDefault(model, List.of())) {
             if (yaml.has(key)) {
                 throw yaml.bad(key, "found it with model " + model + ", which does not read it, expected none");
             }
         }
         DesignSpec.requireRead(yaml.map("design"), kind);
-        if (yaml.has("factors")) {
-            for (YamlMap factor : yaml.maps("factors")) {
-                if (factor.has("levels") && (kind != DesignSpec.Kind.GRID || factor.has("values"))) {
-                    throw factor.bad(
-                            "levels",
-                            "found it "
-                                    + (factor.has("values")
-                                            ? "with listed values"
-                                            : "in a" + " design of kind " + kind.label())
-                                    + ", expected it at ranges in a grid");
-                }
+        for (YamlMap factor : yaml.has("factors") ? yaml.maps("factors") : List.<YamlMap>of()) {
+            boolean listed = factor.has("values");
+            if (factor.has("levels") && (listed || kind != DesignSpec.Kind.GRID)) {
+                String place = listed ? "with listed values" : "in a design of kind " + kind.label();
+                throw factor.bad("levels", "found it " + place + ", expected it at ranges in a grid");
             }
         }
     }

@@ -3,6 +3,7 @@ package org.phrenic.model.material;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.data.Percentage.withPercentage;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.engine.ParticleSystem;
@@ -13,11 +14,10 @@ import org.phrenic.simulation.Simulation;
 
 class TissueMassTest {
     /** Springs of the lungs do not change with the muscle's, so that their nodes need no other least mass. */
-    @ParameterizedTest
-    @ValueSource(doubles = {0.5, 2})
-    void aLiveChangeOfTheMuscleGivesLungsTheMassesOfASceneAssembledWithIt(double factor) {
+    @Test
+    void aLiveChangeOfTheMuscleGivesLungsTheMassesOfASceneAssembledWithIt() {
         Scenario usual = Scenario.defaults().with("resolution=low", "sternum=kinematic", "threads=1");
-        String change = "muscle_stiffness_n_per_m=" + factor * usual.get(SheetSprings.MUSCLE_STIFFNESS);
+        String change = "muscle_stiffness_n_per_m=" + 0.5 * usual.get(SheetSprings.MUSCLE_STIFFNESS);
         try (Simulation live = Simulation.of(usual, Runs.male());
                 Simulation assembled = Simulation.of(usual.with(change), Runs.male())) {
             live.change(Assignment.parse(change));

@@ -1,0 +1,60 @@
+package org.phrenic.simulation;
+
+import java.util.regex.Pattern;
+
+/**
+ * Where a lesion lies, by the words of its name in lower case. One whose name holds neither the liver nor another organ
+ * nor a bone is one of the liver.
+ */
+final class LesionPlace {
+    private static final Pattern LESION = Pattern.compile(".*(lesion|tumou?r).*");
+    private static final Pattern LIVER = holding("liver");
+    private static final Pattern BONE =
+            holding("bones?|skelet(on|al)|ribs?|costal|stern(um|al)|vertebra[el]?|spin(e|al)"
+                    + "|sacr(um|al)|scapula|clavicle|humerus|femur|hip|pelvis|skull");
+    private static final Pattern LUNG = Pattern.compile(".*(lung|bronch).*");
+    private static final Pattern MEDIASTINUM =
+            holding("pulmonary|pleural?|mediastin(um|al)|heart|cardiac|pericardi(um|al)|trachea");
+    private static final Pattern OTHER_ORGAN = holding("o?esophag(us|eal)|thyroid|renal|splenic|adrenals?|gallbladder"
+            + "|stomach|gastric|duoden(um|al)|bowel|intestine|colon|colonic|rect(um|al)|bladder|prostate"
+            + "|uter(us|ine)|ovar(y|ian)|breast|brain|cord|muscles?|skin|nodes?");
+    /** Parts of the names of other organs that no other word holds. */
+    private static final Pattern OTHER_STEM = Pattern.compile(".*(kidney|spleen|pancrea|gland).*");
+
+    private LesionPlace() {}
+
+    /** Names of which a word is one of these. */
+    private static Pattern holding(String words) {
+        return Pattern.compile("(.*_)?(" + words + ")(_.*)?");
+    }
+
+    static boolean isInLiver(String name) {
+        return isLesion(name) && (LIVER.matcher(name).matches() || !isElsewhere(name));
+    }
+
+    /** Whether it is a lesion of the lungs or of what lies between them. */
+    static boolean isInChest(String name) {
+        return isLesion(name) && !LIVER.matcher(name).matches() && isOfChest(name);
+    }
+
+    static boolean isInBone(String name) {
+        return isLesion(name)
+                && !LIVER.matcher(name).matches()
+                && BONE.matcher(name).matches();
+    }
+
+    private static boolean isLesion(String name) {
+        return LESION.matcher(name).matches();
+    }
+
+    private static boolean isOfChest(String name) {
+        return LUNG.matcher(name).matches() || MEDIASTINUM.matcher(name).matches();
+    }
+
+    private static boolean isElsewhere(String name) {
+        return isOfChest(name)
+                || BONE.matcher(name).matches()
+                || OTHER_ORGAN.matcher(name).matches()
+                || OTHER_STEM.matcher(name).matches();
+    }
+}
