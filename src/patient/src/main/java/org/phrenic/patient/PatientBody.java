@@ -93,6 +93,12 @@ public record PatientBody(String name, List<PatientStructure> structures, List<S
         return meshes.isEmpty() ? Optional.empty() : Optional.of(MeshMerge.merge(meshes));
     }
 
+    /** Merges the parts of one structure; those of a lung by their outline. Empty if there are none. */
+    public static Optional<TriangleMesh> merged(List<Structure> of, Structure like) {
+        Stream<Structure> same = of.stream().filter(s -> s.isSameAs(like));
+        return like.kind() == StructureKind.LUNG ? LungOutline.of(same) : merged(same);
+    }
+
     /** Bounding box of structures: least x, y, z, then greatest x, y, z, mm; empty without structures. */
     static Optional<double[]> bounds(Stream<Structure> structures) {
         return merged(structures).map(TriangleMesh::bounds);

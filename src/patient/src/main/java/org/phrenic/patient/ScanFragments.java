@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -48,7 +47,7 @@ public final class ScanFragments {
     public static PatientBody leftOut(PatientBody body, Thorax template) {
         List<Ratio> ratios = new ArrayList<>();
         for (PatientStructure s : body.structures()) {
-            boolean seen = ratios.stream().anyMatch(other -> isSame(other.structure, s.structure()));
+            boolean seen = ratios.stream().anyMatch(other -> other.structure.isSameAs(s.structure()));
             if (!seen
                     && s.scan().isPresent()
                     && LEAST_SHARES.containsKey(s.structure().kind())) {
@@ -67,7 +66,7 @@ public final class ScanFragments {
             return body;
         }
         List<PatientStructure> rest = body.structures().stream()
-                .filter(s -> fragments.stream().noneMatch(fragment -> isSame(fragment.structure, s.structure())))
+                .filter(s -> fragments.stream().noneMatch(fragment -> fragment.structure.isSameAs(s.structure())))
                 .toList();
         List<String> names = fragments.stream()
                 .map(r -> String.format(Locale.ROOT, "%s (%.2g ml)", r.structure.name(), r.ml))
@@ -80,18 +79,14 @@ public final class ScanFragments {
     /** Compares all parts of a structure with those of the template. */
     private static Optional<Ratio> ratio(PatientBody body, Structure like, Thorax template) {
         List<PatientStructure> parts = body.structures().stream()
-                .filter(s -> isSame(s.structure(), like))
+                .filter(s -> s.structure().isSameAs(like))
                 .toList();
-        Stream<Structure> whole = template.structures().stream().filter(s -> isSame(s, like));
-        return (like.kind() == StructureKind.LUNG ? LungOutline.of(whole) : PatientBody.merged(whole))
+        return PatientBody.merged(template.structures(), like)
                 .filter(mesh -> MeshMeasure.signedVolumeMl(mesh) > 0)
                 .map(mesh -> {
-                    double ml = parts.stream()
-                            .mapToDouble(s ->
-                                    MeshMeasure.signedVolumeMl(s.structure().mesh()))
-                            .sum();
                     TriangleMesh shown = PatientBody.merged(parts.stream().map(PatientStructure::structure))
                             .orElseThrow();
+                    double ml = MeshMeasure.signedVolumeMl(shown);
                     return new Ratio(
                             like,
                             ml,
@@ -105,10 +100,6 @@ public final class ScanFragments {
     private static double lengthMm(TriangleMesh mesh) {
         double[] box = mesh.bounds();
         return Math.max(box[3] - box[0], Math.max(box[4] - box[1], box[5] - box[2]));
-    }
-
-    private static boolean isSame(Structure a, Structure b) {
-        return a.kind() == b.kind() && a.level() == b.level() && a.side() == b.side();
     }
 
     /**

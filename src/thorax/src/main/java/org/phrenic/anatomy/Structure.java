@@ -14,6 +14,14 @@ import org.phrenic.mesh.TriangleMesh;
  */
 public record Structure(String name, StructureKind kind, int level, Side side, TriangleMesh mesh) {
 
+    /** Whether another one has the same kind, level and side, and the same name if there may be many of the kind. */
+    public boolean isSameAs(Structure other) {
+        return kind == other.kind
+                && level == other.level
+                && side == other.side
+                && (!kind.isNamed() || name.equals(other.name));
+    }
+
     /** Returns a copy with another surface. */
     public Structure withMesh(TriangleMesh other) {
         return new Structure(name, kind, level, side, other);

@@ -7,6 +7,7 @@ import java.util.Map;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.ExistingPath;
 import org.phrenic.file.InputBytes;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -64,10 +65,7 @@ public final class ReportFolder {
         if (folder.toString().isEmpty()) {
             throw new BadInputException(option + ": found an empty name, expected a folder");
         }
-        Path nearest = folder.toAbsolutePath();
-        while (nearest != null && !Files.exists(nearest)) {
-            nearest = nearest.getParent();
-        }
+        Path nearest = ExistingPath.nearest(folder).orElse(null);
         if (nearest == null || !Files.isDirectory(nearest)) {
             throw new BadInputException(option + " " + folder + ": found the file " + nearest + ", expected a folder");
         }

@@ -21,6 +21,7 @@ import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.ExistingPath;
 import org.phrenic.patient.label.GeometryOverride;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.ui.widget.Controls;
@@ -80,11 +81,9 @@ final class ScanImportDialog {
 
     /** Whether a folder, or the nearest one above it that is there, can be written to. */
     static boolean isWritable(Path folder) {
-        Path nearest = folder.toAbsolutePath();
-        while (nearest != null && !Files.exists(nearest)) {
-            nearest = nearest.getParent();
-        }
-        return nearest != null && Files.isDirectory(nearest) && Files.isWritable(nearest);
+        return ExistingPath.nearest(folder)
+                .filter(nearest -> Files.isDirectory(nearest) && Files.isWritable(nearest))
+                .isPresent();
     }
 
     /** A folder that does not exist, beside the scan, or in the home folder where nothing can be written beside it. */

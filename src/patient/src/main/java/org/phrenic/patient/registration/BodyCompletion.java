@@ -8,7 +8,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.stream.Stream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -17,7 +16,6 @@ import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.patient.BodyPlausibility;
 import org.phrenic.patient.ExpectedStructures;
-import org.phrenic.patient.LungOutline;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 import org.phrenic.patient.ShownPlaces;
@@ -77,9 +75,9 @@ public final class BodyCompletion {
         rest = template.structures();
         List<PatientStructure> seen = new ArrayList<>();
         for (PatientStructure s : body.structures()) {
-            if (seen.stream().noneMatch(other -> isSame(other.structure(), s.structure()))) {
+            if (seen.stream().noneMatch(other -> other.structure().isSameAs(s.structure()))) {
                 seen.add(s);
-                merged(rest, s.structure())
+                PatientBody.merged(rest, s.structure())
                         .map(mesh -> shared(s, mesh))
                         .filter(BodyCompletion::tells)
                         .ifPresent(shared::add);
@@ -113,13 +111,14 @@ public final class BodyCompletion {
     /** The structure of the scan, with all its parts as one surface, and its counterpart. */
     private SharedStructure shared(PatientStructure s, TriangleMesh mesh) {
         List<PatientStructure> parts = body.structures().stream()
-                .filter(other -> isSame(other.structure(), s.structure()))
+                .filter(other -> other.structure().isSameAs(s.structure()))
                 .toList();
         if (parts.size() == 1) {
             return new SharedStructure(s, mesh);
         }
         Structure whole = s.structure()
-                .withMesh(merged(parts.stream().map(PatientStructure::structure).toList(), s.structure())
+                .withMesh(PatientBody.merged(
+                                parts.stream().map(PatientStructure::structure).toList(), s.structure())
                         .orElseThrow());
         List<CutPlane> cuts =
                 parts.stream().flatMap(part -> part.cuts().stream()).distinct().toList();
@@ -148,19 +147,6 @@ public final class BodyCompletion {
             places.apply(p, i);
         }
         return outline.withPositions(p);
-    }
-
-    static Optional<TriangleMesh> merged(List<Structure> of, Structure like) {
-        Stream<Structure> same = of.stream().filter(t -> isSame(t, like));
-        return like.kind() == StructureKind.LUNG ? LungOutline.of(same) : PatientBody.merged(same);
-    }
-
-    /** Whether two structures have the same kind, level and side. */
-    static boolean isSame(Structure a, Structure b) {
-        return a.kind() == b.kind()
-                && a.level() == b.level()
-                && a.side() == b.side()
-                && (!a.kind().isNamed() || a.name().equals(b.name()));
     }
 
     /**
@@ -267,7 +253,7 @@ public final class BodyCompletion {
         List<String> extended = new ArrayList<>();
         for (PatientStructure s : body.structures()) {
             Optional<DistanceSummary> off =
-                    merged(template, s.structure()).map(mesh -> SurfacePair.distanceToScan(s, mesh));
+                    PatientBody.merged(template, s.structure()).map(mesh -> SurfacePair.distanceToScan(s, mesh));
             // The end of a scan always cuts the skin.
             boolean skin = s.structure().kind() == StructureKind.SKIN;
             if (off.isEmpty() || firstCut(s.structure()).isEmpty() || skin) {
@@ -278,7 +264,7 @@ public final class BodyCompletion {
         for (Structure structure : template) {
             if (all.stream()
                     .noneMatch(
-                            s -> isSame(s.structure(), structure) && s.source() != PatientStructure.Source.VIRTUAL)) {
+                            s -> s.structure().isSameAs(structure) && s.source() != PatientStructure.Source.VIRTUAL)) {
                 Optional<PatientStructure> cut = firstCut(structure);
                 all.add(new PatientStructure(
                         structure,
@@ -287,7 +273,7 @@ public final class BodyCompletion {
                                 : PatientStructure.Source.VIRTUAL,
                         cut.flatMap(PatientStructure::scan),
                         cut.map(s -> SurfacePair.distanceToScan(
-                                s, merged(template, s.structure()).orElseThrow()))));
+                                s, PatientBody.merged(template, s.structure()).orElseThrow()))));
                 added += continued.contains(structure.name()) ? 0 : 1;
             }
         }
@@ -312,14 +298,14 @@ public final class BodyCompletion {
     /** The first part of a structure that the scan truncates; with one part truncated the whole structure is. */
     private Optional<PatientStructure> firstCut(Structure structure) {
         return body.structures().stream()
-                .filter(s -> !s.isComplete() && isSame(s.structure(), structure))
+                .filter(s -> !s.isComplete() && s.structure().isSameAs(structure))
                 .findFirst();
     }
 
     /** The rib with neck and head where it ends short of the spine, any other structure as it is. */
     private PatientStructure extended(PatientStructure s, List<String> names) {
         Optional<RibFit> rib = ribs.stream()
-                .filter(fit -> isSame(fit.shared().organ().structure(), s.structure()))
+                .filter(fit -> fit.shared().organ().structure().isSameAs(s.structure()))
                 .filter(fit -> fit.missingMm() > 0)
                 .findFirst();
         rib.ifPresent(fit -> names.add(

@@ -17,6 +17,7 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.patient.OrganExtension;
+import org.phrenic.patient.PatientBody;
 
 /**
  * Brings the soft organs of a template whose bones are placed to what a scan has of organs. First all of them follow a
@@ -107,7 +108,7 @@ final class OrganFit {
     private Optional<SharedStructure> truncated(Structure s) {
         return shared.stream()
                 .filter(other -> !other.isComplete()
-                        && BodyCompletion.isSame(other.organ().structure(), s)
+                        && other.organ().structure().isSameAs(s)
                         && new EdgeTable(other.scan()).isClosed()
                         && new EdgeTable(s.mesh()).isClosed())
                 .findFirst();
@@ -146,8 +147,8 @@ final class OrganFit {
         for (Structure s : template) {
             if (s.kind() == StructureKind.LUNG) {
                 lungs.add(shared.stream()
-                        .filter(other -> other.isComplete()
-                                && BodyCompletion.isSame(other.organ().structure(), s))
+                        .filter(other ->
+                                other.isComplete() && other.organ().structure().isSameAs(s))
                         .map(SharedStructure::scan)
                         .findFirst()
                         .orElse(s.mesh()));
@@ -199,15 +200,14 @@ final class OrganFit {
     private boolean isSeenOrSheet(Structure s) {
         return s.kind() == StructureKind.DIAPHRAGM
                 || s.kind() == StructureKind.SKIN
-                || shared.stream()
-                        .anyMatch(other -> BodyCompletion.isSame(other.organ().structure(), s));
+                || shared.stream().anyMatch(other -> other.organ().structure().isSameAs(s));
     }
 
     private List<SurfacePair> pairs() {
         List<SurfacePair> pairs = new ArrayList<>();
         for (SharedStructure s : shared) {
             TriangleMesh placed =
-                    BodyCompletion.merged(template, s.organ().structure()).orElseThrow();
+                    PatientBody.merged(template, s.organ().structure()).orElseThrow();
             if (s.kind() != StructureKind.LUNG) {
                 pairs.add(new SurfacePair(s.organ(), s.scan(), placed, false));
                 continue;

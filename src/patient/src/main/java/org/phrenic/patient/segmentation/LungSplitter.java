@@ -63,11 +63,11 @@ public final class LungSplitter {
             if (erosion == 0) {
                 whole = new int[] {sizes[first], sizes[second]};
             }
-            if (second > 0) {
+            boolean isLarge = sizes[second] > MIN_SHARE * sizes[first];
+            if (second > 0 && (isLarge || erosion == 0)) {
                 Place large = Place.of(segmentation, region, piece, first);
                 Place small = Place.of(segmentation, region, piece, second);
-                boolean parted = small.voxels > MIN_SHARE * large.voxels && (erosion == 0 || small.isBeside(large));
-                if (parted || (erosion == 0 && isCollapsed(segmentation, small, large))) {
+                if (erosion > 0 ? small.isBeside(large) : isLarge || isCollapsed(segmentation, small, large)) {
                     divide(segmentation, region, piece, large, small, notes);
                     return Optional.empty();
                 }

@@ -188,13 +188,17 @@ class RehearsalWindowTest extends RehearsalProbeCases {
         until("out", () -> !state().placed());
     }
 
-    @Test
-    void aSampleBeforeTheTargetIsAMiss() throws Exception {
+    private static void sampleBeforeTheTarget() throws InterruptedException {
         clinic.begin();
         WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(12));
         until("the needle in", () -> state().placed() && state().depthMm() > 11);
         window.command("Take sample");
         until("a sample", () -> state().samples() == 1);
+    }
+
+    @Test
+    void aSampleBeforeTheTargetIsAMiss() throws Exception {
+        sampleBeforeTheTarget();
         assertThat(clinic.ended().record().hit()).isFalse();
         assertThat(WindowHarness.onEdt(() -> attempts().card().text())).startsWith("Missed");
         window.screenshot("rehearse-miss");
@@ -202,11 +206,7 @@ class RehearsalWindowTest extends RehearsalProbeCases {
 
     @Test
     void anAttemptThatIsLeftAfterASampleIsSaidToHaveNoReport() throws Exception {
-        clinic.begin();
-        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(12));
-        until("the needle in", () -> state().placed() && state().depthMm() > 11);
-        window.command("Take sample");
-        until("a sample", () -> state().samples() == 1);
+        sampleBeforeTheTarget();
         WindowHarness.doOnEdt(() -> window.window().showWorkspace(Workspace.RESEARCHER));
         assertThat(WindowHarness.onEdt(() -> window.window().banner().message()))
                 .contains("without a report");
@@ -217,11 +217,7 @@ class RehearsalWindowTest extends RehearsalProbeCases {
     /** Another breath is recorded anew, without the needle. */
     @Test
     void anAttemptThatAnotherBreathEndsAfterASampleIsSaidToHaveNoReport() throws Exception {
-        clinic.begin();
-        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(12));
-        until("the needle in", () -> state().placed() && state().depthMm() > 11);
-        window.command("Take sample");
-        until("a sample", () -> state().samples() == 1);
+        sampleBeforeTheTarget();
         window.key("D");
         until("the note", () -> String.valueOf(window.window().banner().message())
                 .contains("without a report"));

@@ -56,7 +56,7 @@ public final class SweepFolder {
                         + ", which would be written over, expected another folder");
             }
             AtomicFile.write(study, text);
-        } else if (!existing(folder).plan.study().resolved().equals(text)) {
+        } else if (!stated(study).resolved().equals(text)) {
             throw new BadInputException(
                     folder + ": found the results of another study (" + STUDY + " differs), expected another folder");
         }
@@ -73,11 +73,11 @@ public final class SweepFolder {
         if (!Files.isRegularFile(study)) {
             throw new BadInputException(folder + ": found no " + STUDY + ", expected the folder of a study");
         }
-        return new SweepFolder(folder, SweepPlan.of(SweepStudy.parse(study.toString(), read(study))));
+        return new SweepFolder(folder, SweepPlan.of(stated(study)));
     }
 
-    private static String read(Path file) {
-        return TextFile.read(file, "a study");
+    private static SweepStudy stated(Path file) {
+        return SweepStudy.parse(file.toString(), TextFile.read(file, "a study"));
     }
 
     public SweepPlan plan() {
