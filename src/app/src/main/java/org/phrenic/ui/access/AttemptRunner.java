@@ -153,13 +153,17 @@ final class AttemptRunner implements AutoCloseable {
 
     /** Forgets the needle; a sample whose needle is still in the body gives no report, and that is said. */
     void detach() {
-        boolean unfinished = !isPlayed
-                && state().filter(needle -> needle.placed() && needle.samples() > 0)
-                        .isPresent();
+        boolean unfinished =
+                isUnderWay() && state().filter(needle -> needle.samples() > 0).isPresent();
         rehearsal = null;
         if (unfinished) {
             session.note("The attempt has ended without a report: the needle was not out after its sample.");
         }
+    }
+
+    /** Whether a needle moved by hand is in the body. */
+    boolean isUnderWay() {
+        return !isPlayed && state().filter(NeedleState::placed).isPresent();
     }
 
     /** The needle in the run; empty if there is none. */

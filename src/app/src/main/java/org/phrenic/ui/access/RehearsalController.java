@@ -12,7 +12,6 @@ import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
-import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.AccessMapField;
 import org.phrenic.scene.BodySection;
 import org.phrenic.scene.NeedleMarkers;
@@ -89,6 +88,7 @@ public final class RehearsalController implements Session.Listener {
         pickMode = new PickMode(session, this, view);
         needle = new NeedleController(session, this, view);
         view.setTool(Optional.of(pickMode));
+        session.setOfUser(preparation::ofUser);
         session.addListener(this);
     }
 
@@ -209,6 +209,11 @@ public final class RehearsalController implements Session.Listener {
         preparation.open(other);
     }
 
+    /** Whether a needle moved by hand is in the body. */
+    public boolean isAttemptUnderWay() {
+        return stage == RehearsalStage.READY && attempt.isUnderWay();
+    }
+
     /** Starts again with the same target and entry. */
     public void retry() {
         if (study.isPresent() && stage.canStartAttempt()) {
@@ -267,11 +272,6 @@ public final class RehearsalController implements Session.Listener {
                     map -> appearance.overrideStyle(map::applyTo, colours),
                     () -> appearance.overrideStyle(style -> style.withClip(Optional.empty()), Optional.empty()));
         }
-    }
-
-    /** A scenario without what the rehearsal itself has set. */
-    public Scenario ofUser(Scenario scenario) {
-        return preparation.ofUser(scenario);
     }
 
     void note(String sentence) {

@@ -19,6 +19,7 @@ import org.phrenic.scene.camera.PickResult;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.ui.session.BackgroundWorker;
+import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.Session;
 
 /**
@@ -232,7 +233,7 @@ final class RehearsalPreparation {
             recordBreath();
         } else {
             awaitBody();
-            session.open("Exercise " + exercise.title(), exercise.scenario());
+            session.open(EditName.of("Exercise " + exercise.title()), exercise.scenario());
         }
     }
 

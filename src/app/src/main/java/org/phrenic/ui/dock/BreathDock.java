@@ -144,7 +144,8 @@ public final class BreathDock extends SessionDock {
     }
 
     private void removeTrace() {
-        session.open("End of the recorded breath", session.scenario().without(Breathing.TRACE));
+        session.open(
+                EditName.of("End of the recorded breath"), session.scenario().without(Breathing.TRACE));
     }
 
     /** Breathes by a recorded trace; a file that is none is refused with a message. */

@@ -15,6 +15,7 @@ import org.phrenic.scene.style.Appearance;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.AppearanceModel;
+import org.phrenic.ui.view.AppearanceModel.Property;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Icons;
 import org.phrenic.ui.widget.ScrollablePanel;
@@ -63,19 +64,26 @@ public final class OrgansDock extends ScrollablePanel implements Session.Listene
     private void addRow(AppearanceModel.Group group) {
         String label = group.label();
         JCheckBox visible = Controls.describe(new JCheckBox(label), label + " visible", "Show or hide: " + label);
-        visible.addActionListener(e -> change(group, look -> look.withVisible(visible.isSelected())));
+        visible.addActionListener(e -> {
+            boolean shown = visible.isSelected();
+            change(group, Property.VISIBILITY, look -> look.withVisible(shown));
+        });
         JButton colour = Controls.iconButton(swatch(group), label + " colour", () -> pickColour(group));
         colour.setToolTipText("Colour of: " + label);
         JSlider opacity = Controls.describe(
                 Controls.slider(0, PERCENT, PERCENT), label + " opacity", "Opacity in percent: " + label);
         opacity.addChangeListener(e -> {
             if (!updating) {
-                change(group, look -> look.withOpacity(opacity.getValue() / (float) PERCENT));
+                float share = opacity.getValue() / (float) PERCENT;
+                change(group, Property.OPACITY, look -> look.withOpacity(share));
             }
         });
         JToggleButton wire = Controls.flat(new JToggleButton(Icons.MESH));
         Controls.describe(wire, label + " wireframe", "Surface or wireframe: " + label);
-        wire.addActionListener(e -> change(group, look -> look.withWireframe(wire.isSelected())));
+        wire.addActionListener(e -> {
+            boolean edges = wire.isSelected();
+            change(group, Property.WIREFRAME, look -> look.withWireframe(edges));
+        });
         String columns = "[" + LABEL_WIDTH + "::, grow, fill][][" + LEAST_OPACITY_WIDTH + ":" + OPACITY_WIDTH + "][]";
         JPanel row = new JPanel(new MigLayout("insets 0, gap 4, novisualpadding", columns, "[center]"));
         row.add(visible, "w 0:" + LABEL_WIDTH + ":");
@@ -86,16 +94,17 @@ public final class OrgansDock extends ScrollablePanel implements Session.Listene
         add(row, "wmin 0");
     }
 
-    private void change(AppearanceModel.Group group, UnaryOperator<Appearance> change) {
+    private void change(AppearanceModel.Group group, Property property, UnaryOperator<Appearance> change) {
         if (!updating) {
-            appearance.changeGroup(group, change);
+            appearance.changeGroup(group, property, change);
         }
     }
 
     private void pickColour(AppearanceModel.Group group) {
         Color picked = JColorChooser.showDialog(this, "Colour of " + group.label(), colour(group), false);
         if (picked != null) {
-            change(group, look -> look.withRgb(picked.getRGBColorComponents(null)));
+            float[] rgb = picked.getRGBColorComponents(null);
+            change(group, Property.COLOUR, look -> look.withRgb(rgb));
         }
     }
 

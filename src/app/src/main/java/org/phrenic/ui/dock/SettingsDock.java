@@ -122,7 +122,7 @@ public final class SettingsDock extends JPanel implements Session.Listener {
                 .ifPresent(name -> reportingErrors(() -> {
                     if (!store.contains(name)
                             || confirms.test("Replace the settings '" + name + "', which are stored already?")) {
-                        store.save(name, session.scenario());
+                        store.save(name, session.userScenario());
                         refresh();
                         list.setSelectedValue(name, true);
                         session.note("Settings '" + name + "' are stored.");

@@ -55,7 +55,8 @@ final class ScanImportDialog {
     private final JTextField axes = new JTextField();
     private final JTextField spacing = new JTextField();
     private final JTextField folder = new JTextField();
-    private final JButton start = Dialogs.closing("Import", "Import the scan with these labels", () -> {});
+    private final JButton start = Dialogs.closing("Import", "Import the scan with these labels", this::accept);
+    private Start onStart = choice -> {};
 
     ScanImportDialog(Path file, ScanLabels labels) {
         this.file = file;
@@ -88,9 +89,11 @@ final class ScanImportDialog {
 
     /** A folder that does not exist, beside the scan, or in the home folder where nothing can be written beside it. */
     static Path proposedFolder(Path file) {
-        String name = file.getFileName().toString();
+        Path place = file.toAbsolutePath();
+        // The root of a disc has no name and lies in no folder.
+        String name = place.getNameCount() > 0 ? place.getFileName().toString() : "scan";
         String stem = name.substring(0, name.indexOf('.') > 0 ? name.indexOf('.') : name.length());
-        Path beside = file.toAbsolutePath().getParent();
+        Path beside = place.getNameCount() > 0 ? place.getParent() : place;
         Path parent = Files.isWritable(beside) ? beside : Path.of(System.getProperty("user.home"));
         return IntStream.iterate(1, n -> n + 1)
                 .mapToObj(n -> parent.resolve(stem + "-body" + (n == 1 ? "" : "-" + n)))
@@ -99,14 +102,19 @@ final class ScanImportDialog {
                 .orElseThrow();
     }
 
-    /** Shows the dialog; {@code import} receives the answers unless it is cancelled. */
-    void show(Window owner, Start onStart) {
-        start.setName("import.start");
-        start.addActionListener(e -> onStart.accept(new Choice(
+    private void accept() {
+        onStart.accept(new Choice(
                 labels,
                 labels.geometry(axes.getText(), spacing.getText()),
                 template(),
-                folder(folder.getText()).orElseThrow())));
+                folder(folder.getText()).orElseThrow()));
+    }
+
+    /** Shows the dialog, with the former answers if it was shown before; {@code whenStarted} receives the answers. */
+    void show(Window owner, Start whenStarted) {
+        onStart = whenStarted;
+        start.setName("import.start");
+        showRecognised();
         JButton cancel = Dialogs.closing("Cancel", "Import nothing", () -> {});
         JDialog dialog = Dialogs.of(owner, "Import scan", content(), SIZE, Disclaimer.TEXT, cancel, start);
         dialog.setName("import");

@@ -32,12 +32,14 @@ public final class ScanImporter {
 
         /** Begins a rehearsal of liver access with the present body. */
         void rehearse();
+
+        /** Whether an attempt is under way, which another body would end. */
+        boolean isAttemptUnderWay();
     }
 
     private static final String LABELS_FILE = "labels.csv";
-    /** The body whose lungs tell how those of a scan lie. */
-    private final Window owner;
 
+    private final Window owner;
     private final Session session;
     private final Display display;
     private final Consumer<Path> open;
@@ -66,10 +68,14 @@ public final class ScanImporter {
                     if (isRunning(progress)) {
                         running = Optional.empty();
                         display.showProgress("", 1);
-                        new ScanImportDialog(file, labels).show(owner, choice -> run(file, choice));
+                        ask(file, new ScanImportDialog(file, labels));
                     }
                 },
                 sentence -> failIfRunning(progress, sentence));
+    }
+
+    private void ask(Path file, ScanImportDialog dialog) {
+        dialog.show(owner, choice -> run(file, dialog, choice));
     }
 
     private void failIfRunning(CancellableProgress progress, String sentence) {
@@ -90,7 +96,7 @@ public final class ScanImporter {
         return running.filter(progress::equals).isPresent();
     }
 
-    private void run(Path file, ScanImportDialog.Choice choice) {
+    private void run(Path file, ScanImportDialog dialog, ScanImportDialog.Choice choice) {
         if (running.isPresent()) {
             session.refuse("An import is running; cancel it first.");
             return;
@@ -102,7 +108,13 @@ public final class ScanImporter {
                 () -> build(file, choice, progress),
                 built -> built.filter(result -> isRunning(progress))
                         .ifPresent(result -> finish(choice.folder(), result)),
-                sentence -> failIfRunning(progress, sentence));
+                sentence -> {
+                    if (isRunning(progress)) {
+                        fail(sentence);
+                        // Its answers are still there, to be corrected.
+                        ask(file, dialog);
+                    }
+                });
     }
 
     /** The imported body, written to its folder; empty if the import was cancelled. */
@@ -149,11 +161,19 @@ public final class ScanImporter {
     private void finish(Path folder, ImportResult result) {
         running = Optional.empty();
         display.showProgress("", 1);
-        ImportSummaryDialog.show(owner, result, display::rehearse);
-        if (result.body().canBreathe()) {
-            open.accept(folder);
-        } else {
+        boolean waits = display.isAttemptUnderWay();
+        ImportSummaryDialog.show(owner, result, () -> {
+            if (waits) {
+                open.accept(folder);
+            }
+            display.rehearse();
+        });
+        if (!result.body().canBreathe()) {
             session.refuse("The body in " + folder + " cannot breathe: it takes a diaphragm and ribs.");
+        } else if (waits) {
+            session.note("The body is in " + folder + "; Rehearse in its summary opens it and ends this attempt.");
+        } else {
+            open.accept(folder);
         }
     }
 

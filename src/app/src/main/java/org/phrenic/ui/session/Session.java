@@ -6,9 +6,8 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import org.phrenic.model.assembly.Breathing;
@@ -67,9 +66,6 @@ public final class Session implements AutoCloseable {
 
     private static final int TICK_MS = 50;
 
-    /** Longest time for which the assembly of the first scene waits for the first picture, s. */
-    private static final long PICTURE_WAIT_S = 3;
-
     private final List<Listener> listeners = new CopyOnWriteArrayList<>();
     private final EditHistory edits = new EditHistory(System::nanoTime);
     private final LiveRun live;
@@ -77,10 +73,11 @@ public final class Session implements AutoCloseable {
     private LiveScene scene;
     private LiveScene bodyAtRest;
     private volatile LiveScene firstBody;
-    private final CountDownLatch picture;
+    private final FirstPicture picture;
     private final EditedScenario edited;
     private final LookingBack lookingBack;
     private double speed = 1;
+    private UnaryOperator<Scenario> ofUser = UnaryOperator.identity();
 
     public Session(Scenario first) {
         this(first, false);
@@ -92,9 +89,9 @@ public final class Session implements AutoCloseable {
      * @param pictureFirst whether the first picture, of the body at rest, comes before the first scene is assembled
      */
     public Session(Scenario first, boolean pictureFirst) {
-        picture = new CountDownLatch(pictureFirst ? 1 : 0);
+        picture = new FirstPicture(pictureFirst);
         live = new LiveRun(first, new RunListener());
-        edited = new EditedScenario(first, live, edits, this::scenario);
+        edited = new EditedScenario(first, live, edits, this::userScenario);
         lookingBack = new LookingBack(live);
         live.play();
         tickTimer = new Timer(TICK_MS, e -> fire(l -> l.onTick(live.status())));
@@ -103,7 +100,7 @@ public final class Session implements AutoCloseable {
 
     /** To be called when there is a first picture, or when there will be none. */
     public void endPictureWait() {
-        picture.countDown();
+        picture.endWait();
     }
 
     /** Adds a listener; it gets the present scene, or the body of the one that loads first, at once. */
@@ -145,6 +142,16 @@ public final class Session implements AutoCloseable {
         return scene == null ? edited.requested() : live.scenario();
     }
 
+    /** The present values without what a part of the window sets for itself: what is saved, and what undo loads. */
+    public Scenario userScenario() {
+        return ofUser.apply(scenario());
+    }
+
+    /** Sets what leaves out of a scenario what a part of the window sets for itself. */
+    public void setOfUser(UnaryOperator<Scenario> withoutOwn) {
+        ofUser = withoutOwn;
+    }
+
     /** As {@link #change(EditName, Assignment...)}, named by one label. */
     public void change(String label, Assignment... assignments) {
         change(EditName.of(label), assignments);
@@ -169,10 +176,6 @@ public final class Session implements AutoCloseable {
         edits.endMerging();
     }
 
-    public void open(String label, Scenario scenario) {
-        open(EditName.of(label), scenario);
-    }
-
     /** Loads another scenario; the change is forgotten if that fails or is cancelled. */
     public void open(EditName name, Scenario scenario) {
         edited.open(name, scenario);
@@ -187,11 +190,11 @@ public final class Session implements AutoCloseable {
 
     /** Opens a scenario, a thorax folder or a trace; reads it off the event dispatch thread. */
     public void openFile(Path file) {
-        Scenario present = scenario();
+        Scenario present = userScenario();
         BackgroundWorker.execute(
                 () -> FileOpener.readScenario(file, present),
                 scenario -> {
-                    open("Open " + file.getFileName(), scenario);
+                    open(EditName.of("Open " + file.getFileName()), scenario);
                     fire(l -> l.onOpened(file, scenario));
                 },
                 this::reportRefusal);
@@ -299,11 +302,7 @@ public final class Session implements AutoCloseable {
                     fire(l -> l.onBody(atRest));
                 }
             });
-            try {
-                picture.await(PICTURE_WAIT_S, TimeUnit.SECONDS);
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-            }
+            picture.await();
         }
 
         @Override

@@ -54,7 +54,15 @@ public final class AppearanceModel {
         }
     }
 
-    private final Map<Group, UnaryOperator<Appearance>> groupChanges = new EnumMap<>(Group.class);
+    /** What of an appearance is chosen for a group. */
+    public enum Property {
+        VISIBILITY,
+        COLOUR,
+        OPACITY,
+        WIREFRAME
+    }
+
+    private final Map<Group, Map<Property, UnaryOperator<Appearance>>> groupChanges = new EnumMap<>(Group.class);
     private final List<Runnable> listeners = new ArrayList<>();
     private List<Surface> surfaces = List.of();
     private SceneStyle style = SceneStyle.atlas(List.of());
@@ -117,13 +125,19 @@ public final class AppearanceModel {
         // An access map has a value for each vertex of the skin that it was computed on.
         accessColours = Optional.empty();
         style = style.withAppearances(SceneStyle.atlas(others).appearances()).withHighlighted("");
-        groupChanges.forEach(this::apply);
+        groupChanges.forEach((group, changes) -> changes.values().forEach(change -> apply(group, change)));
         fireChange();
     }
 
-    /** Changes the appearance of all structures of a group. */
-    public void changeGroup(Group group, UnaryOperator<Appearance> change) {
-        groupChanges.merge(group, change, (before, then) -> look -> then.apply(before.apply(look)));
+    /**
+     * Changes the appearance of all structures of a group.
+     *
+     * @param property the only part of the appearance that {@code change} alters, to the same value whatever it was
+     */
+    public void changeGroup(Group group, Property property, UnaryOperator<Appearance> change) {
+        groupChanges
+                .computeIfAbsent(group, chosen -> new EnumMap<>(Property.class))
+                .put(property, change);
         apply(group, change);
         fireChange();
     }

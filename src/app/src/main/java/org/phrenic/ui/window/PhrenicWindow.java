@@ -150,7 +150,7 @@ public final class PhrenicWindow {
 
     /** Saves the present values as a scenario. */
     void saveScenario() {
-        Scenario present = docks.rehearsalController().ofUser(session.scenario());
+        Scenario present = session.userScenario();
         files.saveScenario(present, () -> {
             title.saved(present);
             frame.setTitle(title.text(session.scenario()));
@@ -253,6 +253,11 @@ public final class PhrenicWindow {
         @Override
         public void rehearse() {
             showWorkspace(Workspace.CLINICIAN);
+        }
+
+        @Override
+        public boolean isAttemptUnderWay() {
+            return docks.rehearsalController().isAttemptUnderWay();
         }
     }
 

@@ -26,6 +26,12 @@ class ScanImportDialogTest {
     }
 
     @Test
+    void aDiscMayBeAScan() {
+        Path root = Path.of("").toAbsolutePath().getRoot();
+        assertThat(ScanImportDialog.proposedFolder(root).getFileName()).hasToString("scan-body");
+    }
+
+    @Test
     void aBodyCannotBeWrittenIntoAFile(@TempDir Path folder) throws IOException {
         Path file = Files.createFile(folder.resolve("scan.nii"));
         assertThat(ScanImportDialog.isWritable(folder.resolve("new/body"))).isTrue();

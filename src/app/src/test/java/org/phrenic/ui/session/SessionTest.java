@@ -3,12 +3,14 @@ package org.phrenic.ui.session;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.live.LiveScene;
@@ -42,7 +44,7 @@ class SessionTest {
                         refused.set(message.text());
                     }
                 });
-                session.open("Open nothing", SMALL.with("anatomy=" + folder));
+                session.open(EditName.of("Open nothing"), SMALL.with("anatomy=" + folder));
                 assertThat(session.edits().undoPresentationName()).hasValue("Undo Open nothing");
             });
             EventThread.until("a refusal", () -> !refused.get().isEmpty());
@@ -103,7 +105,7 @@ class SessionTest {
             EventThread.until("the value", () -> "low".equals(value(session, "resolution")));
             before.assertGoesOn(session);
             EventThread.run(() -> {
-                session.open("Open a file", SMALL.with("anatomy=virtual/adult-female"));
+                session.open(EditName.of("Open a file"), SMALL.with("anatomy=virtual/adult-female"));
                 session.edits().undo();
                 assertThat(session.live().isLoading()).isFalse();
             });
@@ -160,7 +162,7 @@ class SessionTest {
                         shown.set(session.historyFrame().isPresent() ? "recorded" : "present");
                     }
                 });
-                session.open("Stiffer", SMALL.with("rib_rotation=0.5"));
+                session.open(EditName.of("Stiffer"), SMALL.with("rib_rotation=0.5"));
             });
             EventThread.until("the present", () -> shown.get().equals("present"));
         }
@@ -172,12 +174,33 @@ class SessionTest {
             long first = EventThread.get(() -> session.scene().orElseThrow().id());
             EventThread.run(() -> {
                 session.showHistoryFrame(0);
-                session.open("Stiffer", SMALL.with("rib_rotation=0.5"));
+                session.open(EditName.of("Stiffer"), SMALL.with("rib_rotation=0.5"));
             });
             EventThread.until(
                     "another scene", () -> session.scene().orElseThrow().id() != first);
             assertThat(session.live().isPlaying()).isTrue();
             assertThat(EventThread.get(session::historyFrame)).isEmpty();
+        }
+    }
+
+    /** A rehearsal repeats steady breaths for itself alone. */
+    @Test
+    void undoDoesNotBringBackWhatAPartOfTheWindowHadSetForItself() {
+        try (Session session = running()) {
+            long first = EventThread.get(() -> session.scene().orElseThrow().id());
+            EventThread.run(() -> {
+                session.setOfUser(scenario -> scenario.without(Breathing.REPEAT));
+                change(session, "rib_rotation", "0.9");
+                session.live().change(List.of(Assignment.of("test", Breathing.REPEAT, true)));
+            });
+            EventThread.until("the setting", () -> session.scenario().get(Breathing.REPEAT));
+            EventThread.run(() -> session.open(EditName.of("Stiffer"), SMALL.with("rib_rotation=0.5")));
+            EventThread.until(
+                    "another scene", () -> session.scene().orElseThrow().id() != first);
+            EventThread.run(session.edits()::undo);
+            EventThread.until("the value", () -> Double.valueOf(0.9).equals(value(session, "rib_rotation")));
+            assertThat(EventThread.get(() -> session.scenario().get(Breathing.REPEAT)))
+                    .isFalse();
         }
     }
 

@@ -49,6 +49,7 @@ import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.camera.Camera;
 import org.phrenic.simulation.observe.Frame;
+import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.widget.Theme;
 
@@ -107,7 +108,7 @@ class WindowTest {
             boolean live = has.keySet().equals(wanted.keySet())
                     && back.stream().allMatch(a -> a.setting().isLive());
             if (!live) {
-                window.session().open("Start", first);
+                window.session().open(EditName.of("Start"), first);
             } else if (!back.isEmpty()) {
                 window.session().change("Start", back.toArray(Assignment[]::new));
             }
@@ -447,7 +448,7 @@ class WindowTest {
     void theWindowStaysResponsiveWhileItRunsFlatOutAndLoads() throws Exception {
         window.breathe(0.5);
         window.forgetDispatches();
-        WindowHarness.doOnEdt(() -> window.session().open("Again", start()));
+        WindowHarness.doOnEdt(() -> window.session().open(EditName.of("Again"), start()));
         window.breathe(1);
         slide("Damping", 0.4);
         window.breathe(1);
@@ -478,7 +479,7 @@ class WindowTest {
     void aDivergenceIsNamedAndTakenBackAndNeverSeen() throws Exception {
         long before = id();
         Scenario brittle = brittle();
-        WindowHarness.doOnEdt(() -> window.session().open("Brittle", brittle));
+        WindowHarness.doOnEdt(() -> window.session().open(EditName.of("Brittle"), brittle));
         reloaded("low", before);
         WindowHarness.doOnEdt(() -> window.session().live().setSpeed(Double.POSITIVE_INFINITY));
         slide("Muscle force", 1);
@@ -537,8 +538,8 @@ class WindowTest {
         window.control(JCheckBox.class, "Point 1");
         // In another scene that place may be of another structure.
         long before = id();
-        WindowHarness.doOnEdt(
-                () -> window.session().open("Another scene", running().with("rib_rotation=0.5", "resolution=medium")));
+        WindowHarness.doOnEdt(() -> window.session()
+                .open(EditName.of("Another scene"), running().with("rib_rotation=0.5", "resolution=medium")));
         reloaded("medium", before);
         assertThat(WindowHarness.onEdt(pointed::getText)).isBlank();
         assertThat(WindowHarness.find(window.window().frame().getRootPane(), JCheckBox.class, "Point 1"))
@@ -594,7 +595,7 @@ class WindowTest {
         WindowHarness.doOnEdt(() -> {
             Scenario cough = Scenario.defaults()
                     .with("resolution=low", "lungs=embedded", "sternum=kinematic", "threads=1", "preset=cough");
-            window.session().open("Cough", cough);
+            window.session().open(EditName.of("Cough"), cough);
             window.session().live().setSpeed(Double.POSITIVE_INFINITY);
             window.session().live().play();
         });

@@ -253,8 +253,7 @@ class RehearsalWindowTest extends RehearsalProbeCases {
     @Test
     void aRehearsalRepeatsTheBreathAndLeavesTheSettingAsItWas() throws Exception {
         assertThat(WindowHarness.onEdt(RehearsalWindowTest::repeats)).isTrue();
-        assertThat(WindowHarness.onEdt(
-                        () -> rehearsal().ofUser(window.session().scenario()).toMap()))
+        assertThat(WindowHarness.onEdt(() -> window.session().userScenario().toMap()))
                 .as("what is saved")
                 .doesNotContainEntry("repeat_breath", true);
         WindowHarness.doOnEdt(() -> rehearsal().deactivate());
