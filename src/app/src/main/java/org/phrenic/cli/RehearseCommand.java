@@ -50,7 +50,7 @@ final class RehearseCommand extends ReportingCommand {
     @Option(names = "--out", paramLabel = "DIR", required = true, description = "Folder for the report.")
     private Path out;
 
-    @Option(names = "--no-pictures", description = "Draw nothing.")
+    @Option(names = "--no-pictures", description = "Draw neither needle nor map.")
     private boolean noPictures;
 
     @Override

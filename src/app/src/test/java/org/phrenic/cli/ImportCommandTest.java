@@ -94,6 +94,7 @@ class ImportCommandTest {
         assertBad("virtual/giant", volume, "--complete", "virtual/giant");
         Path meshes = Files.createDirectory(folder.resolve("meshes"));
         assertBad("a folder of meshes and --labels", meshes, "--labels", map.toString());
+        assertBad("a folder of meshes and --labels, --axes, --spacing or --edge", meshes, "--edge", "3");
         CommandLineRun onto = CommandLineRun.of("import", meshes.toString(), "--out", meshes.toString());
         assertThat(onto.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(onto.err()).contains("found a folder that the command reads, expected another");

@@ -111,8 +111,7 @@ public final class RehearsalReport {
     /** Definitions of the terms in the report, and the limitations of this body. */
     private List<String> definitions() {
         List<String> words = new ArrayList<>(List.of(
-                "Hit: the tip was within the target when a sample was taken. Axial: along the needle, positive where"
-                        + " the target's middle lies deeper; lateral: distance of the middle from the needle's line.",
+                hitDefinition(),
                 "Pleural recess: the space between the inner rib cage and the diaphragm where no lung lies; crossed by"
                         + " a path through the pleura, or, in a body without a surface of it, one that enters the"
                         + " diaphragm more than " + mm(PleuralReflection.HEIGHT_ABOVE_ORIGIN_MM)
@@ -129,6 +128,16 @@ public final class RehearsalReport {
                         rehearsal.surfaces().stream().map(Surface::name).toList())
                 .ifPresent(absent -> words.add(Character.toUpperCase(absent.charAt(0)) + absent.substring(1) + "."));
         return words;
+    }
+
+    private String hitDefinition() {
+        boolean core = rehearsal.plan().needle().coreMm() > 0;
+        return (core
+                        ? "Hit: a part of the core was within the target when a sample was taken. Axial: from the"
+                                + " middle of the core along the needle"
+                        : "Hit: the tip was within the target when a sample was taken. Axial: along the needle")
+                + ", positive where the target's middle lies deeper; lateral: distance of the middle from the needle's"
+                + " line.";
     }
 
     /** This moment as text, for the date of a report. */

@@ -31,12 +31,16 @@ class RehearsalReportTest {
 
     /** The report of samples at these depths on the way to a target of 20 mm in a depth of 90 mm, to be read. */
     private static String report(double... depthsMm) {
+        return report(Needle.standard(), depthsMm);
+    }
+
+    private static String report(Needle tube, double... depthsMm) {
         BoxAnatomy body = new BoxAnatomy();
         MovingAnatomy scene = new MovingAnatomy(body.surfaces);
         scene.update(body.still(0));
         TargetLesion target = TargetLesion.at(scene, new double[] {90, 0, -20}, 20);
         List<BreathMoment> breath = List.of(new BreathMoment(body.still(0), RespiratoryPhase.PAUSE));
-        RehearsalPlan plan = RehearsalPlan.practice(Scenario.defaults(), target, Needle.standard(), breath.size());
+        RehearsalPlan plan = RehearsalPlan.practice(Scenario.defaults(), target, tube, breath.size());
         try (Workers workers = Workers.of(1)) {
             TargetAccess access = TargetAccess.of(scene, breath, target, plan.needle(), plan.avoided(), workers);
             NeedleInsertion needle = new NeedleInsertion(scene, target, plan.needle(), plan.avoided());
@@ -68,5 +72,15 @@ class RehearsalReportTest {
         assertThat(report(84, 88, 60)).contains("Hit in 2 of 3 samples: in the nearest that hit, the tip was 2.0" + of);
         assertThat(report(70, 60)).contains("Missed in 2 samples: in the last, the tip was 30.0" + of);
         assertThat(report()).contains("No sample was taken.");
+    }
+
+    /** The tip of a core needle stops before the target; the core that it throws hits. */
+    @Test
+    void theDefinitionOfAHitIsThatOfTheNeedle() {
+        Needle core = new Needle(18, Needle.standard().lengthMm(), 20);
+        String ofTip = "Hit: the tip was within the target";
+        String ofCore = "Hit: a part of the core was within the target";
+        assertThat(report(75)).contains("Missed: ", ofTip).doesNotContain(ofCore);
+        assertThat(report(core, 75)).contains(ofCore).doesNotContain("Missed: ", ofTip);
     }
 }

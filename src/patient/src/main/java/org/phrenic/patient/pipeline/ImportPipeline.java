@@ -34,9 +34,12 @@ public final class ImportPipeline {
         Optional<LabelGrid> grid = Optional.empty();
         PatientBody scanned;
         if (Files.isDirectory(request.file()) && !LabelVolumeFiles.isVolume(request.file())) {
-            if (request.labels().isPresent() || !request.geometry().equals(GeometryOverride.NONE)) {
-                throw new BadInputException(file + ": found a folder of meshes and --labels, --axes or --spacing, which"
-                        + " are of label volumes, expected none of them");
+            boolean ofVolumes = request.labels().isPresent()
+                    || request.edgeMm().isPresent()
+                    || !request.geometry().equals(GeometryOverride.NONE);
+            if (ofVolumes) {
+                throw new BadInputException(file + ": found a folder of meshes and --labels, --axes, --spacing or"
+                        + " --edge, which are of label volumes, expected none of them");
             }
             scanned = MeshFolder.read(request.file(), request.name());
         } else {

@@ -81,7 +81,7 @@ final class ThoraxCases {
     }
 
     private void addParameters() {
-        breathing("thorax-dt-20", "time step 20 times as long", 20, 2, CONTACT, "time_step_s=0.02");
+        breathing("thorax-dt-20", "time step of 0.02 s", 20, 2, CONTACT, "time_step_s=0.02");
         breathing("thorax-limp", "neither muscle nor pressure", 20, 2, CONTACT, "muscle=false", "pressure=false");
         String[] stiff = {"muscle_stiffness_n_per_m=3000", "tendon_stiffness_ratio=50", "damping_rate_per_s=0"};
         breathing("thorax-stiff", "muscle as stiff as the slider goes, no damping", 20, 2, CONTACT, stiff);
