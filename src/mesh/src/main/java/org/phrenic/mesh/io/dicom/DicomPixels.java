@@ -1,6 +1,7 @@
 package org.phrenic.mesh.io.dicom;
 
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.file.BadInputException;
@@ -54,7 +55,9 @@ public final class DicomPixels {
     }
 
     private void checkPlain() {
-        long needed = (framePixels() * frames * bits + Byte.SIZE - 1) / Byte.SIZE;
+        long whole = (framePixels() * frames * bits + Byte.SIZE - 1) / Byte.SIZE;
+        // A value has an even number of bytes.
+        long needed = whole + whole % 2;
         if (data.isUndefined() || needed > data.length()) {
             String found = data.isUndefined() ? "packed pixels" : data.length() + " bytes of pixels";
             throw image.badInput(
@@ -130,11 +133,15 @@ public final class DicomPixels {
         long first = frame * framePixels();
         ByteBuffer bytes = image.bytes().bytes();
         int at = data.offset();
+        // The first byte of a big-endian word of 16 bits holds the second half of its pixels (PS3.5, 8.1.1).
+        boolean isSwapped =
+                bytes.order() == ByteOrder.BIG_ENDIAN && data.representation().equals("OW");
+        int swap = isSwapped ? 1 : 0;
         for (int n = 0; n < pixels.length; n++) {
             long pixel = first + n;
             pixels[n] = switch (bits) {
-                case 1 -> (bytes.get(at + (int) (pixel >> 3)) >> (pixel & 7)) & 1;
-                case Byte.SIZE -> bytes.get(at + (int) pixel) & 0xFF;
+                case 1 -> (bytes.get(at + ((int) (pixel >> 3) ^ swap)) >> (pixel & 7)) & 1;
+                case Byte.SIZE -> bytes.get(at + ((int) pixel ^ swap)) & 0xFF;
                 default -> bytes.getShort(at + (int) (2 * pixel)) & 0xFFFF;
             };
         }

@@ -62,6 +62,8 @@ class DicomVolumeTest {
                 "apart_seg.dcm",
                 "implicit_seg.dcm",
                 "deflated_seg.dcm",
+                "big_endian_seg.dcm",
+                "map_big_endian_seg.dcm",
                 "map_seg.dcm",
                 "map_rle_seg.dcm"
             })

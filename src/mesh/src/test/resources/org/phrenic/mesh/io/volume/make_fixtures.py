@@ -129,6 +129,18 @@ def recoded(source, name, syntax):
     d.save_as(path(name), implicit_vr=syntax == ImplicitVRLittleEndian)
 
 
+def big_endian(source, name):
+    """Pixels as 16-bit words (OW), so that the bytes of each pair are exchanged."""
+    read = pydicom.dcmread(path(source))
+    read.walk(lambda data, element: element.value)
+    d = pydicom.Dataset(read)
+    d.file_meta = read.file_meta
+    d.file_meta.TransferSyntaxUID = ExplicitVRBigEndian
+    d["PixelData"].VR = "OW"
+    d.PixelData = np.frombuffer(d.PixelData, np.uint16).byteswap().tobytes()
+    d.save_as(path(name), implicit_vr=False, little_endian=False, enforce_file_format=True)
+
+
 def turned_frames(source, name):
     """The frames in another order, with orientation and spacing for each instead of for all."""
     d = pydicom.dcmread(path(source))
@@ -270,6 +282,8 @@ def main():
     segmentation(images, "map_rle_seg.dcm", masks, "LABELMAP", RLELossless)
     recoded("overlapping_seg.dcm", "implicit_seg.dcm", ImplicitVRLittleEndian)
     recoded("overlapping_seg.dcm", "deflated_seg.dcm", DeflatedExplicitVRLittleEndian)
+    big_endian("overlapping_seg.dcm", "big_endian_seg.dcm")
+    big_endian("map_seg.dcm", "map_big_endian_seg.dcm")
     structure_set(images, "ct/contours.dcm", masks)
     structure_set(images, "ct/contours_big_endian.dcm", masks, ExplicitVRBigEndian)
     structure_set(images, "contours_alone.dcm", {1: masks[1]})
