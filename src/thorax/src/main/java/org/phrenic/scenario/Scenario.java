@@ -76,13 +76,29 @@ public final class Scenario implements SettingValues {
      * @throws BadInputException with one sentence that names the origin of the value and the key
      */
     public Scenario with(List<Assignment> assignments) {
+        return assigned(assignments, false);
+    }
+
+    /**
+     * Copy of this scenario that states other values as a file would: a value that is the default of the material stays
+     * with any other material.
+     *
+     * @throws BadInputException with one sentence that names the origin of the value and the key
+     */
+    public Scenario stating(List<Assignment> assignments) {
+        return assigned(assignments, true);
+    }
+
+    private Scenario assigned(List<Assignment> assignments, boolean defaultsToo) {
         Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
         Map<Setting<?>, String> origins = new LinkedHashMap<>();
         for (Assignment assignment : assignments) {
             values.put(assignment.setting(), assignment.value());
             origins.put(assignment.setting(), assignment.origin());
         }
-        values.keySet().removeIf(setting -> origins.containsKey(setting) && isMaterialDefault(values, setting));
+        if (!defaultsToo) {
+            values.keySet().removeIf(setting -> origins.containsKey(setting) && isMaterialDefault(values, setting));
+        }
         Scenario scenario = new Scenario(values);
         return ScenarioChecks.require(scenario, origins.keySet(), (setting, problem) -> {
             String origin = origins.getOrDefault(setting, "");
@@ -300,6 +316,16 @@ public final class Scenario implements SettingValues {
         if (!changes().isEmpty()) {
             map.put(RunSettings.CHANGES.key(), plain(RunSettings.CHANGES));
         }
+        return map;
+    }
+
+    /** The part of {@link #toMap} that this scenario states, so that all other settings keep their defaults open. */
+    public Map<String, Object> statedMap() {
+        Map<String, Object> map = toMap();
+        Settings.all().stream()
+                .filter(setting -> !states(setting))
+                .map(Setting::key)
+                .forEach(map::remove);
         return map;
     }
 

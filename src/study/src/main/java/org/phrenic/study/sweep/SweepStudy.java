@@ -1,6 +1,6 @@
 package org.phrenic.study.sweep;
 
-import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -14,9 +14,11 @@ import org.phrenic.document.YamlMap;
 import org.phrenic.document.YamlWriter;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FileNames;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.Settings;
 
@@ -54,7 +56,7 @@ public record SweepStudy(
     private static final String BODY = "body.";
 
     private static final int MOST_POINTS = 1_000_000;
-    private static final Set<String> PATHS = Set.of("anatomy", "trace");
+    private static final Set<String> PATHS = Set.of(RunSettings.ANATOMY.key(), Breathing.TRACE.key());
     /** Factors that may hold a breath. */
     private static final Set<String> BREATHS = Set.of("preset", "trace", "hold");
 
@@ -134,7 +136,7 @@ public record SweepStudy(
             }
         }
         try {
-            return base.with(assignments);
+            return base.stating(assignments);
         } catch (BadInputException refused) {
             throw new BadInputException(
                     yaml.bad("settings", refused.getMessage()).getMessage(), refused);
@@ -175,10 +177,16 @@ public record SweepStudy(
                                 .toList());
     }
 
-    /** The value of a factor, with an absolute path if it is a file or a folder. */
+    /** The value of a factor, with an absolute path if it names a file or a folder. */
     private static String resolved(String key, String value, Path folder) {
-        Path path = PATHS.contains(key) ? folder.resolve(value).normalize() : folder;
-        return PATHS.contains(key) && Files.exists(path) ? path.toString() : value;
+        boolean named = RunSettings.VIRTUAL_BODIES.contains(value) || value.equals(Breathing.NO_TRACE);
+        try {
+            return PATHS.contains(key) && !named
+                    ? folder.resolve(value).normalize().toString()
+                    : value;
+        } catch (InvalidPathException noPath) {
+            return value; // which the check of the factor refuses
+        }
     }
 
     private static boolean isNoColumn(String response) {
@@ -250,17 +258,20 @@ public record SweepStudy(
     }
 
     /**
-     * The study as the text of a file that depends on no other file but bodies and recordings. It does not state
-     * threads, of which each run has one and whose default depends on the machine.
+     * The study as the text of a file that depends on no other file but bodies and recordings. Settings that the study
+     * leaves open are open in it too, since their defaults may follow a factor. It does not state threads, of which
+     * each run has one.
      */
     public String resolved() {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("title", title);
         map.put("model", model);
         if (!model.equals(IshigamiModel.NAME)) {
-            Map<String, Object> settings = new LinkedHashMap<>(scenario.toMap());
+            Map<String, Object> settings = scenario.statedMap();
             settings.remove(Numerics.THREADS.key());
-            map.put("settings", settings);
+            if (!settings.isEmpty()) {
+                map.put("settings", settings);
+            }
         }
         if (design.kind() != DesignSpec.Kind.LIST) {
             map.put("factors", factors.stream().map(Factor::toMap).toList());

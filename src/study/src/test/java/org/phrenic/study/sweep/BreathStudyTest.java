@@ -10,10 +10,14 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.material.SheetSprings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
@@ -58,6 +62,52 @@ class BreathStudyTest {
             assertThat(usual.outcome().series()[0][SweepOutcome.SERIES_POINTS - 1])
                     .isEqualTo(observer.observe(simulation.time()).get("liver_si_mm"));
         }
+    }
+
+    private static List<Map<String, Object>> scenarios(SweepStudy study) {
+        SceneFactors factors = new SceneFactors(study.scenario(), false);
+        return SweepPlan.of(study).points().stream()
+                .map(point -> factors.scenario(point).toMap())
+                .toList();
+    }
+
+    /** Executors of a cluster, and whoever starts a study again from its folder, know it by this text alone. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "{key: material, values: [physical, paper, published]}",
+                "{key: time_step_s, values: [0.00125, 0.01]}"
+            })
+    void theTextOfAStudyGivesTheScenariosOfTheStudy(String factor) throws IOException {
+        Files.writeString(folder.resolve("base.yaml"), "time_step_s: 0.005\ntendon_stiffness_ratio: 10\n");
+        String stated = "tendon_stiffness_ratio: " + Scenario.defaults().get(SheetSprings.TENDON_RATIO);
+        for (String settings : List.of(
+                "settings: {resolution: low}\n",
+                "settings: {resolution: low, " + stated + "}\n",
+                "scenario: base.yaml\n")) {
+            Path file = Files.writeString(
+                    folder.resolve("s.yaml"),
+                    settings + "factors:\n  - " + factor + "\ndesign: {kind: grid}\n" + RESPONSE);
+            SweepStudy study = SweepStudy.read(file);
+            assertThat(scenarios(SweepStudy.parse("again", study.resolved())))
+                    .as(settings)
+                    .isEqualTo(scenarios(study));
+        }
+    }
+
+    /** A value that a study states holds in all of its runs, also where it is the default of one material. */
+    @Test
+    void aMaterialChangesWhatAStudyLeavesOpenAndNothingElse() {
+        double shared = Scenario.defaults().get(SheetSprings.TENDON_RATIO);
+        String factor = "factors:\n  - {key: material, values: [physical, paper]}\n";
+        String stated =
+                "settings: {tendon_stiffness_ratio: " + shared + "}\n" + factor + "design: {kind: grid}\n" + RESPONSE;
+        assertThat(scenarios(SweepStudy.parse("study.yaml", stated)))
+                .extracting(map -> map.get("tendon_stiffness_ratio"))
+                .containsExactly(shared, shared);
+        assertThat(scenarios(study(factor, "{kind: grid}", RESPONSE)))
+                .extracting(map -> map.get("time_step_s"))
+                .doesNotHaveDuplicates();
     }
 
     @Test
@@ -111,6 +161,24 @@ class BreathStudyTest {
         assertThat(plan.points().get(0).values()).containsExactly(body, "1");
         assertThat(plan.points().get(1).values()).containsExactly("virtual/adult-male", "1");
         assertThat(plan.study().factors().get(0).values()).containsExactly(body, "virtual/adult-male");
+    }
+
+    /** What the working directory of one session has, another session or machine that goes on may lack. */
+    @Test
+    void bodiesAndRecordingsAreNotTakenFromTheWorkingDirectory() throws IOException {
+        assertThat(Path.of("data")).isDirectory();
+        String body = "found no folder '" + folder.resolve("data") + "', expected";
+        String recording = "found no file '" + folder.resolve("README.md") + "', expected a CSV file";
+        assertThat(Path.of("README.md")).isRegularFile();
+        for (List<String> bad : List.of(
+                List.of("factors:\n  - {key: anatomy, values: [data]}\ndesign: {kind: grid}\n", body),
+                List.of("design: {kind: list, columns: [anatomy], points: [[data]]}\n", body),
+                List.of("factors:\n  - {key: trace, values: [none, README.md]}\ndesign: {kind: grid}\n", recording))) {
+            Path study = Files.writeString(folder.resolve("s.yaml"), bad.get(0) + RESPONSE);
+            assertThatThrownBy(() -> SweepStudy.read(study))
+                    .isInstanceOf(BadInputException.class)
+                    .hasMessageContaining(bad.get(1));
+        }
     }
 
     @Test

@@ -20,6 +20,9 @@ import org.phrenic.parameter.SwitchSetting;
 
 /** The breathing pattern: a preset or a recording, with rate, depth and balance from the settings. */
 public final class Breathing extends ScenePart {
+    /** Value of {@link #TRACE} for a breath without a recording. */
+    public static final String NO_TRACE = "none";
+
     private static final BreathingPreset QUIET = BreathingPreset.named("quiet");
 
     /** A preset from {@code data/breathing} that is part of the program. */
@@ -107,7 +110,7 @@ public final class Breathing extends ScenePart {
 
     private static Optional<Path> trace(YamlMap yaml, String key, Path folder) {
         String found = yaml.text(key);
-        if (found.equals("none")) {
+        if (found.equals(NO_TRACE)) {
             return Optional.empty();
         }
         Path path = ParsedSetting.path(yaml, key, folder);

@@ -57,8 +57,8 @@ public final class SweepFolder {
             }
             AtomicFile.write(study, text);
         } else if (!stated(study).resolved().equals(text)) {
-            throw new BadInputException(
-                    folder + ": found the results of another study (" + STUDY + " differs), expected another folder");
+            throw new BadInputException(folder + ": found the results of another study (" + STUDY
+                    + " states other values), expected another folder");
         }
         return new SweepFolder(folder, plan);
     }

@@ -190,7 +190,7 @@ class SweepRunnerTest {
     private static SweepPlan breaths(int threads) {
         return SweepPlan.of(SweepStudy.parse(
                 "study.yaml",
-                "settings: {threads: " + threads + "}\nfactors:\n"
+                "settings: {resolution: low, threads: " + threads + "}\nfactors:\n"
                         + "  - {key: sternum, values: [kinematic, kinematic, off]}\n"
                         + "design: {kind: grid}\nresponses: [{observable: dome_right_mm, reduction: size}]\n"));
     }
