@@ -4,6 +4,7 @@ import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import org.phrenic.anatomy.Thorax;
@@ -32,7 +33,8 @@ final class BodyPool {
         });
     }
 
-    private Thorax get(String key, java.util.concurrent.Callable<Thorax> make) {
+    /** A body that could not be made is not kept: whoever wants it next tries again. */
+    Thorax get(String key, Callable<Thorax> make) {
         FutureTask<Thorax> task;
         synchronized (bodies) {
             task = bodies.computeIfAbsent(key, any -> new FutureTask<>(make));
@@ -46,8 +48,14 @@ final class BodyPool {
         try {
             return task.get();
         } catch (ExecutionException failure) {
+            synchronized (bodies) {
+                bodies.remove(key, task);
+            }
             if (failure.getCause() instanceof RuntimeException told) {
                 throw told;
+            }
+            if (failure.getCause() instanceof Error error) {
+                throw error; // such as memory that is used up, which is no property of the run
             }
             throw new IllegalStateException(failure.getCause());
         } catch (InterruptedException stopped) {
