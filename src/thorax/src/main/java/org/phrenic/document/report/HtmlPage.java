@@ -164,7 +164,7 @@ public final class HtmlPage {
     private void figure(Figure figure) {
         text.append("<figure>\n<div class=\"" + (figure.pictures().size() > 1 ? "several" : "one") + "\">\n");
         for (Picture picture : figure.pictures()) {
-            text.append("<div><img src=\"" + escaped(picture.source()) + "\" alt=\"" + escaped(picture.alternative())
+            text.append("<div><img src=\"" + escaped(picture.url()) + "\" alt=\"" + escaped(picture.alternative())
                     + "\"/>");
             text.append(picture.caption().isEmpty() ? "" : "<span>" + escaped(picture.caption()) + "</span>");
             text.append("</div>\n");

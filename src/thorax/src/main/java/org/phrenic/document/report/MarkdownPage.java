@@ -81,7 +81,7 @@ public final class MarkdownPage {
     private static String figure(Figure figure) {
         StringBuilder text = new StringBuilder();
         for (Picture picture : figure.pictures()) {
-            text.append("\n![" + escaped(picture.alternative()) + "](" + picture.source() + ")\n");
+            text.append("\n![" + escaped(picture.alternative()) + "](" + picture.url() + ")\n");
             text.append(picture.caption().isEmpty() ? "" : "\n" + escaped(picture.caption()) + "\n");
         }
         return text + "\n" + escaped(figure.caption()) + "\n";

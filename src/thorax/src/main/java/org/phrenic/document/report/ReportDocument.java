@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.regex.Pattern;
 
 /**
  * A report as an ordered list of blocks: sections, paragraphs, lists, tables, figures. Texts are plain and shown
@@ -70,7 +71,20 @@ public final class ReportDocument {
      * @param alternative text alternative for screen readers
      * @param caption text below this image; empty for none
      */
-    public record Picture(String source, String alternative, String caption) {}
+    public record Picture(String source, String alternative, String caption) {
+        private static final String DATA = "data:";
+        /** What ends or alters a link, such as a blank, a bracket or a per cent sign. */
+        private static final Pattern RESERVED = Pattern.compile("[\\x00-\\x7f&&[^A-Za-z0-9._~/-]]");
+
+        /** The source as a link, in which a file may have any name. */
+        String url() {
+            return source.startsWith(DATA)
+                    ? source
+                    : RESERVED.matcher(source)
+                            .replaceAll(found ->
+                                    String.format("%%%02X", (int) found.group().charAt(0)));
+        }
+    }
 
     /**
      * Images side by side.

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.io.ByteArrayInputStream;
+import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -89,6 +90,22 @@ class ReportPagesTest {
                 .contains("\n\\<script\\>alert(\"a & 'b'\")\\</script\\> \\| \\*x\\* \\_y\\_ \\`z\\` \\[l\\](u)\n")
                 .contains("    phrenic reproduce --out a<b\n")
                 .contains("](pictures/a.png)");
+    }
+
+    /** A page is written beside its pictures, which are called as it is. */
+    @Test
+    void aPictureIsFoundWhateverItsFileIsCalled() throws Exception {
+        String file = "pictures/my (best) 50 % \u00e4 #1?-1.svg";
+        ReportDocument report = new ReportDocument("t", "").figure("f", new Picture(file, "a", ""));
+        String link = "pictures/my%20%28best%29%2050%20%25%20\u00e4%20%231%3F-1.svg";
+        assertThat(MarkdownPage.format(report)).contains("\n![a](" + link + ")\n");
+        Element image = (Element)
+                parsed(HtmlPage.format(report)).getElementsByTagName("img").item(0);
+        assertThat(image.getAttribute("src")).isEqualTo(link);
+        assertThat(URI.create(link).getPath()).isEqualTo(file);
+        String data = "data:image/svg+xml;base64,PHN2Zy8+PQ==";
+        assertThat(MarkdownPage.format(new ReportDocument("t", "").figure("f", new Picture(data, "a", ""))))
+                .contains("(" + data + ")");
     }
 
     @Test
