@@ -170,8 +170,9 @@ final class ReproduceCommand implements Callable<Integer> {
             return;
         }
         try {
-            for (PatientCase patient : people.cases()) {
-                PatientPictures drawn = new PatientPictures(patient, quick ? QUICK_PICTURE : PATIENT_PICTURE);
+            for (int p = 0; p < people.cases().size(); p++) {
+                PatientCase patient = people.cases().get(p);
+                PatientPictures drawn = new PatientPictures(patient, p + 1, quick ? QUICK_PICTURE : PATIENT_PICTURE);
                 segmented.put(patient.name(), writeFigures(drawn.segmentationFigures()));
                 distances.put(patient.name(), writeFigures(drawn.distanceFigures()));
             }

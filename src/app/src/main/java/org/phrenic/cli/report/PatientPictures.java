@@ -34,10 +34,21 @@ public final class PatientPictures {
     private final int size;
     private final String file;
 
-    public PatientPictures(PatientCase patient, int size) {
+    /**
+     * @param patient that is shown
+     * @param number of the patient in the report, from 1
+     * @param size width of the pictures, pixels
+     */
+    public PatientPictures(PatientCase patient, int number, int size) {
         this.patient = patient;
         this.size = size;
-        file = patient.name().toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-");
+        file = fileName(number, patient.name());
+    }
+
+    /** Part of a file's name: the number tells apart patients of whose names the same letters are left. */
+    static String fileName(int number, String patient) {
+        String letters = patient.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-");
+        return (number + "-" + letters).replaceAll("-+", "-").replaceAll("-$", "");
     }
 
     /** Figure 4: the lungs at both breath levels and the diaphragm mesh below them. */
