@@ -22,7 +22,7 @@ import org.phrenic.simulation.SimulationRun;
  * @param anatomy body
  * @param observables whose change from end-expiration to end-inspiration is evaluated
  * @param reference these changes with unmodified parameters
- * @param rows one per parameter
+ * @param rows one per parameter whose value is not 0
  * @param failures breaths that could not be computed, with their reasons
  */
 public record Sensitivity(
@@ -57,7 +57,8 @@ public record Sensitivity(
     public record Row(Parameter parameter, double from, double to, double[] effects) {}
 
     /**
-     * Runs the study: two breaths for each parameter that the material uses, and one with unmodified parameters.
+     * Runs the study: two breaths for each parameter that the material uses and whose value is not 0, and one with
+     * unmodified parameters.
      *
      * @param scenario preset, body, resolution and material
      * @param threads number of concurrent runs

@@ -49,7 +49,8 @@ public record SensitivityReport(Sensitivity sensitivity) {
                 "Which parameter moves which observable",
                 "Change of the observable in per cent for one per cent of the parameter, each parameter alone between"
                         + " nine and eleven tenths of its value (or to the end of its range); preset "
-                        + sensitivity.preset() + ", " + sensitivity.anatomy() + ".");
+                        + sensitivity.preset() + ", " + sensitivity.anatomy()
+                        + ". A parameter whose value is 0 has no per cent and is left out.");
         report.points(provenance.toArray(String[]::new));
         Attempts.addFailures(report, "Not computed", sensitivity.failures());
         List<List<String>> cells = cells();
