@@ -113,7 +113,10 @@ public final class SweepReport {
     }
 
     private static String text(Estimate e) {
-        return !e.isKnown() ? "-" : format("%.3g [%.3g, %.3g]", e.value(), e.low(), e.high());
+        if (!e.isKnown()) {
+            return "-";
+        }
+        return e.hasInterval() ? format("%.3g [%.3g, %.3g]", e.value(), e.low(), e.high()) : format("%.3g", e.value());
     }
 
     /** Factors in descending order of their effect. */

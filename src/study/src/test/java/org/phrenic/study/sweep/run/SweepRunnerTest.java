@@ -118,6 +118,15 @@ class SweepRunnerTest {
         assertThat((double) y.get("mean")).isCloseTo(3.5, within(0.02));
     }
 
+    /** Two samples have values but no interval. */
+    @Test
+    void aValueWithoutAnIntervalStandsAlone() {
+        SweepReport report = new SweepReport(run(plan(2), folder, new ThreadExecutor(1)), 0, 1);
+        assertThat(report.sensitivity()).hasSize(3).allSatisfy(row -> assertThat(row.subList(2, 4))
+                .allMatch(cell -> cell.matches("-?[0-9.e+-]+")));
+        assertThat(report.html()).doesNotContain("NaN");
+    }
+
     private static void requireCovered(Map<?, ?> estimates, String factor, double truth) {
         Map<?, ?> estimate = (Map<?, ?>) estimates.get(factor);
         assertThat(truth).as("index of %s", factor).isBetween((double) estimate.get("low"), (double)
