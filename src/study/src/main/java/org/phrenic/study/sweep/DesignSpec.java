@@ -63,7 +63,10 @@ public record DesignSpec(
         }
     }
 
-    /** @throws IllegalArgumentException with one sentence, if a list lacks its points or another design has some */
+    /**
+     * @throws IllegalArgumentException with one sentence, if a list lacks its points or states them twice, or another
+     *     design has some
+     */
     public DesignSpec {
         columns = List.copyOf(columns);
         points = List.copyOf(points);
@@ -71,6 +74,14 @@ public record DesignSpec(
         if (given != (kind == Kind.LIST)) {
             throw new IllegalArgumentException("found " + (given ? "points" : "neither file nor points")
                     + " in a design of kind " + kind.label() + ", expected points in a list and only there");
+        }
+        if (!columns.isEmpty() && (kind != Kind.LIST || file.isPresent())) {
+            throw new IllegalArgumentException("found columns "
+                    + (file.isPresent() ? "besides a file" : "in a design of kind " + kind.label())
+                    + ", expected them in a list without a file");
+        }
+        if (file.isPresent() && !points.isEmpty()) {
+            throw new IllegalArgumentException("found points besides a file, expected one of them");
         }
         for (List<String> point : points) {
             if (point.size() != columns.size()) {

@@ -6,11 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.breathing.BreathState;
-import org.phrenic.breathing.BreathingPattern;
-import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.document.KeySuggestion;
-import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.parameter.NumberSetting;
 import org.phrenic.parameter.Setting;
@@ -93,18 +89,6 @@ final class SceneFactors {
 
     List<String> traits(SweepPoint point) {
         return person(point).map(Person::traits).orElse(List.of());
-    }
-
-    /** Whether the breath of the scenario has a hold. */
-    static boolean hasHold(Scenario scenario) {
-        BreathingPattern pattern = Breathing.patternOf(scenario);
-        BreathState state = new BreathState();
-        boolean held = scenario.hold();
-        for (double t = 0; !held && t < pattern.fullDurationS(); t += BreathModel.SAMPLE_S) {
-            pattern.at(t, state);
-            held = state.respiratoryPhase == RespiratoryPhase.HOLD;
-        }
-        return held;
     }
 
     /** The scenario of a point, on one thread. */

@@ -3,7 +3,6 @@ package org.phrenic.study.sweep;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -52,13 +51,7 @@ public record SweepStudy(
             IshigamiModel.NAME, List.of("responses", "series", "scenario", "settings"));
 
     private static final List<String> MODELS = List.of(BreathModel.NAME, AccessModel.NAME, IshigamiModel.NAME);
-    /** Factors that a person stands in place of. */
-    private static final String BODY = "body.";
-
-    private static final int MOST_POINTS = 1_000_000;
     private static final Set<String> PATHS = Set.of(RunSettings.ANATOMY.key(), Breathing.TRACE.key());
-    /** Factors that may hold a breath. */
-    private static final Set<String> BREATHS = Set.of("preset", "trace", "hold");
 
     /** The cohort of a study file. */
     private record CohortSize(@Key(min = 1, max = 1_000_000) int persons, @Key(absent = "1") long seed) {}
@@ -99,7 +92,7 @@ public record SweepStudy(
                 design,
                 yaml.has("responses") ? bound(yaml, "responses", ResponseSpec.class) : List.of(),
                 yaml.has("series") ? yaml.texts("series") : List.of());
-        study.check(yaml);
+        new StudyCheck(yaml, study).require();
         return study;
     }
 
@@ -189,62 +182,14 @@ public record SweepStudy(
         }
     }
 
-    private static boolean isNoColumn(String response) {
-        return JOURNAL_COLUMNS.contains(response) || response.chars().anyMatch(Character::isISOControl);
+    /** Column of the journal with the values of a series. */
+    public static String seriesColumn(String series) {
+        return "series " + series;
     }
 
-    private void check(YamlMap yaml) {
-        SweepModel made;
-        try {
-            made = newModel();
-        } catch (IllegalArgumentException refused) {
-            throw new BadInputException(
-                    yaml.bad("responses", refused.getMessage()).getMessage(), refused);
-        }
-        boolean held = factors.stream().anyMatch(factor -> BREATHS.contains(factor.key()));
-        if (responses.stream().anyMatch(ResponseSpec::needsHold) && !held && !SceneFactors.hasHold(scenario)) {
-            throw yaml.bad("responses", "found creep, expected a breath with a hold, such as preset hold-inspiration");
-        }
-        if (factors.isEmpty()) {
-            throw yaml.bad("factors", "found no factor, expected at least one");
-        }
-        boolean list = design.kind() == DesignSpec.Kind.LIST;
-        Set<String> columns = new HashSet<>(made.responses());
-        if (columns.size() != made.responses().size()) {
-            throw yaml.bad("responses", "found two of the same name, expected each name once");
-        }
-        if (made.responses().stream().anyMatch(SweepStudy::isNoColumn)) {
-            throw yaml.bad(
-                    "responses",
-                    "found a name with a line break or one of " + String.join(", ", JOURNAL_COLUMNS)
-                            + ", which are columns of the journal, expected others");
-        }
-        if (new HashSet<>(made.series()).size() != made.series().size()) {
-            throw yaml.bad("series", "found two of the same name, expected each name once");
-        }
-        for (int f = 0; f < factors.size(); f++) {
-            Factor factor = factors.get(f);
-            boolean drawn = yaml.has("cohort") && factor.key().equals(SceneFactors.PERSON);
-            YamlMap place = list
-                    ? yaml.map("design")
-                    : drawn ? yaml.map("cohort") : yaml.maps("factors").get(f);
-            if (!columns.add(factor.key())) {
-                throw place.bad("found '" + factor.key() + "' a second time, expected each name once");
-            }
-            try {
-                FactorScale.of(factor, made);
-            } catch (IllegalArgumentException | BadInputException refused) {
-                throw new BadInputException(place.bad(refused.getMessage()).getMessage(), refused);
-            }
-        }
-        if (columns.contains(SceneFactors.PERSON)
-                && columns.stream().anyMatch(c -> c.startsWith(BODY) || c.equals("anatomy"))) {
-            throw yaml.bad("found persons and another factor of the body, expected one of them");
-        }
-        long size = design.size(factors);
-        if (size < 1 || size > MOST_POINTS) {
-            throw yaml.bad("design", "found a design of " + size + " runs, expected 1 to " + MOST_POINTS);
-        }
+    /** Whether a factor states persons. */
+    boolean hasPersons() {
+        return factors.stream().anyMatch(factor -> factor.key().equals(SceneFactors.PERSON));
     }
 
     /** A new model of this study. */
@@ -252,8 +197,7 @@ public record SweepStudy(
         if (model.equals(IshigamiModel.NAME)) {
             return new IshigamiModel();
         }
-        boolean ofPersons = factors.stream().anyMatch(f -> f.key().equals(SceneFactors.PERSON));
-        SceneFactors scene = new SceneFactors(scenario, ofPersons);
+        SceneFactors scene = new SceneFactors(scenario, hasPersons());
         return model.equals(AccessModel.NAME) ? new AccessModel(scene) : new BreathModel(scene, responses, series);
     }
 

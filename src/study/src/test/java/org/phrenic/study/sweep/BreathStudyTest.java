@@ -136,7 +136,8 @@ class BreathStudyTest {
                 "{kind: list, columns: [depth], points: [[1]]}",
                 creep,
                 "found creep, expected a breath with a hold");
-        SweepPlan held = SweepPlan.of(study("", "{kind: list, columns: [preset], points: [[quiet]]}", creep));
+        SweepPlan held = SweepPlan.of(
+                study("", "{kind: list, columns: [preset], points: [[quiet], [hold-inspiration]]}", creep));
         assertThat(RunRow.of(held.model(), held.points().get(0)).failure())
                 .isEqualTo("response 'descent': found no number, expected a breath with a hold");
         List<String> columns = List.of("breath", "dome_right_mm", "dome_left_mm", "liver_top_mm");

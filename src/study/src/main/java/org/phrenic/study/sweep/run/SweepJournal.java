@@ -79,7 +79,7 @@ final class SweepJournal implements AutoCloseable {
     }
 
     private static List<String> seriesColumns(SweepModel model) {
-        return model.series().stream().map(name -> "series " + name).toList();
+        return model.series().stream().map(SweepStudy::seriesColumn).toList();
     }
 
     private long completeLength() throws IOException {

@@ -1,0 +1,71 @@
+package org.phrenic.study.sweep;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.phrenic.breathing.BreathState;
+import org.phrenic.breathing.BreathingPattern;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+
+/** Whether a breath of a study has a hold, which creep needs. */
+final class HeldBreaths {
+    /** Factors that may hold a breath. */
+    private static final List<String> KEYS =
+            List.of(Breathing.PRESET.key(), Breathing.TRACE.key(), Breathing.HOLD.key());
+
+    private HeldBreaths() {}
+
+    /** Whether at least one combination of listed presets, recordings and holds has one. */
+    static boolean in(SweepStudy study) {
+        return combinations(study).stream()
+                .anyMatch(assignments -> isHeld(study.scenario().with(assignments)));
+    }
+
+    private static Set<List<Assignment>> combinations(SweepStudy study) {
+        List<Factor> factors =
+                study.factors().stream().filter(f -> KEYS.contains(f.key())).toList();
+        Set<List<Assignment>> all = new LinkedHashSet<>();
+        if (study.design().kind() == DesignSpec.Kind.LIST) {
+            for (List<String> point : study.design().points()) {
+                List<Assignment> one = new ArrayList<>();
+                for (Factor factor : factors) {
+                    one.add(assignment(factor, point.get(study.factors().indexOf(factor))));
+                }
+                all.add(one);
+            }
+            return all;
+        }
+        all.add(List.of());
+        for (Factor factor : factors) {
+            Set<List<Assignment>> longer = new LinkedHashSet<>();
+            for (List<Assignment> shorter : all) {
+                for (String value : new LinkedHashSet<>(factor.values())) {
+                    List<Assignment> one = new ArrayList<>(shorter);
+                    one.add(assignment(factor, value));
+                    longer.add(one);
+                }
+            }
+            all = longer;
+        }
+        return all;
+    }
+
+    private static Assignment assignment(Factor factor, String value) {
+        return Assignment.read("factor '" + factor.key() + "'", factor.key(), value);
+    }
+
+    private static boolean isHeld(Scenario scenario) {
+        BreathingPattern pattern = Breathing.patternOf(scenario);
+        BreathState state = new BreathState();
+        boolean held = scenario.hold();
+        for (double t = 0; !held && t < pattern.fullDurationS(); t += BreathModel.SAMPLE_S) {
+            pattern.at(t, state);
+            held = state.respiratoryPhase == RespiratoryPhase.HOLD;
+        }
+        return held;
+    }
+}

@@ -1,0 +1,104 @@
+package org.phrenic.study.sweep;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.file.BadInputException;
+
+/** What a study cannot compute or write is told before its first run. */
+class StudyCheckTest {
+    private static final String DEPTHS = "factors:\n  - {key: depth, values: [1, 1.2]}\n";
+    private static final String GRID = "design: {kind: grid}\n";
+    private static final String RESPONSE = "responses:\n  - {observable: liver_si_mm, reduction: size}\n";
+    private static final String CREEP = RESPONSE.replace("size", "creep");
+
+    @TempDir
+    private Path folder;
+
+    private static void refused(String study, String... parts) {
+        assertThatThrownBy(() -> SweepStudy.parse("study.yaml", study))
+                .isInstanceOf(BadInputException.class)
+                .message()
+                .startsWith("study.yaml: ")
+                .contains(parts)
+                .doesNotContain("\n");
+    }
+
+    /** A journal whose names are read otherwise than they were written would lose all runs at the end. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"'rise; mm'", "' rise'", "'rise '", "\"rise\\tmm\"", "series dome_right_mm", "machine", "wall_s"
+            })
+    void aResponseIsAColumnThatCanBeReadAgain(String name) {
+        String response = "responses:\n  - {name: " + name + ", observable: dome_right_mm, reduction: rise}\n";
+        refused(DEPTHS + GRID + response + "series: [dome_right_mm]\n", "line 4, key 'responses': found ", " name ");
+    }
+
+    @Test
+    void aResponseIsNotCalledAsATraitOfThePersons() {
+        String response = "responses:\n  - {name: age_y, observable: dome_right_mm, reduction: rise}\n";
+        refused("cohort: {persons: 2}\n" + GRID + response, "found the name 'age_y', expected another than");
+        assertThat(SweepStudy.parse("study.yaml", DEPTHS + GRID + response)
+                        .newModel()
+                        .responses())
+                .containsExactly("age_y");
+    }
+
+    @Test
+    void creepIsRefusedUnlessABreathOfTheStudyHasAHold() {
+        String told = "found creep, expected a breath with a hold";
+        refused("factors:\n  - {key: preset, values: [quiet, deep]}\n" + GRID + CREEP, told);
+        refused("factors:\n  - {key: hold, values: [false, false]}\n" + GRID + CREEP, told);
+        refused("design: {kind: list, columns: [depth, preset], points: [[1, quiet], [1.2, deep]]}\n" + CREEP, told);
+        String held = "settings: {preset: hold-inspiration}\n";
+        refused(held + "factors:\n  - {key: preset, values: [quiet, deep]}\n" + GRID + CREEP, told);
+        for (String study : List.of(
+                held + DEPTHS + GRID,
+                "factors:\n  - {key: preset, values: [quiet, hold-inspiration]}\n" + GRID,
+                "factors:\n  - {key: preset, values: [quiet, deep]}\n  - {key: hold, values: [false, true]}\n" + GRID,
+                "design: {kind: list, columns: [depth, preset], points: [[1, quiet], [1, hold-inspiration]]}\n")) {
+            assertThat(SweepStudy.parse("study.yaml", study + CREEP).factors()).isNotEmpty();
+        }
+    }
+
+    @Test
+    void pointsAreStatedOnceAndInAListOnly() throws IOException {
+        Files.writeString(folder.resolve("p.csv"), "depth\n1\n");
+        for (List<String> bad : List.of(
+                List.of("{kind: list, file: p.csv, columns: [depth]}", "found columns besides a file"),
+                List.of("{kind: list, file: p.csv, points: [[]]}", "found points besides a file"),
+                List.of("{kind: grid, columns: [depth]}", "found columns in a design of kind grid"),
+                List.of("{kind: sobol, columns: [depth]}", "found columns in a design of kind sobol"))) {
+            String factors = bad.get(0).contains("list") ? "" : DEPTHS;
+            Path study =
+                    Files.writeString(folder.resolve("s.yaml"), factors + "design: " + bad.get(0) + "\n" + RESPONSE);
+            assertThatThrownBy(() -> SweepStudy.read(study))
+                    .isInstanceOf(BadInputException.class)
+                    .hasMessageContaining("key 'design'")
+                    .hasMessageContaining(bad.get(1) + ", expected");
+        }
+    }
+
+    /** The stated body would be used in no run. */
+    @Test
+    void personsAndAStatedBodyAreRefused() throws IOException {
+        String cohort = "cohort: {persons: 2}\n" + GRID + RESPONSE;
+        String told = "found the body 'virtual/adult-female' with persons, who have bodies of their own, expected none";
+        refused("settings: {anatomy: virtual/adult-female}\n" + cohort, "line 1, key 'settings': " + told);
+        Files.writeString(folder.resolve("woman.yaml"), "anatomy: virtual/adult-female\n");
+        Path study = Files.writeString(folder.resolve("s.yaml"), "scenario: woman.yaml\n" + cohort);
+        assertThatThrownBy(() -> SweepStudy.read(study)).hasMessageContaining("line 1, key 'scenario': " + told);
+        // As in a scenario that a run writes, which states all settings.
+        assertThat(SweepStudy.parse("study.yaml", "settings: {anatomy: virtual/adult-male}\n" + cohort)
+                        .factors())
+                .hasSize(1);
+    }
+}
