@@ -22,10 +22,15 @@ public final class ClusterMain {
     /** The arguments with the master of Spark, unless they state one, or need none. */
     static List<String> withMaster(List<String> args, String master) {
         List<String> all = new ArrayList<>(args);
-        boolean runs = args.contains("sweep") && !args.contains("--merge") && !args.contains("--shard");
-        if (runs && master != null && !args.contains(MASTER)) {
+        boolean runs = args.contains("sweep") && !states(args, "--merge") && !states(args, "--shard");
+        if (runs && master != null && !states(args, MASTER)) {
             all.addAll(List.of(MASTER, master));
         }
         return all;
+    }
+
+    /** Whether an option is there, its value behind a blank or an equals sign. */
+    private static boolean states(List<String> args, String option) {
+        return args.stream().anyMatch(arg -> arg.equals(option) || arg.startsWith(option + "="));
     }
 }

@@ -2,6 +2,7 @@ package org.phrenic.cluster;
 
 import java.util.List;
 import java.util.function.Consumer;
+import org.apache.spark.SparkDriverExecutionException;
 import org.apache.spark.SparkException;
 import org.apache.spark.api.java.JavaSparkContext;
 import org.phrenic.file.BadInputException;
@@ -37,6 +38,10 @@ final class SparkSweep implements SweepExecutor {
                             new RowsHandler(done),
                             ClassTag$.MODULE$.apply(RunRow[].class));
         } catch (Exception failure) { // runJob throws SparkException without declaring it
+            if (failure instanceof SparkDriverExecutionException
+                    && failure.getCause() instanceof RuntimeException own) {
+                throw own; // the journal or the report could not be written, which is no failure of the cluster
+            }
             if (failure instanceof SparkException) {
                 throw new BadInputException(
                         "--master " + context.master() + ": Spark ended the study (" + SparkService.sentence(failure)

@@ -1,6 +1,7 @@
 package org.phrenic.cluster;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -15,6 +16,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.cli.Phrenic;
+import org.phrenic.file.OutputException;
+import org.phrenic.study.sweep.SweepPlan;
+import org.phrenic.study.sweep.SweepStudy;
+import org.phrenic.study.sweep.run.SweepExecutor;
 
 /** The same study gives the same rows on threads, on local Spark and on executors of which one is killed. */
 class SparkStudyTest {
@@ -158,6 +163,24 @@ class SparkStudyTest {
         return Files.exists(journal) ? Files.readString(journal).lines().count() : 0;
     }
 
+    /** A full disk of the driver is told as on threads, not as a failure of the cluster. */
+    @Test
+    void aJournalThatCannotBeWrittenIsToldAsSuch() {
+        SweepPlan plan = SweepPlan.of(SweepStudy.parse("study.yaml", KNOWN.replace("2048", "2")));
+        OutputException full = new OutputException("journal.csv: writing failed: no space", new IOException());
+        System.setProperty("spark.driver.host", "127.0.0.1");
+        System.setProperty("spark.driver.bindAddress", "127.0.0.1");
+        try (SweepExecutor spark = new SparkService().connect("local[1]")) {
+            assertThatThrownBy(() -> spark.run(plan, List.of(0, 1), row -> {
+                        throw full;
+                    }))
+                    .isSameAs(full);
+        } finally {
+            System.clearProperty("spark.driver.host");
+            System.clearProperty("spark.driver.bindAddress");
+        }
+    }
+
     @Test
     void theMasterOfSparkIsAddedWhereAStudyRuns() {
         List<String> args = List.of("sweep", "study.yaml", "--out", "x");
@@ -167,5 +190,8 @@ class SparkStudyTest {
                 .doesNotContain("--master");
         assertThat(ClusterMain.withMaster(List.of("sweep", "--master", "local[1]"), "yarn"))
                 .containsExactly("sweep", "--master", "local[1]");
+        for (String stated : List.of("--merge=x", "--shard=0/3", "--master=local[2]")) {
+            assertThat(ClusterMain.withMaster(List.of("sweep", stated), "yarn")).containsExactly("sweep", stated);
+        }
     }
 }
