@@ -30,7 +30,7 @@ class SparkStudyTest {
     private static final String BREATHS =
             """
             settings: {resolution: low, duration_s: 0.04}
-            design: {kind: list, columns: [depth], points: [[1.2], [0.9]]}
+            design: {kind: list, columns: [depth, material], points: [[1.2, physical], [0.9, paper]]}
             responses:
               - {observable: liver_si_mm, reduction: size}
             series: [dome_right_mm]
