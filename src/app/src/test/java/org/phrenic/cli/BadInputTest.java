@@ -160,6 +160,16 @@ class BadInputTest {
                         "scenario in the folder of the result",
                         "a file that the command reads",
                         f -> List.of("run", file(f, "scenario.yaml", "preset: deep\n"), "--out", f.toString())),
+                bad("body in the folder of the result's meshes", "meshes: found a folder that the command reads", f -> {
+                    Path body = f.resolve("meshes");
+                    BoxThorax.write(body, 140, 1);
+                    return List.of("run", body.toString(), "--out", f.toString());
+                }),
+                bad("body in the folder of an unfinished run", "meshes.part: found a folder that the command", f -> {
+                    Path body = f.resolve("meshes.part");
+                    BoxThorax.write(body, 140, 1);
+                    return List.of("run", "--anatomy", body.toString(), "--out", f.toString());
+                }),
                 bad("negative mass", "found -1", run("material: paper\nnode_mass_kg: -1\n")),
                 bad("parameter of the other material", "paper", run("node_mass_kg: 0.1\n")),
                 bad("unknown preset", "expected one of quiet", run("preset: dep\n")),

@@ -1,7 +1,6 @@
 package org.phrenic.simulation;
 
 import java.io.IOException;
-import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -10,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.regex.Pattern;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.document.CsvWriter;
@@ -36,6 +36,12 @@ final class RunRecorder {
     private static final String SUMMARY = "summary.json";
     private static final String SERIES = "scene.pvd";
     private static final String MESHES = "meshes";
+    /** Folder of the meshes of a run that has not ended. */
+    private static final String UNFINISHED = MESHES + ".part";
+    /** Name of a mesh of a run: structure and number of the frame, of at least five digits. */
+    private static final String FRAME_NAME = "%s_%05d.vtp";
+    /** Names of {@link #FRAME_NAME}. */
+    private static final Pattern FRAME_NAMES = Pattern.compile(".+_\\d{5,}\\.vtp");
     /** Tolerance for rounding when comparing output times. */
     private static final double ROUNDING = 1e-9;
 
@@ -70,9 +76,13 @@ final class RunRecorder {
         }
     }
 
-    /** Folder of the meshes of a run that has not ended. */
+    /** The folders in {@code out} into which a run writes meshes, and in which it deletes those of an earlier one. */
+    static List<Path> meshFolders(Path out) {
+        return List.of(out.resolve(MESHES), out.resolve(UNFINISHED));
+    }
+
     private Path unfinished() {
-        return out.resolve(MESHES + ".part");
+        return out.resolve(UNFINISHED);
     }
 
     /** Puts the meshes of this run in place of the results of an earlier one, which would not match the new files. */
@@ -104,14 +114,15 @@ final class RunRecorder {
         }
     }
 
-    private static List<Path> frames(Path folder) throws IOException {
-        List<Path> frames = new ArrayList<>();
-        if (Files.isDirectory(folder)) {
-            try (DirectoryStream<Path> found = Files.newDirectoryStream(folder, "*_[0-9]*.vtp")) {
-                found.forEach(frames::add);
-            }
+    /** The meshes of runs in a folder. */
+    private static List<Path> frames(Path folder) {
+        if (!Files.isDirectory(folder)) {
+            return List.of();
         }
-        return frames;
+        return InputBytes.list(folder).stream()
+                .filter(file ->
+                        FRAME_NAMES.matcher(file.getFileName().toString()).matches())
+                .toList();
     }
 
     /** Called after a step; writes meshes if due. */
@@ -125,7 +136,7 @@ final class RunRecorder {
         List<TriangleMesh> meshes = surfaces.meshes();
         for (int i = 0; i < meshes.size(); i++) {
             Surface surface = surfaces.surfaces().get(i);
-            String file = String.format(Locale.ROOT, "%s_%05d.vtp", surface.name(), frame);
+            String file = String.format(Locale.ROOT, FRAME_NAME, surface.name(), frame);
             VtpWriter.write(unfinished().resolve(file), meshes.get(i), pointData(surface, meshes.get(i)));
             series.add(time, i, out.resolve(MESHES).resolve(file));
         }

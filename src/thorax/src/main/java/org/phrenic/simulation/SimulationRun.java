@@ -51,6 +51,11 @@ public final class SimulationRun {
         return ThoraxFolder.load(Path.of(scenario.anatomy()));
     }
 
+    /** The folders in {@code out} into which a run writes meshes, and in which it deletes those of an earlier one. */
+    public static List<Path> meshFolders(Path out) {
+        return RunRecorder.meshFolders(out);
+    }
+
     /**
      * Runs a scenario.
      *

@@ -167,10 +167,12 @@ class RunRecorderTest {
         Path meshes = Files.createDirectory(out.resolve("meshes"));
         Files.writeString(meshes.resolve("lung_L_00007.vtp"), "of a longer run");
         Path own = Files.writeString(meshes.resolve("notes.txt"), "the user's");
+        Path body = Files.writeString(meshes.resolve("costal_cartilage_03_L.vtp"), "of the user's body");
         Files.writeString(out.resolve("scene.pvd"), "of a longer run");
         execute(scenario(), out);
         assertThat(meshes.resolve("lung_L_00007.vtp")).doesNotExist();
         assertThat(out.resolve("scene.pvd")).doesNotExist();
         assertThat(own).exists();
+        assertThat(body).exists();
     }
 }

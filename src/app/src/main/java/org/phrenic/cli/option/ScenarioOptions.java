@@ -11,6 +11,7 @@ import org.phrenic.model.material.Materials;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
+import org.phrenic.simulation.SimulationRun;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -70,12 +71,17 @@ public final class ScenarioOptions {
     @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Any key of the scenario; may be repeated.")
     private List<String> settings = new ArrayList<>();
 
-    /** Refuses an output folder whose files of a run would take the place of what the scenario is read from. */
+    /**
+     * Refuses an output folder in which a run would write over what the scenario is read from, or among the meshes of
+     * its body.
+     */
     public void requireNotIn(Path out, Scenario resolved) {
         if (out != null) {
             ReportFolder.requireNotRead("--out", out.resolve("scenario.yaml"), scenario);
             ReportFolder.requireNotRead(
                     "--out", out.resolve("observables.csv"), resolved.trace().orElse(null));
+            Path body = resolved.isVirtual() ? null : Path.of(resolved.anatomy());
+            SimulationRun.meshFolders(out).forEach(meshes -> ReportFolder.requireNotRead("--out", meshes, body));
         }
     }
 
