@@ -68,6 +68,23 @@ public final class AtomicFile {
         write(target, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
     }
 
+    /**
+     * Deletes a file, if there is one.
+     *
+     * @throws OutputException if it cannot be deleted, naming the folder and the reason
+     */
+    public static void delete(Path file) {
+        if (Files.isDirectory(file)) {
+            return;
+        }
+        try {
+            retrying(() -> Files.deleteIfExists(file));
+        } catch (IOException failure) {
+            throw new OutputException(
+                    file + ": deleting from folder " + folder(file) + " failed: " + reason(failure), failure);
+        }
+    }
+
     private static void writeBeside(Path target, Content content) throws IOException {
         Path beside = null;
         try {

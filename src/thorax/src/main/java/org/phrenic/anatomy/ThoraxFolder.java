@@ -36,6 +36,8 @@ public final class ThoraxFolder {
 
     /** Name of the file that states name, axes and units of a folder. */
     public static final String INDEX_FILE = "thorax.yaml";
+    /** Key of the index of a folder whose meshes are being written. */
+    public static final String UNFINISHED_KEY = "unfinished";
     /** Welding distance, mm: coordinates in files are rounded to about a thousandth. */
     private static final double WELD_MM = 1e-3;
     /**
@@ -81,6 +83,11 @@ public final class ThoraxFolder {
         }
         Path index = folder.resolve(INDEX_FILE);
         YamlMap yaml = Files.exists(index) ? YamlDocument.read(index) : YamlDocument.parse(INDEX_FILE, "{}");
+        if (yaml.has(UNFINISHED_KEY)) {
+            throw new BadInputException(
+                    folder + ": found the files of an import that did not end, expected a whole body;"
+                            + " the scan has to be imported again");
+        }
         yaml.requireOnly(List.of("name", "axes", "units", "structures", "not_in_scan"));
         List<String> notes = new ArrayList<>();
         List<Found> found = found(folder, yaml, synonyms, notes);
