@@ -1,6 +1,7 @@
 package org.phrenic;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
@@ -91,6 +92,16 @@ class LauncherTest {
     @Test
     void withoutACacheThereIsNoArchive() throws Exception {
         assertThat(start(Map.of("PHRENIC_CACHE", "off"), "run")).doesNotContain("jsa");
+        assertThat(start(Map.of("PHRENIC_CACHE", "Off"), "run")).doesNotContain("jsa");
         assertThat(start(Map.of("PHRENIC_CACHE", "/dev/null/cache"), "run")).doesNotContain("jsa");
+    }
+
+    /** Java ends with an error where it cannot write the archive. */
+    @Test
+    void aCacheThatMayNotBeWrittenGetsNoArchive() throws Exception {
+        Path cache = Files.createDirectory(folder.resolve("cache"));
+        assertThat(cache.toFile().setWritable(false)).isTrue();
+        assumeFalse(Files.isWritable(cache), "this user may write into every folder");
+        assertThat(start("run")).doesNotContain("jsa");
     }
 }
