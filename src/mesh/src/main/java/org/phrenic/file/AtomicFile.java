@@ -16,8 +16,8 @@ import java.util.concurrent.locks.LockSupport;
 
 /**
  * Atomic file writing: the content goes to a temporary file beside the target, which then replaces the target. A reader
- * of the target sees either the old or the new content. On failure the temporary file is deleted and the target is
- * unchanged.
+ * of the target sees either the old or the new content. On failure, and where the program is ended while it writes, the
+ * temporary file is deleted and the target is unchanged.
  */
 public final class AtomicFile {
     private static final int ATTEMPTS = 1000;
@@ -94,6 +94,7 @@ public final class AtomicFile {
                                 candidate, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
                         OutputStream out = new BufferedOutputStream(file, 1 << 16)) {
                     beside = candidate;
+                    UnfinishedFiles.add(beside);
                     content.writeTo(out);
                 } catch (FileAlreadyExistsException taken) {
                     if (beside != null || attempt >= ATTEMPTS) {
@@ -103,10 +104,12 @@ public final class AtomicFile {
             }
             Path whole = beside;
             retrying(() -> replace(whole, target));
+            UnfinishedFiles.remove(whole);
             beside = null;
         } finally {
             if (beside != null) {
                 Files.deleteIfExists(beside);
+                UnfinishedFiles.remove(beside);
             }
         }
     }
@@ -143,10 +146,9 @@ public final class AtomicFile {
     }
 
     private static void createFolder(Path folder) throws IOException {
-        Path nearest = folder;
-        while (!Files.exists(nearest)) {
-            nearest = folder(nearest);
-        }
+        Path nearest = ExistingPath.nearest(folder)
+                .orElseThrow(() -> new NoSuchFileException(
+                        String.valueOf(folder.toAbsolutePath().getRoot())));
         if (!Files.isDirectory(nearest)) {
             throw new FileAlreadyExistsException(nearest.toString());
         }

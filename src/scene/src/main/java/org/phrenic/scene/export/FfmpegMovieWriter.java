@@ -21,6 +21,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.OutputException;
+import org.phrenic.file.UnfinishedFiles;
 
 /**
  * Writes an H.264 movie with the {@code ffmpeg} program of this machine, which reads the pictures from a pipe. The file
@@ -63,6 +64,7 @@ public record FfmpegMovieWriter(Path program) implements MovieWriter {
         Path work = null;
         try {
             work = Files.createTempDirectory("phrenic-movie");
+            UnfinishedFiles.add(work);
             Path made = work.resolve("movie.mp4");
             encode(file, made, work.resolve("log.txt"), framesPerS, frames);
             AtomicFile.write(file, out -> Files.copy(made, out));
@@ -148,6 +150,7 @@ public record FfmpegMovieWriter(Path program) implements MovieWriter {
                 Files.deleteIfExists(file);
             }
             Files.deleteIfExists(work);
+            UnfinishedFiles.remove(work);
         } catch (IOException e) {
             System.getLogger(FfmpegMovieWriter.class.getName())
                     .log(System.Logger.Level.DEBUG, "temporary folder stays: " + work, e);
