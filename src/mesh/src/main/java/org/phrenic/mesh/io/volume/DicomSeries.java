@@ -76,17 +76,45 @@ final class DicomSeries {
         return image(image.file(), grid, values, stack);
     }
 
-    /** The grid of the series with one of these identifiers, if the folder or one in it holds it. */
+    /**
+     * The grid of the series with one of these identifiers, if the folder or one in it holds it. Folders in it that
+     * hold other things than the series may be damaged or not readable.
+     */
     static Optional<SliceGrid> find(Path folder, Set<String> series) {
-        List<Path> folders = new ArrayList<>(List.of(folder));
-        folders.addAll(list(folder).stream().filter(Files::isDirectory).toList());
-        for (Path one : folders) {
-            List<Slice> slices = slices(one, series);
+        List<Slice> beside = slices(folder, series);
+        if (!beside.isEmpty()) {
+            return Optional.of(grid(folder.toString(), beside));
+        }
+        for (Path inner : list(folder)) {
+            List<Slice> slices = Files.isDirectory(inner) ? slicesWithin(inner, series) : List.of();
             if (!slices.isEmpty()) {
-                return Optional.of(grid(one.toString(), slices));
+                return Optional.of(grid(inner.toString(), slices));
             }
         }
         return Optional.empty();
+    }
+
+    /**
+     * The slices in a folder, of the named series; a file that cannot be read is refused beside slices of the series.
+     */
+    private static List<Slice> slicesWithin(Path folder, Set<String> wanted) {
+        List<Slice> slices = new ArrayList<>();
+        List<BadInputException> problems = new ArrayList<>();
+        try {
+            for (Path path : list(folder)) {
+                try {
+                    slice(path, wanted).ifPresent(slices::add);
+                } catch (BadInputException damaged) {
+                    problems.add(damaged);
+                }
+            }
+        } catch (BadInputException unreadable) {
+            return List.of();
+        }
+        if (!slices.isEmpty() && !problems.isEmpty()) {
+            throw problems.get(0);
+        }
+        return slices;
     }
 
     private static List<Path> list(Path folder) {
@@ -101,22 +129,25 @@ final class DicomSeries {
     /** The slices in a folder, of the named series or, without names, of any. */
     private static List<Slice> slices(Path folder, Set<String> wanted) {
         List<Slice> slices = new ArrayList<>();
-        for (Path path : list(folder)) {
-            if (!DicomFile.isDicom(path)) {
-                continue;
-            }
-            DicomDataSet image = DicomFile.read(path).dataSet();
-            boolean isSlice = image.has(DicomTag.PIXEL_DATA)
-                    && image.has(DicomTag.IMAGE_POSITION)
-                    && image.has(DicomTag.SERIES_INSTANCE_UID);
-            String series = image.text(DicomTag.SERIES_INSTANCE_UID, "");
-            if (isSlice && (wanted.isEmpty() || wanted.contains(series))) {
-                int columns = image.whole(DicomTag.COLUMNS, 1, 0xFFFF);
-                int rows = image.whole(DicomTag.ROWS, 1, 0xFFFF);
-                slices.add(new Slice(path, series, columns, rows, FramePlane.of(image)));
-            }
-        }
+        list(folder).forEach(path -> slice(path, wanted).ifPresent(slices::add));
         return slices;
+    }
+
+    private static Optional<Slice> slice(Path path, Set<String> wanted) {
+        if (!DicomFile.isDicom(path)) {
+            return Optional.empty();
+        }
+        DicomDataSet image = DicomFile.read(path).dataSet();
+        boolean isSlice = image.has(DicomTag.PIXEL_DATA)
+                && image.has(DicomTag.IMAGE_POSITION)
+                && image.has(DicomTag.SERIES_INSTANCE_UID);
+        String series = image.text(DicomTag.SERIES_INSTANCE_UID, "");
+        if (!isSlice || !(wanted.isEmpty() || wanted.contains(series))) {
+            return Optional.empty();
+        }
+        int columns = image.whole(DicomTag.COLUMNS, 1, 0xFFFF);
+        int rows = image.whole(DicomTag.ROWS, 1, 0xFFFF);
+        return Optional.of(new Slice(path, series, columns, rows, FramePlane.of(image)));
     }
 
     private static PlaneStack stack(String folder, List<Slice> slices) {

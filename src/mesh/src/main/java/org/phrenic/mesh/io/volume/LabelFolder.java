@@ -45,9 +45,13 @@ final class LabelFolder {
                 .toList();
     }
 
+    /** The folders in a folder that hold volumes; hidden ones and those that may not be read are left out. */
     private static List<Path> innerFolders(Path folder) {
         return InputBytes.list(folder).stream()
-                .filter(inner -> Files.isDirectory(inner) && !volumes(inner).isEmpty())
+                .filter(inner -> Files.isDirectory(inner)
+                        && Files.isReadable(inner)
+                        && !FileNames.isHidden(inner)
+                        && !volumes(inner).isEmpty())
                 .toList();
     }
 

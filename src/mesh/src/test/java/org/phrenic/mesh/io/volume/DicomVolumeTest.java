@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -100,6 +101,22 @@ class DicomVolumeTest {
         LabelVolume volume = LabelVolumeFiles.read(resource(name));
         assertIsTwin(volume, "regions_twin.nii.gz");
         assertThat(volume.names()).isEqualTo(Map.of(1, "liver", 2, "cyst", 5, "Milz ä"));
+    }
+
+    @Test
+    void theSeriesIsFoundBesideAFolderOfDamagedFilesButHasToBeWholeItself() throws IOException {
+        Path contours = Files.copy(resource("ct/contours.dcm"), folder.resolve("contours.dcm"));
+        Path images = Files.createDirectory(folder.resolve("images"));
+        for (int slice = 0; slice < 6; slice++) {
+            Files.copy(resource("ct/IM" + slice + ".dcm"), images.resolve("IM" + slice + ".dcm"));
+        }
+        byte[] half = Arrays.copyOf(Files.readAllBytes(resource("ct/IM0.dcm")), 300);
+        Files.write(Files.createDirectory(folder.resolve("backup")).resolve("IM0.dcm"), half);
+        assertIsTwin(LabelVolumeFiles.read(contours), "regions_twin.nii.gz");
+        Files.write(images.resolve("IM0.dcm"), half);
+        assertThatThrownBy(() -> LabelVolumeFiles.read(contours))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining(images.resolve("IM0.dcm").toString());
     }
 
     /** The liver is drawn on slices 0 to 4; without slice 0 in the folder its contour there has no voxels. */

@@ -206,6 +206,14 @@ class LabelFolderTest {
         assertIsMerged(LabelFolder.read(folder));
     }
 
+    @Test
+    void aHiddenFolderIsNoFolderOfMasks() throws IOException {
+        Path scan = folder.resolve("scan");
+        volume(scan.resolve("segmentations").resolve("liver.nii"), UINT8, h -> {}, v -> v < 4 ? 1 : 0);
+        volume(scan.resolve(".Trash").resolve("liver.nii"), UINT8, h -> {}, v -> v < 8 ? 1 : 0);
+        assertThat(LabelVolumeFiles.read(scan).grid().counts()).containsExactly(20, 4);
+    }
+
     /** Segmentations of two breaths lie on one grid and have the same names. */
     @Test
     void twoFilesOfTheSameStructuresAreRefused() throws IOException {
