@@ -21,6 +21,12 @@ final class WindowBounds {
     private static final int MIN_WIDTH = 790;
     private static final int MIN_HEIGHT = 520;
     private static final double SCREEN_SHARE = 0.94;
+    /** Height of a title bar, pixels. */
+    private static final int TITLE_HEIGHT = 30;
+    /** Size of the smallest part of a title bar by which a window can be moved, pixels: larger than its buttons. */
+    private static final int GRASPED_WIDTH = 200;
+
+    private static final int GRASPED_HEIGHT = 15;
 
     private WindowBounds() {}
 
@@ -79,7 +85,8 @@ final class WindowBounds {
 
     /**
      * Bounds on the screen that shows most of the window, which is made smaller, and moved, where it is larger than
-     * that screen; the usual bounds on the first screen if none shows it.
+     * that screen, and moved onto it where no screen shows enough of the title bar to grasp it; the usual bounds on the
+     * first screen if none shows the window.
      *
      * @param screens the first screen first
      */
@@ -99,7 +106,17 @@ final class WindowBounds {
             bounds.y = screen.y;
             bounds.height = screen.height;
         }
+        if (screens.stream().noneMatch(s -> showsTitle(s, bounds))) {
+            bounds.x = Math.max(screen.x, Math.min(bounds.x, screen.x + screen.width - bounds.width));
+            bounds.y = Math.max(screen.y, Math.min(bounds.y, screen.y + screen.height - bounds.height));
+        }
         return bounds;
+    }
+
+    /** Whether a screen shows as much of the title bar of a window as is needed to move the window by it. */
+    private static boolean showsTitle(Rectangle screen, Rectangle window) {
+        Rectangle shown = screen.intersection(new Rectangle(window.x, window.y, window.width, TITLE_HEIGHT));
+        return shown.width >= Math.min(GRASPED_WIDTH, window.width) && shown.height >= GRASPED_HEIGHT;
     }
 
     private static long area(Rectangle a, Rectangle b) {

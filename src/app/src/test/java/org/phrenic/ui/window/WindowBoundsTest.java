@@ -29,10 +29,23 @@ class WindowBoundsTest {
         assertThat(shown.width).isGreaterThan(1000);
     }
 
+    /** Of the window at the right edge 20 pixels can be seen, of that above the edge all but the title bar. */
+    @Test
+    void aWindowWhoseTitleBarCannotBeGraspedIsMovedOntoItsScreen() {
+        assertThat(WindowBounds.onScreen(new Rectangle(1580, 100, 1200, 800), TWO))
+                .isEqualTo(new Rectangle(400, 100, 1200, 800));
+        assertThat(WindowBounds.onScreen(new Rectangle(-3000, 990, 1200, 80), TWO))
+                .isEqualTo(new Rectangle(-1920, 990, 1200, 80));
+        assertThat(WindowBounds.onScreen(new Rectangle(100, -200, 1200, 800), TWO))
+                .isEqualTo(new Rectangle(100, 0, 1200, 800));
+        Rectangle aLittleOutside = new Rectangle(1200, -8, 1200, 800);
+        assertThat(WindowBounds.onScreen(aLittleOutside, TWO)).isEqualTo(aLittleOutside);
+    }
+
     @Test
     void aWindowLargerThanItsScreenIsMadeSmaller() {
-        assertThat(WindowBounds.onScreen(new Rectangle(-1900, -200, 3000, 700), TWO))
-                .isEqualTo(new Rectangle(-1920, -200, 1920, 700));
+        assertThat(WindowBounds.onScreen(new Rectangle(-1900, 200, 3000, 700), TWO))
+                .isEqualTo(new Rectangle(-1920, 200, 1920, 700));
         assertThat(WindowBounds.onScreen(new Rectangle(50, 40, 2560, 1440), List.of(FIRST)))
                 .isEqualTo(FIRST);
     }
