@@ -94,7 +94,7 @@ final class NrrdReader {
         }
         String text = header.line(in);
         // A LIST of data files follows its field without an empty line.
-        while (text != null && !text.isBlank() && !header.text(DATA_FILE, "").startsWith("LIST")) {
+        while (text != null && !text.isBlank() && !header.isList(DATA_FILE)) {
             int pair = text.indexOf(":=");
             int colon = text.indexOf(':');
             if (!text.startsWith("#")) {

@@ -11,11 +11,15 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 
 /** The "key = value" or "key: value" lines of a volume header, by lower-case key, each with its line number. */
 final class VolumeHeader {
+    /** Value of a key in place of the name of a file: the word LIST, alone or before a number of axes. */
+    private static final Pattern LIST = Pattern.compile("(?i)LIST(\\s.*)?");
+
     private static final int MAX_LINE = 1 << 20;
 
     private final String file;
@@ -113,10 +117,15 @@ final class VolumeHeader {
         return Numbers.parse(word).orElseThrow(() -> unexpected(key, word, "a number"));
     }
 
+    /** Whether the value of a key announces a list of files, which follows it. */
+    boolean isList(String key) {
+        return LIST.matcher(text(key, "")).matches();
+    }
+
     /** The single file beside the header that a key names. */
     Path fileBeside(Path headerFile, String key) {
         String name = text(key);
-        if (name.toUpperCase(Locale.ROOT).startsWith("LIST") || name.contains("%")) {
+        if (isList(key)) {
             throw unexpected(key, name, "one file");
         }
         try {
@@ -126,6 +135,9 @@ final class VolumeHeader {
             }
         } catch (InvalidPathException none) {
             // Reported below, like a missing file.
+        }
+        if (name.contains("%")) {
+            throw unexpected(key, name, "one file");
         }
         throw badInput(key, "found " + Numbers.quote(name) + ", a file that is not there, expected the voxels' file");
     }

@@ -165,6 +165,8 @@ class DamagedVolumeTest {
         assertRefused("end of the file", "header.nrrd", text(nrrd));
         assertRefused("not there", "apart.nhdr", text(nrrd + "data file: none.gz\n\n"));
         assertRefused("expected one file", "list.nhdr", text(nrrd + "data file: LIST\na\nb\n"));
+        assertRefused("expected one file", "list2.nhdr", text(nrrd + "data file: LIST 2\na\nb\n"));
+        assertRefused("expected one file", "numbers.nhdr", text(nrrd + "data file: slice%03d.gz 1 4 1\n\n"));
         assertRefused("'encoding'", "hex.nrrd", text(nrrd.replace("gzip", "hex") + "\n00"));
         String bzip2 = nrrd.replace("gzip", "bzip2") + "\n";
         assertRefused("damaged", "raw-not-bzip2.nrrd", VolumeSamples.join(bzip2, new byte[40]));

@@ -50,6 +50,19 @@ class NrrdHeaderTest {
         assertIsSample(read("apart.nhdr", header + "lineskip: 2\nbyteskip: 5\nDataFile: voxels.raw\n", new byte[0]));
     }
 
+    @Test
+    void aFileOfVoxelsMayHaveANameThatBeginsAsAListOrHoldsAPercentSign() {
+        for (String name : new String[] {"listed.raw", "LISTE.raw", "dose 95%.raw", "slice%03d.raw"}) {
+            VolumeSamples.write(folder, name, SHORTS);
+            String header = VolumeSamples.nrrd("short", "raw") + "data file: " + name + "\n\n";
+            assertIsSample(read("apart.nhdr", header, new byte[0]));
+            assertThat(read("apart.mhd", VolumeSamples.meta("MET_SHORT", false) + name + "\n", new byte[0])
+                            .grid()
+                            .voxelCount())
+                    .isEqualTo(VolumeSamples.VOXELS);
+        }
+    }
+
     /** ITK counts back from the end of the unpacked data, whatever packs them; lines are skipped before. */
     @Test
     void voxelsThatEndTheirDataAreFoundInPackedDataAsInRaw() {
