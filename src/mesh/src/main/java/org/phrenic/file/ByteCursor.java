@@ -3,12 +3,15 @@ package org.phrenic.file;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 
 /**
  * A forward cursor over a file in memory that reads words and lines (text) or typed values (binary). Each read method
  * takes a description of the expected value, which error messages contain together with the line or byte.
  */
 public final class ByteCursor implements InputLocator {
+    private static final byte[] BYTE_ORDER_MARK = "\uFEFF".getBytes(StandardCharsets.UTF_8);
+
     private final String file;
     private final ByteBuffer bytes;
     private boolean binary;
@@ -17,6 +20,20 @@ public final class ByteCursor implements InputLocator {
     public ByteCursor(String file, byte[] content) {
         this.file = file;
         this.bytes = ByteBuffer.wrap(content);
+    }
+
+    /** A cursor over a file that begins with text; a byte order mark of UTF-8 is skipped. */
+    public static ByteCursor ofText(String file, byte[] content) {
+        ByteCursor cursor = new ByteCursor(file, content);
+        cursor.bytes.position(textStart(content));
+        return cursor;
+    }
+
+    /** Number of bytes before the text of a file: 3 of a byte order mark of UTF-8, else 0. */
+    public static int textStart(byte[] content) {
+        int length = BYTE_ORDER_MARK.length;
+        boolean marked = content.length >= length && Arrays.equals(content, 0, length, BYTE_ORDER_MARK, 0, length);
+        return marked ? length : 0;
     }
 
     /** Switches to binary values in this byte order; error messages then name bytes instead of lines. */

@@ -15,7 +15,7 @@ import org.phrenic.mesh.TriangleMesh;
 record ObjReader(ByteCursor cursor, PolygonSoup soup) {
 
     static TriangleMesh read(String file, byte[] bytes) {
-        ObjReader reader = new ObjReader(new ByteCursor(file, bytes), new PolygonSoup());
+        ObjReader reader = new ObjReader(ByteCursor.ofText(file, bytes), new PolygonSoup());
         reader.readLines();
         return reader.soup.toMesh(file);
     }

@@ -14,7 +14,7 @@ record PlyReader(ByteCursor cursor, PolygonSoup soup) {
     private static final int ABSENT = -1;
 
     static TriangleMesh read(String file, byte[] bytes) {
-        PlyReader reader = new PlyReader(new ByteCursor(file, bytes), new PolygonSoup());
+        PlyReader reader = new PlyReader(ByteCursor.ofText(file, bytes), new PolygonSoup());
         reader.readElements();
         return reader.soup.toMesh(file);
     }

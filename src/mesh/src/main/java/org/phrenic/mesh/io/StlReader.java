@@ -21,8 +21,10 @@ record StlReader(ByteCursor cursor, PolygonSoup soup) {
     private static final int PEEKED_BYTES = 1024;
 
     static TriangleMesh read(String file, byte[] bytes) {
-        StlReader reader = new StlReader(new ByteCursor(file, bytes), new PolygonSoup());
-        if (!isBinary(bytes) && isText(bytes)) {
+        boolean isText = !isBinary(bytes) && isText(bytes);
+        ByteCursor cursor = isText ? ByteCursor.ofText(file, bytes) : new ByteCursor(file, bytes);
+        StlReader reader = new StlReader(cursor, new PolygonSoup());
+        if (isText) {
             reader.readText();
         } else {
             reader.readBinary();
@@ -46,7 +48,8 @@ record StlReader(ByteCursor cursor, PolygonSoup soup) {
                 return false;
             }
         }
-        String begin = new String(bytes, 0, peeked, StandardCharsets.ISO_8859_1);
+        int start = ByteCursor.textStart(bytes);
+        String begin = new String(bytes, start, peeked - start, StandardCharsets.ISO_8859_1);
         return begin.stripLeading().toLowerCase(Locale.ROOT).startsWith("solid");
     }
 

@@ -22,7 +22,7 @@ final class VtkReader {
     private boolean pointsSeen;
 
     private VtkReader(String file, byte[] bytes) {
-        this.cursor = new ByteCursor(file, bytes);
+        this.cursor = ByteCursor.ofText(file, bytes);
     }
 
     static TriangleMesh read(String file, byte[] bytes) {

@@ -1,6 +1,8 @@
 package org.phrenic.mesh.io;
 
+import java.util.Arrays;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.ByteCursor;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
@@ -20,7 +22,8 @@ final class VtpReader {
     }
 
     static TriangleMesh read(String file, byte[] bytes) {
-        VtpReader reader = new VtpReader(file, bytes);
+        int start = ByteCursor.textStart(bytes);
+        VtpReader reader = new VtpReader(file, start == 0 ? bytes : Arrays.copyOfRange(bytes, start, bytes.length));
         for (VtpDocument.Piece piece : reader.document.pieces) {
             int base = reader.soup.vertexCount();
             reader.readPoints(piece);

@@ -113,6 +113,32 @@ class ForeignMeshTest {
         assertThat(windows.triangles()).containsExactly(mesh.triangles());
     }
 
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "sphere_ascii.stl",
+                "sphere_trimesh.obj",
+                "sphere_vtk_ascii.ply",
+                "strips_v51_ascii.vtk",
+                "cone_v51_binary.vtk",
+                "sphere_ascii.vtp"
+            })
+    void filesThatBeginWithAByteOrderMarkAreReadAlike(String name) {
+        TriangleMesh mesh = MeshSamples.read(folder, name);
+        String text = new String(MeshSamples.bytes(name), StandardCharsets.ISO_8859_1);
+        TriangleMesh marked = MeshFiles.read(MeshSamples.write(folder, "marked_" + name, "\u00ef\u00bb\u00bf" + text));
+
+        assertThat(marked.positions()).containsExactly(mesh.positions());
+        assertThat(marked.triangles()).containsExactly(mesh.triangles());
+    }
+
+    @Test
+    void aVertexInTheFirstLineOfAMarkedFileIsRead() {
+        String text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+        TriangleMesh mesh = MeshFiles.read(MeshSamples.write(folder, "m.obj", "\u00ef\u00bb\u00bf" + text));
+        assertThat(mesh.vertexCount()).isEqualTo(4);
+    }
+
     @Test
     void severalPiecesBecomeOneMesh() {
         TriangleMesh mesh = MeshSamples.read(folder, "sphere_pieces.vtp");
