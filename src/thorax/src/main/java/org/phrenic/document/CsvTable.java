@@ -3,7 +3,6 @@ package org.phrenic.document;
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -14,7 +13,6 @@ import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
 import org.apache.commons.csv.CSVRecord;
 import org.phrenic.file.BadInputException;
-import org.phrenic.file.InputBytes;
 import org.phrenic.file.Numbers;
 
 /**
@@ -51,7 +49,7 @@ public final class CsvTable {
         if (FiducialPoints.isFiducials(file)) {
             return FiducialPoints.read(file);
         }
-        return parse(file.toString(), new String(InputBytes.read(file), StandardCharsets.UTF_8));
+        return parse(file.toString(), TextFile.read(file, "a table in UTF-8"));
     }
 
     /** A table of cells with the line of each row. */

@@ -47,6 +47,15 @@ class CsvTest {
     }
 
     @Test
+    void aTableInAnotherEncodingIsRefusedAndNotReadWithoutItsLetters() {
+        byte[] bytes = "label,structure\n1,other_l\u00e4sion\n".getBytes(StandardCharsets.ISO_8859_1);
+        Path file = MeshSamples.write(folder, "latin.csv", bytes);
+        assertThatExceptionOfType(BadInputException.class)
+                .isThrownBy(() -> CsvTable.read(file))
+                .withMessage(file + ": found bytes that are not UTF-8, expected a table in UTF-8");
+    }
+
+    @Test
     void problemsAreToldWithFileLineAndColumn() {
         refused("a,b\n1,2\n3,x\n", "b", "line 3, column 'b': found 'x', expected a number");
         refused("a,b\n\n\n1,2\n3,x", "b", "line 5, column 'b': found 'x', expected a number");
