@@ -16,6 +16,7 @@ import org.phrenic.cli.report.NameRanges;
 import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.FileNames;
 import org.phrenic.patient.ImportProgress;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.diaphragm.SheetQuality;
@@ -144,7 +145,7 @@ final class ImportCommand extends ReportingCommand {
         ImportResult result = ImportPipeline.run(
                 new ImportRequest(
                         file,
-                        out.toAbsolutePath().normalize().getFileName().toString(),
+                        FileNames.ofBody(out),
                         Optional.ofNullable(labels),
                         edgeMm,
                         new GeometryOverride(Optional.ofNullable(axes), Optional.ofNullable(spacing)),

@@ -21,6 +21,7 @@ import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.RadiographRenderer;
@@ -176,7 +177,7 @@ final class RenderCommand extends ReportingCommand {
     private static String title(Scenario scenario) {
         String body = scenario.isVirtual()
                 ? scenario.anatomy().replace('/', ' ').replace('-', ' ')
-                : String.valueOf(Path.of(scenario.anatomy()).getFileName());
+                : FileNames.ofBody(Path.of(scenario.anatomy()));
         String name = scenario.name().replace('-', ' ');
         return name.substring(0, 1).toUpperCase(Locale.ROOT) + name.substring(1) + ", " + body;
     }

@@ -1,13 +1,14 @@
 package org.phrenic.cli;
 
 import java.io.PrintWriter;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import org.phrenic.cli.bench.BenchCommand;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.FailureHandler;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
 import picocli.CommandLine;
 import picocli.CommandLine.TypeConversionException;
 
@@ -56,11 +57,9 @@ final class SubCommands {
 
     private static Path path(String text) {
         try {
-            return Path.of(text);
-        } catch (InvalidPathException e) {
-            throw new TypeConversionException("found a name that this system cannot write, expected one in the encoding"
-                    + " of file names, " + System.getProperty("sun.jnu.encoding")
-                    + " (LANG=C.UTF-8 allows all letters)");
+            return FileNames.path(text);
+        } catch (BadInputException e) {
+            throw new TypeConversionException(e.getMessage());
         }
     }
 

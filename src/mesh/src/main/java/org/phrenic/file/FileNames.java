@@ -1,5 +1,6 @@
 package org.phrenic.file;
 
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
@@ -15,6 +16,39 @@ public final class FileNames {
             Pattern.compile("(con|prn|aux|nul|com\\d|lpt\\d)(\\..*)?", Pattern.CASE_INSENSITIVE);
 
     private FileNames() {}
+
+    /**
+     * The path that a text names.
+     *
+     * @throws BadInputException if this system has no such names
+     */
+    public static Path path(String text) {
+        try {
+            return Path.of(text);
+        } catch (InvalidPathException e) {
+            throw new BadInputException(
+                    "found a name that this system cannot write, expected one in the encoding of file names, "
+                            + System.getProperty("sun.jnu.encoding") + " (LANG=C.UTF-8 allows all letters)",
+                    e);
+        }
+    }
+
+    /** Whether this system can write a name. */
+    public static boolean isOfSystem(String name) {
+        try {
+            return !Path.of(name).toString().isEmpty();
+        } catch (InvalidPathException e) {
+            return false;
+        }
+    }
+
+    /**
+     * What to call the body in a folder: the folder's name, or {@code body} for the root of a drive, which has none.
+     */
+    public static String ofBody(Path folder) {
+        Path name = folder.toAbsolutePath().normalize().getFileName();
+        return name == null || name.toString().isEmpty() ? "body" : name.toString();
+    }
 
     /** Name of a file without its folder and without what follows the last dot. */
     public static String withoutExtension(Path file) {

@@ -23,6 +23,13 @@ class FileNamesTest {
     }
 
     @Test
+    void aBodyIsCalledAsItsFolderAndAtTheRootOfADriveSimplyBody() {
+        assertThat(FileNames.ofBody(Path.of("bodies", "anna"))).isEqualTo("anna");
+        assertThat(FileNames.ofBody(Path.of("bodies", "anna", ".."))).isEqualTo("bodies");
+        assertThat(FileNames.ofBody(Path.of("").toAbsolutePath().getRoot())).isEqualTo("body");
+    }
+
+    @Test
     void theOrderOfFilesIsThatOfTheirNamesOnEverySystem() {
         assertThat(FileNames.sorted(Stream.of("b.ply", "a.ply", "C.ply").map(Path::of)))
                 .containsExactly(Path.of("C.ply"), Path.of("a.ply"), Path.of("b.ply"));

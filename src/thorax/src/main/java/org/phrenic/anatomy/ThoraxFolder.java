@@ -118,9 +118,7 @@ public final class ThoraxFolder {
                 .forEach(s -> noteExtraShells(s.mesh(), notes));
         notes.add(0, "axes " + frame.axes() + ", " + frame.millimetresPerUnit() + " mm a unit");
         return new Thorax(
-                yaml.text(
-                        "name",
-                        folder.toAbsolutePath().normalize().getFileName().toString()),
+                yaml.text("name", FileNames.ofBody(folder)),
                 structures,
                 notes,
                 yaml.has("not_in_scan") ? Set.copyOf(yaml.texts("not_in_scan")) : Set.of());

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.file.FileNames;
 import org.phrenic.patient.pipeline.ImportPipeline;
 import org.phrenic.patient.pipeline.ImportRequest;
 import org.phrenic.patient.pipeline.ImportResult;
@@ -122,8 +123,7 @@ public final class ScanImporter {
             throws IOException {
         Path table = Files.createTempFile("phrenic-labels", ".csv");
         try {
-            String name =
-                    choice.folder().toAbsolutePath().normalize().getFileName().toString();
+            String name = FileNames.ofBody(choice.folder());
             ImportRequest request = new ImportRequest(
                     file,
                     name,

@@ -5,10 +5,13 @@ import java.io.File;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import javax.swing.plaf.basic.BasicFileChooserUI;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
 import org.phrenic.ui.session.WindowPreferences;
 
 /** Dialogs that choose a file or folder and remember the folder it is in; empty if the dialog is cancelled. */
@@ -70,16 +73,35 @@ public final class FileDialogs {
         if (chooser.showOpenDialog(parent) != JFileChooser.APPROVE_OPTION) {
             return Optional.empty();
         }
-        rememberFolder(chooser.getSelectedFile());
-        return Optional.of(chooser.getSelectedFile().toPath());
+        Optional<Path> path = path(chooser.getSelectedFile(), refusal(parent, chooser.getDialogTitle()));
+        path.ifPresent(FileDialogs::rememberFolder);
+        return path;
     }
 
     private static Optional<Path> confirmed(Component parent, String title, File file, File old, String question) {
-        rememberFolder(file);
+        Optional<Path> path = path(file, refusal(parent, title));
+        if (path.isEmpty()) {
+            return path;
+        }
+        rememberFolder(path.get());
         boolean write = !old.exists()
                 || JOptionPane.showConfirmDialog(parent, question, title, JOptionPane.OK_CANCEL_OPTION)
                         == JOptionPane.OK_OPTION;
-        return write ? Optional.of(file.toPath()) : Optional.empty();
+        return write ? path : Optional.empty();
+    }
+
+    /** The path of a file; empty where its name is none of this system, which the consumer gets in one sentence. */
+    static Optional<Path> path(File file, Consumer<String> refuse) {
+        try {
+            return Optional.of(FileNames.path(file.getPath()));
+        } catch (BadInputException unwritable) {
+            refuse.accept(unwritable.getMessage());
+            return Optional.empty();
+        }
+    }
+
+    private static Consumer<String> refusal(Component parent, String title) {
+        return sentence -> JOptionPane.showMessageDialog(parent, sentence, title, JOptionPane.ERROR_MESSAGE);
     }
 
     private static JFileChooser chooser(String title, String... suffixes) {
@@ -93,10 +115,10 @@ public final class FileDialogs {
         return chooser;
     }
 
-    private static void rememberFolder(File file) {
-        File folder = file.getAbsoluteFile().getParentFile();
+    private static void rememberFolder(Path file) {
+        Path folder = file.toAbsolutePath().getParent();
         if (folder != null) {
-            WindowPreferences.ofUser().setFolder(folder.toPath());
+            WindowPreferences.ofUser().setFolder(folder);
         }
     }
 }

@@ -8,6 +8,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.TransferHandler;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
 
 /** Opens a scenario, a thorax folder, a trace or a label volume that is dropped on the window. */
 final class FileDropHandler extends TransferHandler {
@@ -34,8 +36,11 @@ final class FileDropHandler extends TransferHandler {
                         + " files, expected one scenario, thorax folder, trace or label volume");
                 return false;
             }
-            open.accept(((File) files.get(0)).toPath());
+            open.accept(FileNames.path(((File) files.get(0)).getPath()));
             return true;
+        } catch (BadInputException e) {
+            refuse.accept(e.getMessage());
+            return false;
         } catch (UnsupportedFlavorException | IOException e) {
             refuse.accept("what was dropped could not be read (" + e.getMessage() + "), expected a file");
             return false;

@@ -55,10 +55,19 @@ public final class WindowFiles {
      * anything else is refused with a message.
      */
     public void open(Path file) {
-        if (LabelVolumeFiles.isVolume(file)) {
-            scans.begin(file);
-            return;
-        }
+        BackgroundWorker.execute(
+                () -> LabelVolumeFiles.isVolume(file),
+                isVolume -> {
+                    if (isVolume) {
+                        scans.begin(file);
+                    } else {
+                        openOther(file);
+                    }
+                },
+                session::refuse);
+    }
+
+    private void openOther(Path file) {
         preferences.addRecent(file);
         BackgroundWorker.execute(
                 () -> FileOpener.readPlan(file),
