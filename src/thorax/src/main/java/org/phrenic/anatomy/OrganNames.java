@@ -1,9 +1,11 @@
 package org.phrenic.anatomy;
 
+import java.text.Normalizer;
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import org.phrenic.file.FileNames;
 
 /**
  * Names of organs, vessels, muscles, bones and lesions outside the mechanical model. A name is one of the known ones,
@@ -93,13 +95,15 @@ public final class OrganNames {
     }
 
     /**
-     * A name for a structure that has none here: the prefix {@code other_} and the letters and digits of the text.
+     * A name for a structure that has none here: the prefix {@code other_} and the letters and digits of the text, of
+     * any script, or the number of the label where the text has none that this system has in names of files.
      *
-     * @param text name in a file, or a label number
+     * @param text name in a file; blank for none
      */
-    public static String other(String text) {
-        String word =
-                text.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "_").replaceAll("^_+|_+$", "");
-        return OTHER_PREFIX + (word.isEmpty() ? "unnamed" : word);
+    public static String other(String text, int label) {
+        String word = Normalizer.normalize(text.toLowerCase(Locale.ROOT), Normalizer.Form.NFC)
+                .replaceAll("[^\\p{L}\\p{M}\\p{Nd}]+", "_")
+                .replaceAll("^_+|_+$", "");
+        return OTHER_PREFIX + (word.isEmpty() || !FileNames.isOfSystem(word) ? String.valueOf(label) : word);
     }
 }

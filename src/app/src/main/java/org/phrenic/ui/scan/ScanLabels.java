@@ -134,8 +134,8 @@ final class ScanLabels extends AbstractTableModel {
     void assignByNumber(String tool) {
         for (int row = 0; row < rows.size(); row++) {
             Row label = rows.get(row);
-            String text = label.name().isBlank() ? String.valueOf(label.label()) : label.name();
-            structures.set(row, numbered.get(tool).getOrDefault(label.label(), OrganNames.other(text)));
+            String other = OrganNames.other(label.name(), label.label());
+            structures.set(row, numbered.get(tool).getOrDefault(label.label(), other));
         }
         edited = true;
         fireTableDataChanged();

@@ -127,7 +127,7 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
             if (counts[label] > 0 && !all.containsKey(label) && names++ < MAX_STRUCTURES) {
                 String name = volume.names().getOrDefault(label, "");
                 String text = name.isBlank() ? String.valueOf(label) : name;
-                all.put(label, LabelNames.structure(text).orElse(OrganNames.other(text)));
+                all.put(label, LabelNames.structure(text).orElse(OrganNames.other(text, label)));
             }
         }
         return new LabelTable(all, missing).withOutline(volume);
