@@ -87,6 +87,8 @@ class CompareCommandTest {
         assertBad("expected one of", "compare", low, folder.resolve("x.txt").toString());
         assertBad("--picture x.jpg: found another ending", "compare", low, high, "--picture", "x.jpg");
         assertBad("--csv ", "compare", low, high, "--csv", low + "/x.csv");
+        String root = folder.getRoot().toString();
+        assertBad("--csv " + root + ": found ", "compare", low, high, "--csv", root);
         assertBad("--csv " + low + ": found a file that the command reads", "compare", low, high, "--csv", low);
         assertBad("--ply " + high + ": found a file that the command reads", "compare", low, high, "--ply", high);
         assertBad("found it for another output too", "compare", low, high, "--csv", "x.csv", "--ply", "./x.csv");

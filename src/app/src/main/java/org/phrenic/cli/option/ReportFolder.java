@@ -49,7 +49,8 @@ public final class ReportFolder {
      */
     public static void requireWritableFile(String option, Path file) {
         if (file != null) {
-            requireWritable(option, file.toAbsolutePath().getParent());
+            Path folder = file.toAbsolutePath().getParent();
+            requireWritable(option, folder == null ? file : folder);
             if (Files.isDirectory(file)) {
                 throw new BadInputException(option + " " + file + ": found a folder, expected a file");
             }
@@ -66,7 +67,11 @@ public final class ReportFolder {
             throw new BadInputException(option + ": found an empty name, expected a folder");
         }
         Path nearest = ExistingPath.nearest(folder).orElse(null);
-        if (nearest == null || !Files.isDirectory(nearest)) {
+        if (nearest == null) {
+            throw new BadInputException(option + " " + folder + ": found no drive "
+                    + folder.toAbsolutePath().getRoot() + ", expected one that is there");
+        }
+        if (!Files.isDirectory(nearest)) {
             throw new BadInputException(option + " " + folder + ": found the file " + nearest + ", expected a folder");
         }
         if (!Files.isWritable(nearest)) {
