@@ -53,6 +53,12 @@ final class Stormer extends AbstractIntegrator {
 
     @Override
     public void reset() {
+        if (known > 0) {
+            // Unknown accelerations are multiplied by 0, which a NaN of a failed step would survive.
+            for (double[] accelerations : history) {
+                Arrays.fill(accelerations, 0);
+            }
+        }
         known = 0;
     }
 

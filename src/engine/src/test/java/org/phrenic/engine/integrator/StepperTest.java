@@ -146,6 +146,26 @@ class StepperTest {
         assertThat(system.kineticEnergy()).isFinite();
     }
 
+    /** Several parts of a failed step have the fault in what a scheme keeps of them. */
+    @ParameterizedTest
+    @EnumSource(names = {"VERLET", "STORMER", "SYMPLECTIC_EULER", "RK4"})
+    void afterAFailedStepOfSeveralPartsItGoesOnAsARunThatNeverFailed(IntegratorKind kind) {
+        ParticleSystem failed = fast();
+        ParticleSystem other = fast();
+        Stepper stepper = new Stepper(kind.create(failed), 0.2, StepPolicy.SUBSTEP);
+        Stepper undisturbed = new Stepper(kind.create(other), 0.2, StepPolicy.SUBSTEP);
+        assertThat(stepper.substeps()).isGreaterThan(1);
+        stepper.step();
+        failed.velocities()[0] = Double.NaN;
+        assertThatThrownBy(stepper::step).isInstanceOf(DivergenceException.class);
+        assertThat(stepper.steps()).isZero();
+        for (int i = 0; i < 5; i++) {
+            stepper.step();
+            undisturbed.step();
+        }
+        assertThat(failed.positions()).isEqualTo(other.positions()).doesNotContain(Double.NaN);
+    }
+
     /** What a field took from the positions of a failed state is not good for the state before it. */
     @Test
     void fieldsForgetWhatTheyTookFromAFailedState() {
