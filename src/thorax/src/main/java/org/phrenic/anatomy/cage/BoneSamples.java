@@ -14,8 +14,8 @@ import org.phrenic.mesh.query.TriangleTree;
 
 /**
  * Sample points on all bones and costal cartilages, with body weights. Points of a bone have the weight of its body.
- * Weights of a cartilage blend from the rib at its lateral end to the sternum (for cartilages 8 to 10, the cartilage
- * above) at its medial end.
+ * Weights of a cartilage blend from the rib at its lateral end to the sternum (for cartilages 8 to 10, and without a
+ * sternum, the cartilage above) at its medial end. With neither, it has the weight of its rib.
  */
 final class BoneSamples {
     /** Samples per structure; on a rib they are a few millimetres apart. */
@@ -87,6 +87,10 @@ final class BoneSamples {
         double[] w = new double[cage.bodies().size()];
         if (rib < 0) {
             w[cage.sternum()] = 1;
+            return w;
+        }
+        if (sternum == null && aboveWeights == null) {
+            w[rib] = 1;
             return w;
         }
         double[] end = cage.bodies().get(rib).ends().orElseThrow().anterior();

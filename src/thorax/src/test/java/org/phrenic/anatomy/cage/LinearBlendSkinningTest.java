@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -11,10 +12,12 @@ import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.engine.kinematics.HelicalBody;
 import org.phrenic.engine.parallel.Workers;
+import org.phrenic.mesh.TriangleMesh;
 
 /** Ribs, sternum and what they carry, on the virtual adult male. */
 class LinearBlendSkinningTest {
@@ -107,6 +110,30 @@ class LinearBlendSkinningTest {
         double[] rim = rim();
         assertThat(at(new LinearBlendSkinning(breathing(), rim, bones.weightsAt(rim), Workers.of(1)), 0))
                 .containsExactly(rim, within(EXACT_MM));
+    }
+
+    @Test
+    void withoutASternumTheFirstCostalCartilageGoesWithItsRib() {
+        Thorax bare = new Thorax(
+                male.name(),
+                male.structures().stream()
+                        .filter(s -> s.kind() != StructureKind.STERNUM)
+                        .toList(),
+                male.notes());
+        RibCage ribs = RibCage.of(bare, RibAxisTable.preset(RibAxisTable.WILSON_CT), true);
+        BoneSamples samples = BoneSamples.of(bare, ribs);
+        for (Side side : new Side[] {Side.RIGHT, Side.LEFT}) {
+            TriangleMesh cartilage = bare.find(StructureKind.COSTAL_CARTILAGE, 1, side)
+                    .orElseThrow()
+                    .mesh();
+            double[] first = {cartilage.x(0), cartilage.y(0), cartilage.z(0)};
+            int at = IntStream.range(0, samples.points.size())
+                    .filter(i -> Arrays.equals(samples.points.get(i), first))
+                    .findFirst()
+                    .orElseThrow();
+            assertThat(samples.weights.get(at)[ribs.rib(1, side)]).isEqualTo(1);
+        }
+        samples.weights.forEach(w -> assertThat(Arrays.stream(w).sum()).isCloseTo(1, within(1e-12)));
     }
 
     @Test
