@@ -53,6 +53,12 @@ public interface ForceField {
     /** Discards cached values. Call it after positions, parameters or the time were changed from outside. */
     default void invalidate() {}
 
+    /** Saves what this field keeps from earlier times and cannot compute from the state; allocates nothing. */
+    default void saveHistory() {}
+
+    /** Restores what {@link #saveHistory} saved last. Called before {@link #invalidate} when a state is restored. */
+    default void restoreHistory() {}
+
     /**
      * Whether this field may act on nodes of blocks {@code from} to {@code end - 1}. Otherwise {@link #prepare} need
      * not be called before the forces of these blocks alone are evaluated.

@@ -15,6 +15,12 @@ public interface PrescribedMotion {
      */
     void at(double time, double[] position, double[] velocity);
 
+    /** Saves what the motion depends on besides time and the state of the system; allocates nothing. */
+    default void saveMotion() {}
+
+    /** Restores what {@link #saveMotion} saved last. */
+    default void restoreMotion() {}
+
     /** Whether the points never move. They are then evaluated once. */
     default boolean isStationary() {
         return false;

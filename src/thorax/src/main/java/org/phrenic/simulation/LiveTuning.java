@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.engine.integrator.Integrator;
 import org.phrenic.engine.integrator.StabilityLimit;
 import org.phrenic.engine.integrator.Stepper;
@@ -134,8 +135,23 @@ final class LiveTuning {
         }
     }
 
-    /** Called before every step: updates all ramping values. Allocates only when a ramp ends. */
-    void beforeStep() {
+    /**
+     * Advances by one time step, before which all ramping values are updated. Allocates only when a ramp ends.
+     *
+     * @throws DivergenceException as {@link Stepper#step}; the ramps go on from the restored time
+     */
+    void step() {
+        beforeStep();
+        try {
+            stepper.step();
+        } catch (DivergenceException e) {
+            tissueRamps = !values.hasTissueArrived(stepper.time());
+            sceneRamps = true;
+            throw e;
+        }
+    }
+
+    private void beforeStep() {
         if (!tissueRamps && !sceneRamps) {
             return;
         }

@@ -130,8 +130,7 @@ public final class Simulation implements AutoCloseable {
             makeScheduled();
         }
         if (!repetition.step()) {
-            tuning.beforeStep();
-            stepper.step();
+            tuning.step();
             repetition.stepped();
         }
     }

@@ -17,7 +17,9 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.document.YamlWriter;
+import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.engine.integrator.StabilityLimit;
 import org.phrenic.file.BadInputException;
 import org.phrenic.model.assembly.Breathing;
@@ -117,6 +119,31 @@ class LiveChangeTest {
             assertThat(live.stateHash()).isEqualTo(scheduled.stateHash());
             assertThat(live.changes()).extracting(ScheduledChange::text).isEqualTo(texts(changes));
             assertThat(scheduled.changes()).extracting(ScheduledChange::text).isEqualTo(texts(changes));
+        }
+    }
+
+    /** Ramps take 0.2 s, 160 steps: at the divergence they are over, at the restored state they begin. */
+    @ParameterizedTest
+    @ValueSource(strings = {"springs", "embedded"})
+    void afterADivergenceARunGoesOnFromTheChangeBitForBitAsBefore(String lungs) {
+        int before = 100;
+        int after = 200;
+        Scenario start = Runs.scenario("preset=deep", "lungs=" + lungs, "threads=2");
+        try (Simulation simulation = Simulation.of(start, Runs.male())) {
+            steps(simulation, before);
+            simulation.change(List.of(
+                    Assignment.parse("muscle_stiffness_n_per_m=900"),
+                    Assignment.parse("greatest_pressure_kpa=3"),
+                    Assignment.parse("sternum_coupling=2")));
+            steps(simulation, after);
+            String hash = simulation.stateHash();
+            for (int failures = 0; failures < 2; failures++) {
+                simulation.system().velocities()[0] = Double.NaN;
+                assertThatExceptionOfType(DivergenceException.class).isThrownBy(simulation::step);
+                assertThat(simulation.steps()).isEqualTo(before);
+                steps(simulation, after);
+                assertThat(simulation.stateHash()).isEqualTo(hash);
+            }
         }
     }
 

@@ -140,6 +140,16 @@ public final class Attachments implements ForceField {
         refreshed = Double.NaN;
     }
 
+    @Override
+    public void saveHistory() {
+        anchors.saveMotion();
+    }
+
+    @Override
+    public void restoreHistory() {
+        anchors.restoreMotion();
+    }
+
     /** Sets a factor on every stiffness. */
     public void setStiffnessFactor(double value) {
         stiffnessFactor = value;

@@ -3,6 +3,7 @@ package org.phrenic.engine.integrator;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.function.IntFunction;
+import org.phrenic.engine.ForceField;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
@@ -112,6 +113,7 @@ final class DivergenceGuard {
             replaceableFrom = step + Math.max(kept, STEPS_BETWEEN_SNAPSHOTS);
             System.arraycopy(system.positions(), 0, checkpointX, 0, checkpointX.length);
             System.arraycopy(system.velocities(), 0, checkpointV, 0, checkpointV.length);
+            system.fields().forEach(ForceField::saveHistory);
             checkpointStep = step;
         }
     }
@@ -257,6 +259,7 @@ final class DivergenceGuard {
     long restore() {
         System.arraycopy(checkpointX, 0, system.positions(), 0, checkpointX.length);
         System.arraycopy(checkpointV, 0, system.velocities(), 0, checkpointV.length);
+        system.fields().forEach(ForceField::restoreHistory);
         return checkpointStep;
     }
 }

@@ -51,8 +51,8 @@ public final class Stepper {
     private double segmentTime;
 
     /** How steps are split from a step on. */
-    private record Splitting(long step, int substeps, int refinement, String reason) {
-        static final Splitting NONE = new Splitting(-1, 1, 1, "");
+    private record Splitting(long step, int substeps, int apart, int refinement, String reason) {
+        static final Splitting NONE = new Splitting(-1, 1, 1, 1, "");
     }
 
     /**
@@ -146,7 +146,7 @@ public final class Stepper {
      */
     public void checkpoint() {
         guard.checkpoint(steps, trialSteps());
-        atCheckpoint = new Splitting(steps, substeps, refinement, substepRefinementReason);
+        atCheckpoint = new Splitting(steps, substeps, stepsApart, refinement, substepRefinementReason);
     }
 
     private long trialSteps() {
@@ -262,6 +262,7 @@ public final class Stepper {
     private void restoreSplitting() {
         if (atCheckpoint.step == steps) {
             substeps = atCheckpoint.substeps;
+            stepApart(atCheckpoint.apart);
             refinement = atCheckpoint.refinement;
             substepRefinementReason = atCheckpoint.reason;
         }

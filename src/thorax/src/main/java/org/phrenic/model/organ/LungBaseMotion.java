@@ -92,6 +92,10 @@ public final class LungBaseMotion implements PrescribedMotion {
     private final double[] speed;
     private final double[] target;
     private double lastTime = Double.NaN;
+    /** {@link #anchor}, {@link #speed} and {@link #target} one after another, as saved last, and the time of that. */
+    private final double[] saved;
+
+    private double savedTime = Double.NaN;
     private double elapsedS;
     private final Workers.Task openTask = this::updateOpening;
     private final Workers.Task carryTask = this::moveAnchors;
@@ -144,6 +148,7 @@ public final class LungBaseMotion implements PrescribedMotion {
         anchor = new double[3 * n];
         speed = new double[3 * n];
         target = new double[3 * n];
+        saved = new double[3 * anchor.length];
         tangentialOffset = new double[3 * n];
         measureOffsets(points);
     }
@@ -255,6 +260,24 @@ public final class LungBaseMotion implements PrescribedMotion {
         lastTime = time;
         System.arraycopy(anchor, 0, position, 0, anchor.length);
         System.arraycopy(speed, 0, velocity, 0, speed.length);
+    }
+
+    @Override
+    public void saveMotion() {
+        int n = anchor.length;
+        System.arraycopy(anchor, 0, saved, 0, n);
+        System.arraycopy(speed, 0, saved, n, n);
+        System.arraycopy(target, 0, saved, 2 * n, n);
+        savedTime = lastTime;
+    }
+
+    @Override
+    public void restoreMotion() {
+        int n = anchor.length;
+        System.arraycopy(saved, 0, anchor, 0, n);
+        System.arraycopy(saved, n, speed, 0, n);
+        System.arraycopy(saved, 2 * n, target, 0, n);
+        lastTime = savedTime;
     }
 
     private void moveAnchors(int piece) {

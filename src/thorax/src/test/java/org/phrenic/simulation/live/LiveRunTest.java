@@ -15,6 +15,8 @@ import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
@@ -308,9 +310,11 @@ class LiveRunTest {
         assertThat(failures).isEmpty();
     }
 
-    @Test
-    void aRunThatLeavesAllBoundsStopsShowsNothingBrokenAndGoesOnWithoutItsLastChange() throws InterruptedException {
-        start("preset=cough");
+    @ParameterizedTest
+    @ValueSource(strings = {"lungs=embedded", "lungs=springs"})
+    void aRunThatLeavesAllBoundsStopsShowsNothingBrokenAndGoesOnWithoutItsLastChange(String lungs)
+            throws InterruptedException {
+        start("preset=cough", lungs);
         LiveScene scene = next(scenes);
         run.setSpeed(Double.POSITIVE_INFINITY);
         run.play();
