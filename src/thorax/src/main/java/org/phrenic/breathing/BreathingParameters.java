@@ -85,6 +85,24 @@ public record BreathingParameters(
                 chestShare);
     }
 
+    /**
+     * Returns a copy with rate, inspiratory fraction and balance changed in the proportion in which those of another
+     * breath changed, rate and balance at most to their greatest values.
+     *
+     * @param before parameters of the other breath
+     * @param after its parameters after the change
+     */
+    public BreathingParameters changedAs(BreathingParameters before, BreathingParameters after) {
+        return withRatePerMin(Math.min(MAX_RATE_PER_MIN, inProportion(ratePerMin, before.ratePerMin, after.ratePerMin)))
+                .withInspiratoryFraction(
+                        inProportion(inspiratoryFraction, before.inspiratoryFraction, after.inspiratoryFraction))
+                .withChestShare(Math.min(1, inProportion(chestShare, before.chestShare, after.chestShare)));
+    }
+
+    private static double inProportion(double value, double before, double after) {
+        return before == after ? value : before > 0 ? value * (after / before) : after;
+    }
+
     /** Returns a copy with another inspiratory fraction. */
     public BreathingParameters withInspiratoryFraction(double value) {
         return new BreathingParameters(ratePerMin, value, pauseFraction, activation, pressure, ribTurn, chestShare);

@@ -2,7 +2,6 @@ package org.phrenic.breathing.pattern;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Function;
 import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.document.ShippedFile;
@@ -29,10 +28,15 @@ public final class BreathingPreset {
 
     private final String name;
     private final BreathingParameters parameters;
-    private final Function<BreathingParameters, BreathingPattern> kind;
+    private final Kind kind;
 
-    private BreathingPreset(
-            String name, BreathingParameters parameters, Function<BreathingParameters, BreathingPattern> kind) {
+    /** Makes a pattern all drives of which are multiplied by a depth, each at most to full. */
+    @FunctionalInterface
+    private interface Kind {
+        BreathingPattern pattern(BreathingParameters parameters, double depth);
+    }
+
+    private BreathingPreset(String name, BreathingParameters parameters, Kind kind) {
         this.name = name;
         this.parameters = parameters;
         this.kind = kind;
@@ -74,20 +78,28 @@ public final class BreathingPreset {
         String name = yaml.text("name");
         String kind = yaml.text("kind");
         return switch (kind) {
-            case "periodic" -> new BreathingPreset(name, parameters(yaml), p -> new PeriodicPattern(name, p));
+            case "periodic" ->
+                new BreathingPreset(
+                        name, parameters(yaml), (p, depth) -> new PeriodicPattern(name, p.withDepth(depth)));
             case "cough" -> {
                 BreathingParameters parameters = parameters(yaml, "compression_s", "expulsion_s", "abdominal_pressure");
                 double compressionS = yaml.number("compression_s");
                 double expulsionS = yaml.number("expulsion_s");
                 double pressure = yaml.number("abdominal_pressure");
                 yield new BreathingPreset(
-                        name, parameters, p -> new CoughPattern(name, p, compressionS, expulsionS, pressure));
+                        name,
+                        parameters,
+                        (p, depth) -> new CoughPattern(
+                                name, p.withDepth(depth), compressionS, expulsionS, Math.min(1, depth * pressure)));
             }
             case "waxing" -> {
                 BreathingParameters parameters = parameters(yaml, "breaths", "apnoea_s");
                 int breaths = yaml.wholeInt("breaths");
                 double apnoeaS = yaml.number("apnoea_s");
-                yield new BreathingPreset(name, parameters, p -> new CheyneStokesPattern(name, p, breaths, apnoeaS));
+                yield new BreathingPreset(
+                        name,
+                        parameters,
+                        (p, depth) -> new CheyneStokesPattern(name, p.withDepth(depth), breaths, apnoeaS));
             }
             case "hold" -> hold(yaml, name);
 
@@ -102,14 +114,18 @@ public final class BreathingPreset {
         double holdS = yaml.number("hold_s");
         if (at.equals("expiration")) {
             yaml.requireOnly(List.of("name", "kind", "at", "around", "breaths_before", "hold_s"));
-            return new BreathingPreset(name, around, p -> new HoldPattern(name, p, before, null, holdS, 0));
+            return new BreathingPreset(
+                    name, around, (p, depth) -> new HoldPattern(name, p.withDepth(depth), before, null, holdS, 0));
         }
         if (!at.equals("inspiration")) {
             throw yaml.bad("at", "found '" + at + "', expected inspiration or expiration");
         }
         BreathingParameters held = parameters(yaml, "at", "around", "breaths_before", "hold_s", "creep_fraction");
         double creep = yaml.number("creep_fraction");
-        return new BreathingPreset(name, held, p -> new HoldPattern(name, around, before, p, holdS, creep));
+        return new BreathingPreset(name, held, (p, depth) -> {
+            BreathingParameters others = around.changedAs(held, p).withDepth(depth);
+            return new HoldPattern(name, others, before, p.withDepth(depth), holdS, creep);
+        });
     }
 
     /**
@@ -140,6 +156,14 @@ public final class BreathingPreset {
 
     /** Creates the pattern with other parameters. */
     public BreathingPattern pattern(BreathingParameters changed) {
-        return kind.apply(changed);
+        return pattern(changed, 1);
+    }
+
+    /**
+     * Creates the pattern with other parameters and all drives multiplied by a depth, each at most to full. The breaths
+     * around a hold at inspiration change in the same proportion as the held one.
+     */
+    public BreathingPattern pattern(BreathingParameters changed, double depth) {
+        return kind.pattern(changed, depth);
     }
 }

@@ -92,11 +92,11 @@ public final class Breathing extends ScenePart {
         if (values.states(CHEST_SHARE)) {
             p = p.withChestShare(values.get(CHEST_SHARE));
         }
-        if (values.states(DEPTH)) {
-            p = p.withDepth(values.get(DEPTH));
-        }
+        double depth = values.states(DEPTH) ? values.get(DEPTH) : 1;
         Optional<Path> trace = values.get(TRACE);
-        return trace.isEmpty() ? preset.pattern(p) : new TracePattern(BreathingTraceReader.read(trace.get()), p, true);
+        return trace.isEmpty()
+                ? preset.pattern(p, depth)
+                : new TracePattern(BreathingTraceReader.read(trace.get()), p.withDepth(depth), true);
     }
 
     /**

@@ -105,6 +105,39 @@ class BreathingPresetTest {
     }
 
     @Test
+    void theDepthOfACoughIsAlsoThatOfItsAbdominalPressure() {
+        BreathingPreset cough = BreathingPreset.named("cough");
+        double[] depths = {0, 0.4, 1, 2};
+        double[] peaks = {0, 0.3, 0.75, 1};
+        for (int i = 0; i < depths.length; i++) {
+            // The inspiration takes 0.9 s and the compression 0.2 s; then the pressure is held for 0.2 s.
+            BreathingPattern pattern = cough.pattern(cough.parameters(), depths[i]);
+            assertThat(BreathingPatternContract.at(pattern, 1.2).abdominalPressure)
+                    .as("depth %s", depths[i])
+                    .isCloseTo(peaks[i], within(1e-12));
+        }
+    }
+
+    /** Two quiet breaths of 4 s stand before the held one of 8 s, of which the hold is none. */
+    @Test
+    void theBreathsAroundAHoldChangeInTheProportionOfTheHeldOne() {
+        BreathingPreset hold = BreathingPreset.named("hold-inspiration");
+        BreathingParameters changed = hold.parameters()
+                .withRatePerMin(15)
+                .withInspiratoryFraction(0.225)
+                .withChestShare(0.25);
+        BreathingPattern pattern = hold.pattern(changed, 0.5);
+        // Ti of a quiet breath is 0.4 of 4 s, so now 0.2 of 2 s; half as deep, the diaphragm has half as much again.
+        assertThat(BreathingPatternContract.at(pattern, 0.4).activation).isCloseTo(0.5 * 1.5 * 0.26, within(1e-12));
+        assertThat(BreathingPatternContract.at(pattern, 0.4).ribTurn).isCloseTo(0.5 * 0.5 / 6, within(1e-4));
+        assertThat(BreathingPatternContract.at(pattern, 2.001).breath).isEqualTo(1);
+        assertThat(BreathingPatternContract.at(pattern, 4 + 0.9).activation).isCloseTo(0.75, within(1e-12));
+        // Rates beyond the greatest that there is are the greatest.
+        BreathingPattern fast = hold.pattern(hold.parameters().withRatePerMin(150));
+        assertThat(BreathingPatternContract.at(fast, 0.401).breath).isEqualTo(1);
+    }
+
+    @Test
     void badPresetsAreRefusedInOneSentence() {
         assertThatThrownBy(() -> BreathingPreset.named("yawn"))
                 .hasMessageStartingWith("breathing: no preset 'yawn', expected quiet, quiet-supine, deep");
