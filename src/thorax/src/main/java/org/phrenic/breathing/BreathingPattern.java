@@ -19,6 +19,15 @@ public interface BreathingPattern {
     }
 
     /**
+     * Times at which the stretches of a period end, s. Another rate makes the breaths of a stretch shorter, and leaves
+     * holds and pauses between breaths as they are. A pattern that does not repeat goes on after the last as in it. One
+     * period by default.
+     */
+    default double[] stretchesS() {
+        return new double[] {periodS()};
+    }
+
+    /**
      * Writes the state of the drive at a time; allocates nothing.
      *
      * @param timeS time since the start, s

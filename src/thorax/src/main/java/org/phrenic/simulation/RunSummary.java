@@ -8,8 +8,8 @@ import org.phrenic.simulation.observe.Observation;
 
 /**
  * Summary of a run. For every whole breath it takes the change from the start (end-expiration) to the sample with the
- * lowest domes (end-inspiration), and averages over the breaths. A run without a whole breath, such as a hold or a
- * cough, counts as one breath.
+ * lowest domes (end-inspiration), and averages over the breaths. A breath that another preset or trace cut short is not
+ * a whole one. A run without a whole breath, such as a hold or a cough, counts as one breath.
  *
  * <p>Beside each change it gives the peak-to-peak value: the largest minus the smallest value within a breath, averaged
  * over the breaths. The two differ where a part of the body lags behind the domes.
@@ -21,12 +21,23 @@ public final class RunSummary {
     private final List<Observation> samples;
     private final List<int[]> breaths = new ArrayList<>();
 
-    RunSummary(List<Observation> samples) {
+    /**
+     * @param samples in the order of time
+     * @param cutShortS times at which another breathing pattern ended a breath before its end, s
+     */
+    RunSummary(List<Observation> samples, List<Double> cutShortS) {
         this.samples = samples;
         int start = 0;
         for (int i = 1; i < samples.size(); i++) {
-            if (samples.get(i).get("breath") != samples.get(i - 1).get("breath")) {
-                breaths.add(new int[] {start, i});
+            double begun = samples.get(i).get("breath") - samples.get(i - 1).get("breath");
+            if (begun != 0) {
+                double from = samples.get(i - 1).get("time_s");
+                double to = samples.get(i).get("time_s");
+                long cut = cutShortS.stream().filter(s -> s >= from && s < to).count();
+                // The first of several breaths that end between two samples is whole if not all of them are cut short.
+                if (cut < Math.abs(begun)) {
+                    breaths.add(new int[] {start, i});
+                }
                 start = i;
             }
         }

@@ -187,7 +187,7 @@ public final class SimulationRun {
         map.put("prestress_residual", scene.prestressResidual());
         map.put("mass_added_percent", scene.nodeMasses().addedPercent());
         map.put("settled_by_rms_mm", simulation.settlingDisplacementMm());
-        map.putAll(new RunSummary(samples).toMap());
+        map.putAll(new RunSummary(samples, scene.drive().pattern().cutShortS()).toMap());
         map.put("threads", scenario.threads());
         map.put("state_sha256", simulation.stateHash());
         map.put("notice", org.phrenic.document.report.Disclaimer.TEXT);

@@ -24,7 +24,7 @@ class OutputsDocTest {
     void everyExcursionOfTheSummaryStandsInTheDocument() throws IOException {
         Observation nothing = new Observation(new double[Observation.COLUMNS.size()]);
         String section = section("summary.json");
-        assertThat(new RunSummary(List.of(nothing, nothing)).toMap().keySet())
+        assertThat(new RunSummary(List.of(nothing, nothing), List.of()).toMap().keySet())
                 .allMatch(key -> section.contains("`" + key + "`"));
     }
 

@@ -39,6 +39,12 @@ public final class CheyneStokesPattern extends NamedPattern {
         }
     }
 
+    /** Breaths and apnoea. */
+    @Override
+    public double[] stretchesS() {
+        return new double[] {depths.length * oneBreathS, periodS()};
+    }
+
     @Override
     public void at(double timeS, BreathState state) {
         double cycles = Math.max(0, timeS / periodS());

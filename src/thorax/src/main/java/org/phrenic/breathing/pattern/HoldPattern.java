@@ -77,6 +77,13 @@ public final class HoldPattern extends NamedPattern {
         return resumeS + around.periodS();
     }
 
+    /** Breaths before, inspiration of the held breath, hold, its expiration, and one breath after. */
+    @Override
+    public double[] stretchesS() {
+        double heldS = startS + inspirationS;
+        return new double[] {startS, heldS, heldS + holdS, resumeS, resumeS + around.periodS()};
+    }
+
     @Override
     public void at(double timeS, BreathState state) {
         if (timeS < startS) {

@@ -1,8 +1,12 @@
 package org.phrenic.model.assembly;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import org.phrenic.breathing.BreathState;
 import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.Ramp;
+import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.breathing.TimeWarp;
 import org.phrenic.breathing.pattern.BlendedPattern;
 import org.phrenic.breathing.pattern.TimeWarpedPattern;
@@ -17,7 +21,11 @@ public final class LiveBreathing implements BreathingPattern {
     /** The last pattern, the same at warped time, and its blend with those before it. */
     private record State(BreathingPattern base, TimeWarpedPattern warped, BreathingPattern pattern) {}
 
+    /** Phases that differ by less are one. */
+    private static final double SAME_PHASE = 1e-9;
+
     private final TimeWarp clock;
+    private final List<Double> cutShortS = new ArrayList<>();
     private State state;
     private State previous;
     private long changedAtStep = -1;
@@ -42,21 +50,54 @@ public final class LiveBreathing implements BreathingPattern {
      */
     public void change(BreathingPattern next, boolean anew, long step, double nowS) {
         State from = step == changedAtStep ? previous : state;
-        double intoS = anew ? 0 : matchPhase(from.base, next, from.warped.patternTimeS(nowS));
+        double intoS = anew ? 0 : matchPlace(from.base, next, from.warped.patternTimeS(nowS));
         TimeWarpedPattern warped = new TimeWarpedPattern(next, clock, clock.warpedTime(nowS) - intoS);
         previous = from;
         changedAtStep = step;
-        state = new State(next, warped, BlendedPattern.crossfade(from.pattern, warped, nowS, Ramp.DEFAULT_S, anew));
+        boolean begins = anew && endBreath(from.pattern, nowS);
+        state = new State(next, warped, BlendedPattern.crossfade(from.pattern, warped, nowS, Ramp.DEFAULT_S, begins));
     }
 
-    /**
-     * Time in the next pattern at the same phase of the period. If one of the patterns is not periodic, the time since
-     * the start is kept.
-     */
-    private static double matchPhase(BreathingPattern base, BreathingPattern next, double intoS) {
-        double from = base.periodS();
-        double to = next.periodS();
-        return Double.isInfinite(from) || Double.isInfinite(to) || from == to ? intoS : intoS / from * to;
+    /** Notes where a breath is cut short; returns whether there is one that another pattern ends. */
+    private boolean endBreath(BreathingPattern pattern, double nowS) {
+        BreathState breath = new BreathState();
+        pattern.at(nowS, breath);
+        // What a second change at one step, or a return to an earlier state, has replaced does not count.
+        cutShortS.removeIf(timeS -> timeS >= nowS);
+        boolean over = breath.respiratoryPhase == RespiratoryPhase.PAUSE;
+        boolean justBegun = !over && breath.phase < SAME_PHASE;
+        if (!over && !justBegun && breath.phase < 1 - SAME_PHASE) {
+            cutShortS.add(nowS);
+        }
+        return !justBegun;
+    }
+
+    /** Time in the next pattern at the same place: in the same breath, hold or apnoea as far as now. */
+    private static double matchPlace(BreathingPattern base, BreathingPattern next, double intoS) {
+        double[] from = base.stretchesS();
+        double[] to = next.stretchesS();
+        if (from.length != to.length || Arrays.equals(from, to)) {
+            return intoS;
+        }
+        if (from.length == 1) {
+            return intoS / from[0] * to[0];
+        }
+        boolean repeats = Double.isFinite(base.periodS()) && Double.isFinite(next.periodS());
+        double rounds = repeats ? Math.floor(intoS / base.periodS()) : 0;
+        double placeS = repeats ? intoS - rounds * base.periodS() : intoS;
+        int i = 0;
+        while (i < from.length - 1 && placeS >= from[i]) {
+            i++;
+        }
+        double start = i == 0 ? 0 : from[i - 1];
+        double startTo = i == 0 ? 0 : to[i - 1];
+        double within = (placeS - start) / (from[i] - start) * (to[i] - startTo);
+        return (repeats ? rounds * next.periodS() : 0) + startTo + within;
+    }
+
+    /** Times at which another pattern ended a breath whose expiration was not over, s; a copy. */
+    public List<Double> cutShortS() {
+        return List.copyOf(cutShortS);
     }
 
     /** Rate of the pattern's time: 1 while the breath goes on, 0 while it is held, between while it slows down. */

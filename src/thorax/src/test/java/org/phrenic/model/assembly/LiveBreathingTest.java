@@ -1,0 +1,85 @@
+package org.phrenic.model.assembly;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.phrenic.breathing.BreathState;
+import org.phrenic.breathing.BreathingPattern;
+import org.phrenic.scenario.Scenario;
+
+/** Which breath it is, and where in it, after a change of the pattern during a run. */
+class LiveBreathingTest {
+    private static final long STEP = 400;
+
+    private static BreathState at(BreathingPattern pattern, double timeS) {
+        BreathState state = new BreathState();
+        pattern.at(timeS, state);
+        return state;
+    }
+
+    private static LiveBreathing breathing(String... settings) {
+        return new LiveBreathing(Scenario.defaults().with(settings));
+    }
+
+    private static BreathingPattern pattern(String... settings) {
+        return Breathing.patternOf(Scenario.defaults().with(settings));
+    }
+
+    /** Breaths of 4 s, whose expiration is over after 3.4 s. */
+    @ParameterizedTest
+    @CsvSource({"0, 0, false", "0.5, 1, true", "3.3, 1, true", "3.9, 1, false", "4, 1, false", "6, 2, true"})
+    void anotherPresetEndsTheBreathUnlessItOnlyBegins(double nowS, int breath, boolean cutShort) {
+        LiveBreathing quiet = breathing();
+        quiet.change(pattern("preset=deep"), true, STEP, nowS);
+        assertThat(at(quiet, nowS + 0.01).breath).isEqualTo(breath);
+        assertThat(at(quiet, nowS + 0.01).phase).isCloseTo(0.01 / 8, within(1e-12));
+        assertThat(quiet.cutShortS()).isEqualTo(cutShort ? List.of(nowS) : List.of());
+        // Of two changes at one step the second applies.
+        quiet.change(pattern("preset=sniff"), true, STEP, nowS);
+        assertThat(at(quiet, nowS + 0.01).breath).isEqualTo(breath);
+        assertThat(quiet.cutShortS()).hasSize(cutShort ? 1 : 0);
+    }
+
+    /** The last of 16 breaths ends after 40 s; the apnoea that follows counts as part of it. */
+    @Test
+    void anotherPresetInAnApnoeaCutsNoBreathShort() {
+        LiveBreathing waxing = breathing("preset=cheyne-stokes");
+        waxing.change(pattern("preset=deep"), true, STEP, 45);
+        assertThat(at(waxing, 45.01).breath).isEqualTo(16);
+        assertThat(waxing.cutShortS()).isEmpty();
+    }
+
+    /**
+     * Half the rate: 16 breaths of a cycle take 80 s instead of 40 s, the apnoea 20 s as before. Twice the rate around
+     * a hold of 24 s: from 5.8 s on instead of 11.6 s.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "cheyne-stokes, 12, 10, 20",
+        "cheyne-stokes, 12, 50, 90",
+        "cheyne-stokes, 12, 61.25, 102.5",
+        "hold-inspiration, 15, 1, 0.5",
+        "hold-inspiration, 15, 9.8, 4.9",
+        "hold-inspiration, 15, 20, 14.2",
+        "hold-inspiration, 15, 37.8, 30.9",
+        "hold-inspiration, 15, 49, 36.5",
+        "hold-expiration, 30, 2, 1",
+        "hold-expiration, 30, 20, 16",
+        "hold-expiration, 30, 37, 30.5",
+    })
+    void anotherRateGoesOnAtTheSamePlaceInBreathHoldOrApnoea(String preset, int rate, double nowS, double intoS) {
+        LiveBreathing breathing = breathing("preset=" + preset);
+        BreathState before = at(breathing, nowS);
+        breathing.change(pattern("preset=" + preset, "rate_per_min=" + rate), false, STEP, nowS);
+        assertThat(breathing.patternTimeS(nowS)).isCloseTo(intoS, within(1e-9));
+        BreathState after = at(breathing, nowS);
+        assertThat(after.breath).isEqualTo(before.breath);
+        assertThat(after.respiratoryPhase).isEqualTo(before.respiratoryPhase);
+        assertThat(after.activation).isCloseTo(before.activation, within(1e-9));
+        assertThat(breathing.cutShortS()).isEmpty();
+    }
+}
