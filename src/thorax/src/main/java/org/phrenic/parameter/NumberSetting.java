@@ -11,11 +11,16 @@ public class NumberSetting extends Setting<Double> {
      * Unit and range of the values offered.
      *
      * @param unit {@code 1} for a dimensionless number
-     * @param minimum smallest value offered; except for a {@link Parameter}, a scenario may state any number above 0,
-     *     and 0 if it is the minimum
+     * @param minimum smallest value offered; except for a {@link Parameter} and unless less is refused, a scenario may
+     *     state any number above 0, and 0 if it is the minimum
      * @param maximum largest value offered
+     * @param refusesLess whether a scenario may not state less than the minimum, because it would have no effect
      */
-    public record Range(String unit, double minimum, double maximum) {}
+    public record Range(String unit, double minimum, double maximum, boolean refusesLess) {
+        public Range(String unit, double minimum, double maximum) {
+            this(unit, minimum, maximum, false);
+        }
+    }
 
     private final Range range;
     private final ToDoubleFunction<SettingValues> defaultValue;
@@ -49,9 +54,10 @@ public class NumberSetting extends Setting<Double> {
     @Override
     public Double read(YamlMap yaml, Path folder) {
         double value = yaml.number(key());
-        boolean allowed = value > 0 || (value == 0 && minimum() == 0);
+        boolean allowed = range.refusesLess() ? value >= minimum() : value > 0 || (value == 0 && minimum() == 0);
         if (!allowed || !(value <= maximum())) {
-            String expected = "expected more than 0, at most " + number(maximum()) + " " + unit();
+            String least = range.refusesLess() ? "at least " + number(minimum()) : "more than 0";
+            String expected = "expected " + least + ", at most " + number(maximum()) + " " + unit();
             throw yaml.bad(key(), "found " + number(value) + ", " + expected);
         }
         return value;

@@ -1,6 +1,7 @@
 package org.phrenic.scenario;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -10,6 +11,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.phrenic.file.BadInputException;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.parameter.NumberSetting;
@@ -43,6 +45,13 @@ class SettingsTest {
             Assignment assignment = Assignment.read("test", setting.key(), NumberSetting.number(end));
             assertThat(scenario.with(List.of(assignment)).get(setting)).isEqualTo(end);
         }
+    }
+
+    @Test
+    void aLightnessThatWouldHaveNoEffectIsRefused() {
+        assertThatThrownBy(() -> Scenario.defaults().with("tendon_lightness=0.5"))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found 0.5, expected at least 1, at most 100 times");
     }
 
     private static Scenario with(Setting<?> setting, String value) {

@@ -63,7 +63,7 @@ public final class Numerics {
                     "tendon_lightness", "Tendon lightness", Effect.ASSEMBLY)
             .describedAs("Physical material: the tendon moves as a whole as if its nodes were so many times lighter;"
                     + " their masses, which its stiffness asks for, oppose its deformation alone.")
-            .number("times", 1, MAX_LIGHTNESS, values -> LIGHTNESS);
+            .numberFrom("times", 1, MAX_LIGHTNESS, values -> LIGHTNESS);
     public static final NumberSetting DAMPING_TIME = Setting.named("damping_time_s", "Damping time", Effect.ASSEMBLY)
             .describedAs("Physical material: damping acts on a node's velocity relative to its mean over this time, so"
                     + " that slow motion is not held back; 0: on all of it.")
