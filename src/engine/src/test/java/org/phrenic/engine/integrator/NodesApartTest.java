@@ -94,6 +94,24 @@ class NodesApartTest {
                 .hasMessageContaining("verlet");
     }
 
+    /** As the substeps of the others, so that the run goes on as one that never left the state before the change. */
+    @Test
+    void aReturnToTheStateBeforeAChangeRestoresTheStepsOfNodesApart() {
+        ParticleSystem system = chains(positions(), 3, 3, SOFT, STIFF);
+        Stepper stepper = stepper(system, DT);
+        stepper.step();
+        int before = stepper.stepsApart();
+        stepper.checkpoint();
+        for (int node = 3; node < 6; node++) {
+            system.setMass(system.layout().internal(node), MASS / 4);
+        }
+        stepper.measureStabilityLimit();
+        assertThat(stepper.stepsApart()).isGreaterThan(before);
+        system.velocities()[0] = Double.NaN;
+        assertThatThrownBy(stepper::step).isInstanceOf(DivergenceException.class);
+        assertThat(stepper.stepsApart()).isEqualTo(before);
+    }
+
     @Test
     void aRefusedStepIsRefusedForNodesApartToo() {
         ParticleSystem system = chains(positions(), 3, 3, 0.01, STIFF);
