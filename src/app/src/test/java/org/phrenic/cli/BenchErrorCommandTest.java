@@ -57,7 +57,7 @@ class BenchErrorCommandTest {
                 "--whole",
                 "--quick",
                 "--part",
-                "time",
+                "time,space,equilibrium",
                 "--made-by",
                 "Commit abc",
                 "--out",
@@ -69,6 +69,16 @@ class BenchErrorCommandTest {
         assertThat(Files.readString(folder.resolve("budget.csv"))).contains("time,virtual man,quiet");
         assertThat(ImageIO.read(folder.resolve("error.png").toFile()).getWidth())
                 .isEqualTo(1200);
+    }
+
+    /** The error in time alone, as a point of the chart, would pass for the whole. */
+    @Test
+    void aPartOfTheWholeErrorIsNotChartedAsTheWhole() throws Exception {
+        CommandLineRun run =
+                CommandLineRun.of("bench", "error", "--whole", "--quick", "--part", "time", "--out", folder.toString());
+        assertThat(run.exitCode()).isZero();
+        assertThat(folder.resolve("error.png")).doesNotExist();
+        assertThat(Files.readString(folder.resolve("error.md"))).doesNotContain("error.png");
     }
 
     @Test

@@ -250,9 +250,9 @@ final class BenchErrorCommand extends ReportingCommand {
         BudgetReport report = budget.measure(names, quick, out, progress("measured"));
         if (out != null) {
             System.setProperty("java.awt.headless", "true");
-            boolean drawn = !report.points().isEmpty() && Annotations.hasFonts();
+            boolean drawn = !report.charted().isEmpty() && Annotations.hasFonts();
             if (drawn) {
-                BudgetChart.write(report.points(), out.resolve("error.png"));
+                BudgetChart.write(report.charted(), out.resolve("error.png"));
             }
             writePages(out, "error", report.document(provenance.lines(), drawn ? "error.png" : ""));
             JsonWriter.write(out.resolve("error.json"), report.values());

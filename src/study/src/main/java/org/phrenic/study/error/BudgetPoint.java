@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Whole error of a setting against its speed. The whole is the sum of the parts that were measured, an upper bound of
- * their combination. Percentages are of the domes' excursion.
+ * Whole error of a setting against its speed. The whole is the sum of its three parts, an upper bound of their
+ * combination. Percentages are of the domes' excursion.
  *
  * @param row the setting's measurement of the error in time
  * @param timePercent rms distance from the reference, and the reference's uncertainty
  * @param resolved whether that distance is at least three times the reference's uncertainty
- * @param spacePercent difference of the excursion from that extrapolated to edge length 0, or from the mean of those on
- *     the three finest meshes if no order of convergence is observed; NaN if not measured
+ * @param spacePercent difference of the default's excursion on the same mesh from that extrapolated to edge length 0,
+ *     or from the mean of those on the three finest meshes if no order of convergence is observed; NaN if not measured
  * @param extrapolated whether an order of convergence in space is observed
  * @param equilibriumPercent largest rms distance from equilibrium at the phases; NaN if not measured
  */
@@ -26,13 +26,9 @@ public record BudgetPoint(
     /** Number of meshes of the mean that stands for the limit without an order. */
     private static final int FINEST = 3;
 
-    /** Sum of the parts, per cent. */
+    /** Sum of the parts, per cent; NaN if one of them was not measured. */
     public double wholePercent() {
-        return timePercent + orZero(spacePercent) + orZero(equilibriumPercent);
-    }
-
-    private static double orZero(double percent) {
-        return Double.isNaN(percent) ? 0 : percent;
+        return timePercent + spacePercent + equilibriumPercent;
     }
 
     /** Name of the integrator. */
@@ -85,9 +81,12 @@ public record BudgetPoint(
     }
 
     private static double space(BudgetTable table, BudgetRow row) {
+        double usualMm = table.usual(BudgetPart.TIME, row.body(), row.breath(), row.mesh())
+                .map(BudgetRow::excursionMm)
+                .orElse(Double.NaN);
         return convergence(table, row.body(), row.breath())
                 .map(fit -> fit.hasOrder() ? fit.limit() : finest(table, row.body(), row.breath()))
-                .map(limit -> 100 * Math.abs(usual(table, row).excursionMm() - limit) / Math.abs(limit))
+                .map(limit -> 100 * Math.abs(usualMm - limit) / Math.abs(limit))
                 .orElse(Double.NaN);
     }
 
@@ -98,12 +97,6 @@ public record BudgetPoint(
                 .mapToDouble(BudgetRow::excursionMm)
                 .average()
                 .orElseThrow();
-    }
-
-    /** The default's measurement on the same mesh. */
-    private static BudgetRow usual(BudgetTable table, BudgetRow row) {
-        return table.usual(BudgetPart.TIME, row.body(), row.breath(), row.mesh())
-                .orElse(row);
     }
 
     private static double equilibrium(BudgetTable table, BudgetRow row) {

@@ -41,9 +41,9 @@ public final class BudgetReport {
         points = BudgetPoint.of(table);
     }
 
-    /** Points of the chart. */
-    public List<BudgetPoint> points() {
-        return points;
+    /** Points of the chart: those of which the whole error is known. */
+    public List<BudgetPoint> charted() {
+        return points.stream().filter(p -> !Double.isNaN(p.wholePercent())).toList();
     }
 
     /** Rows of the defaults, or of every setting. */
@@ -99,10 +99,11 @@ public final class BudgetReport {
                         + " thread.");
         page.points(provenance.toArray(String[]::new));
         page.paragraph("How each part is measured is described in error.md of the documentation. The parts of the"
-                + " whole are added. \"Unresolved\": the error in time is below three times the uncertainty of its"
-                + " reference; the sum of both is given. \"No order\": the excursions do not converge as a power of"
-                + " the edge length by more than three times their scatter from mesh to mesh; the part in space is the"
-                + " distance from the mean of the three finest meshes.");
+                + " whole are added; where one of them was not measured, the whole is left blank. \"Unresolved\":"
+                + " the error in time is below three times the uncertainty of its reference; the sum of both is"
+                + " given. \"No order\": the excursions do not converge as a power of the edge length by more than"
+                + " three times their scatter from mesh to mesh; the part in space is the distance from the mean of"
+                + " the three finest meshes.");
         if (!points.isEmpty()) {
             page.section("The defaults");
             page.table("", COLUMNS, cells(true));

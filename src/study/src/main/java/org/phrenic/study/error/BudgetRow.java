@@ -15,7 +15,7 @@ import org.phrenic.document.CsvWriter;
  * @param setting solver setting, phase or step that was measured
  * @param usual whether it is a default of the program
  * @param edgeMm mean edge length of the diaphragm, mm
- * @param excursionMm largest descent of the domes, mean of both sides, mm
+ * @param excursionMm largest descent of the domes with the setting, mean of both sides, mm
  * @param rmsMm rms distance of the diaphragm's nodes from what the part compares with, mm
  * @param maxMm maximum distance, mm
  * @param uncertaintyMm rms uncertainty of what the part compares with, mm

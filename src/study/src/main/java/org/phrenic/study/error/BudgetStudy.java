@@ -128,7 +128,7 @@ public final class BudgetStudy {
                         p.settings().label(),
                         p.isDefault(),
                         edgeMm,
-                        study.excursionMm(),
+                        study.excursionsMm().get(p.settings()),
                         p.rmsMm(),
                         p.maxMm(),
                         study.referenceUncertainty()[0],

@@ -5,8 +5,10 @@ import static org.phrenic.study.ReportNumbers.format;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.DivergenceException;
@@ -23,7 +25,8 @@ import org.phrenic.simulation.SimulationRun;
  * @param scenario simulated scenario
  * @param nodes number of nodes moved by springs
  * @param simulatedS simulated time, s
- * @param excursionMm descent of the domes, mean of both sides, mm
+ * @param excursionsMm descent of the domes, mean of both sides, in the reference and with each of the points' settings,
+ *     mm
  * @param reference settings of the reference solution
  * @param referenceUncertainty distance between the reference and the same solution with twice the time step, mm: rms
  *     and maximum of the diaphragm's nodes, then rms and maximum of all nodes
@@ -36,7 +39,7 @@ public record ErrorStudy(
         Scenario scenario,
         int nodes,
         double simulatedS,
-        double excursionMm,
+        Map<SolverSettings, Double> excursionsMm,
         SolverSettings reference,
         double[] referenceUncertainty,
         List<ErrorPoint> points,
@@ -62,6 +65,7 @@ public record ErrorStudy(
 
     public ErrorStudy {
         points = List.copyOf(points);
+        excursionsMm = Map.copyOf(excursionsMm);
         equilibrium = List.copyOf(equilibrium);
         skipped = List.copyOf(skipped);
     }
@@ -115,9 +119,12 @@ public record ErrorStudy(
             double[] allApart = coarse.distanceFrom(exact);
             double[] proof = {apart[0], apart[1], allApart[0], allApart[1]};
             List<ErrorPoint> points = new ArrayList<>();
+            Map<SolverSettings, Double> excursionsMm = new HashMap<>();
             for (SolverSettings settings : wanted) {
                 try {
-                    points.add(point(runs.run(settings), exact, sheet, settings, runs.durationS(), scenario));
+                    Trajectory run = runs.run(settings);
+                    points.add(point(run, exact, sheet, settings, runs.durationS(), scenario));
+                    excursionsMm.put(settings, runs.excursionMm(run));
                 } catch (DivergenceException | IllegalArgumentException gone) {
                     leftOut.add(settings.label() + ": " + gone.getMessage());
                 }
@@ -126,13 +133,13 @@ public record ErrorStudy(
             List<EquilibriumLag> equilibrium = scenario.material() == Materials.PHYSICAL && lag
                     ? EquilibriumLag.of(runs, exact, SolverSettings.of(scenario))
                     : List.of();
-            double excursionMm = runs.excursionMm(exact);
+            excursionsMm.put(reference, runs.excursionMm(exact));
             List<ErrorPoint> marked = withParetoFront(points, RESOLVED * proof[0]);
             return new ErrorStudy(
                     scenario,
                     runs.nodes(),
                     runs.durationS(),
-                    excursionMm,
+                    excursionsMm,
                     reference,
                     proof,
                     marked,
@@ -235,8 +242,13 @@ public record ErrorStudy(
         return MeshRefinementError.of(all, breathS(scenario), progress);
     }
 
-    /** A distance in per cent of the excursion. */
+    /** Descent of the domes in the reference, mean of both sides, mm. */
+    public double excursionMm() {
+        return excursionsMm.get(reference);
+    }
+
+    /** A distance in per cent of the excursion of the reference. */
     public double percent(double mm) {
-        return 100 * mm / excursionMm;
+        return 100 * mm / excursionMm();
     }
 }

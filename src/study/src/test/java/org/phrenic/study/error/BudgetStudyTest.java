@@ -20,6 +20,8 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.MeshFiles;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.SimulationRun;
 
 /**
  * The quick budget of the virtual man's sheet: the start of a breath on a coarse mesh, with tissue that lets every
@@ -94,9 +96,19 @@ class BudgetStudyTest {
     }
 
     @Test
-    void theWholeIsTheSumOfItsParts() {
-        assertThat(BudgetPoint.of(table))
-                .allSatisfy(p -> assertThat(p.wholePercent()).isEqualTo(p.timePercent() + p.spacePercent()));
+    void eachSettingHasTheExcursionOfItsOwnRun() {
+        BudgetRow usual = rows(BudgetPart.TIME).stream()
+                .filter(BudgetRow::usual)
+                .findFirst()
+                .orElseThrow();
+        Scenario scenario = PLAN.scenario(
+                PLAN.bodies().get(0), usual.breath(), PLAN.meshes().get(0));
+        try (BreathRunner runs =
+                new BreathRunner(scenario, SimulationRun.loadThorax(scenario), PLAN.untilS(scenario))) {
+            assertThat(usual.excursionMm()).isEqualTo(runs.excursionMm(runs.run(SolverSettings.of(scenario))));
+        }
+        assertThat(rows(BudgetPart.TIME).stream().mapToDouble(BudgetRow::excursionMm))
+                .doesNotHaveDuplicates();
     }
 
     @Test

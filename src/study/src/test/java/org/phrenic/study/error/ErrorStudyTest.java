@@ -84,7 +84,7 @@ class ErrorStudyTest {
                 study.scenario(),
                 study.nodes(),
                 study.simulatedS(),
-                study.excursionMm(),
+                study.excursionsMm(),
                 study.reference(),
                 uncertain,
                 study.points(),
