@@ -62,6 +62,7 @@ public record EquilibriumLag(
         for (int i = 0; i < sheet.length; i++) {
             mayMove[system.layout().caller(i)] = sheet[i];
         }
+        int substeps = substeps(runs, run, settings);
         for (double phase : PHASES) {
             int sample =
                     (int) Math.min(run.positions().length, Math.max(1, Math.round(phase * run.positions().length)));
@@ -71,9 +72,9 @@ public record EquilibriumLag(
             Arrays.fill(system.velocities(), 0);
             system.invalidate();
             Integrator integrator = IntegratorKind.VERLET.create(system);
-            hold(integrator, timeS, settings.timeStepS());
+            hold(integrator, timeS, settings.timeStepS(), substeps);
             Trajectory half = snapshot(system.positions().clone());
-            hold(integrator, timeS, settings.timeStepS());
+            hold(integrator, timeS, settings.timeStepS(), substeps);
             Trajectory relaxed = snapshot(system.positions().clone());
             NewtonEquilibrium.Result newton =
                     new NewtonEquilibrium(system, timeS, mayMove).findEquilibrium(TOLERANCE_MN, MAX_ROUNDS);
@@ -97,11 +98,20 @@ public record EquilibriumLag(
         return list;
     }
 
-    /** Steps whose drive does not move: every one ends at the same time. */
-    private static void hold(Integrator integrator, double timeS, double stepS) {
-        long steps = Math.round(HALF_S / stepS);
-        for (long i = 0; i < steps; i++) {
-            integrator.step(timeS - stepS, stepS);
+    /** Equal parts of each step of the hold: those of the breath, and those that the scheme of the hold asks for. */
+    private static int substeps(BreathRunner runs, Trajectory run, SolverSettings settings) {
+        SolverSettings held =
+                new SolverSettings(IntegratorKind.VERLET, settings.timeStepS(), settings.sweeps(), settings.refreshS());
+        int needed = runs.substeps(held);
+        return settings.integrator() == IntegratorKind.VERLET ? Math.max(needed, run.substeps()) : needed;
+    }
+
+    /** Steps whose drive does not move: every part of every step ends at the same time. */
+    private static void hold(Integrator integrator, double timeS, double stepS, int substeps) {
+        long parts = Math.round(HALF_S / stepS) * substeps;
+        double partS = stepS / substeps;
+        for (long i = 0; i < parts; i++) {
+            integrator.step(timeS - partS, partS);
         }
     }
 
