@@ -1,6 +1,7 @@
 package org.phrenic.study;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import org.phrenic.breathing.RespiratoryPhase;
 
@@ -54,6 +55,19 @@ public final class BreathSeries {
         if (breaths.isEmpty()) {
             breaths.add(new int[] {0, rows.size() - 1});
         }
+    }
+
+    /** The same breaths with columns whose values are unknown: NaN in every row. */
+    public BreathSeries withUnknown(Collection<String> names) {
+        List<double[]> known = rows.stream().map(double[]::clone).toList();
+        for (int c = 0; c < columns.size(); c++) {
+            if (names.contains(columns.get(c))) {
+                for (double[] row : known) {
+                    row[c] = Double.NaN;
+                }
+            }
+        }
+        return new BreathSeries(columns, known, labels);
     }
 
     public boolean hasColumn(String column) {

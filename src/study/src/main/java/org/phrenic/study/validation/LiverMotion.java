@@ -106,7 +106,7 @@ public record LiverMotion(List<Row> rows, List<String> failures) {
                 Scenario run = on.with("preset=" + preset);
                 jobs.add(new BatchRunner.Job<>(
                         anatomy + ", " + preset,
-                        () -> row(anatomy, preset, PresetRun.of(run, thorax, PresetRun.SAMPLE_S, MEASURED), table)));
+                        () -> row(anatomy, preset, KnownObservables.of(run, thorax, MEASURED), table)));
             }
         }
         Attempts<Row> done = Attempts.of(jobs, threads, progress);
@@ -222,7 +222,7 @@ public record LiverMotion(List<Row> rows, List<String> failures) {
     }
 
     private static String share(double part, double whole) {
-        return ReportNumbers.format("%.2f", part / whole);
+        return ReportNumbers.number(part / whole);
     }
 
     /** A body and a preset, then numbers. */
@@ -234,6 +234,9 @@ public record LiverMotion(List<Row> rows, List<String> failures) {
 
     private static String cell(Row row, int which) {
         double value = row.comparedValues()[which];
+        if (Double.isNaN(value)) {
+            return "";
+        }
         String text = ReportNumbers.number(value);
         return row.referenceRanges()
                 .get(which)
@@ -241,10 +244,11 @@ public record LiverMotion(List<Row> rows, List<String> failures) {
                 .orElse(text);
     }
 
-    /** Number of values outside their range. */
+    /** Number of measured values outside their range. */
     public long outOfRangeCount() {
         return rows.stream()
                 .mapToLong(r -> IntStream.range(0, r.comparedValues().length)
+                        .filter(i -> !Double.isNaN(r.comparedValues()[i]))
                         .filter(i -> r.referenceRanges()
                                 .get(i)
                                 .filter(range -> !range.contains(r.comparedValues()[i]))

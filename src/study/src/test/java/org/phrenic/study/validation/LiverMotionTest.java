@@ -74,6 +74,22 @@ class LiverMotionTest {
         assertThat(motion.values()).containsEntry("outside", motion.outOfRangeCount());
     }
 
+    /** A liver that is not there has not moved by 0 mm, which would be out of every range. */
+    @Test
+    void aLiverThatIsNotThereIsNeitherWithinNorOut() {
+        List<String> unknown =
+                COLUMNS.stream().filter(c -> c.startsWith("liver")).toList();
+        LiverMotion.Row row =
+                LiverMotion.row("a body", "quiet", breath(0, 0).withUnknown(unknown), PhysiologyTable.shipped());
+        LiverMotion motion = new LiverMotion(List.of(row), List.of());
+        assertThat(motion.outOfRangeCount()).isZero();
+        assertThat(motion.table().get(1).subList(2, 5)).containsOnly("");
+        assertThat(motion.table().get(1)).contains("12.0");
+        assertThat(MarkdownPage.format(motion.document(Scenario.defaults(), List.of())))
+                .doesNotContain("NaN", "OUT");
+        assertThat(motion.values().toString()).doesNotContain("NaN");
+    }
+
     @Test
     void aBreathThatFailedIsNamedAndFailsTheStudy() {
         LiverMotion.Row row = LiverMotion.row("a body", "quiet", breath(0, 0), PhysiologyTable.shipped());

@@ -106,6 +106,29 @@ class ValidationTest {
                 .allMatch(f -> f.verdict() != Verdict.NOT_MEASURABLE, "measured");
     }
 
+    /** Without this a liver and lungs that are not there would be measured to stand still. */
+    @Test
+    void whatTheSceneLacksIsNotMeasurable() {
+        Validation validation = Validation.of(
+                PhysiologyTable.shipped(),
+                FAST.with("liver=false", "lungs=off"),
+                List.of("virtual/adult-male"),
+                List.of("quiet"),
+                1,
+                (count, total, what) -> {});
+        assertThat(validation.bodies().get(0).findings())
+                .filteredOn(f -> f.range().preset().filter("quiet"::equals).isPresent())
+                .filteredOn(f -> f.range().observables().stream().anyMatch(o -> o.matches("(liver|lung)_.*")))
+                .hasSizeGreaterThan(3)
+                .allMatch(f -> f.verdict() == Verdict.NOT_MEASURABLE)
+                .filteredOn(f -> f.range().key().equals("liver_si_quiet"))
+                .singleElement()
+                .satisfies(f -> assertThat(f.reason()).contains("lacks what it is measured on"));
+        assertThat(validation.bodies().get(0).findings())
+                .filteredOn(f -> f.range().observables().contains("dome_right_mm"))
+                .anyMatch(f -> f.verdict() != Verdict.NOT_MEASURABLE);
+    }
+
     /** What was computed of the others is not lost, and nothing passes for what was not. */
     @Test
     void aBreathThatFailsIsReportedAndTheOthersGoOn(@TempDir Path folder) throws IOException {
