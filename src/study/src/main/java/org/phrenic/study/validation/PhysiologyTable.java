@@ -100,9 +100,7 @@ public record PhysiologyTable(String name, List<ReferenceRange> ranges) {
                 measured ? observables(map, reduction) : List.of(),
                 reduction,
                 measured ? against(map, reduction) : "",
-                map.has("against_preset")
-                        ? Optional.of(oneOf(map, "against_preset", BreathingPreset.names(), null))
-                        : Optional.empty(),
+                againstPreset(map, reduction),
                 share(map),
                 map.number("factor", 1),
                 low,
@@ -150,6 +148,15 @@ public record PhysiologyTable(String name, List<ReferenceRange> ranges) {
         }
         requireObservable(map, "against", map.text("against"));
         return map.text("against");
+    }
+
+    private static Optional<String> againstPreset(YamlMap map, Reduction reduction) {
+        if (!map.has("against_preset")) {
+            return Optional.empty();
+        }
+        String unread = "found it with reduction " + reduction.label() + ", expected none but with ratio and at_share";
+        require(reduction.readsSecondPreset(), map, "against_preset", unread);
+        return Optional.of(oneOf(map, "against_preset", BreathingPreset.names(), null));
     }
 
     private static void requireObservable(YamlMap map, String key, String name) {

@@ -69,6 +69,11 @@ public enum Reduction {
         return this == RATIO || this == SLOPE || this == AT_SHARE || this == HYSTERESIS;
     }
 
+    /** Whether the second observable may be that of another preset. */
+    boolean readsSecondPreset() {
+        return this == RATIO || this == AT_SHARE;
+    }
+
     /**
      * Computes the reduction.
      *

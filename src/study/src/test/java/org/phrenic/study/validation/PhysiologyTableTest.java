@@ -112,6 +112,23 @@ class PhysiologyTableTest {
     }
 
     @Test
+    void thePresetOfTheSecondObservableIsRefusedWhereItIsNotRead() throws IOException {
+        String second = "    against: lung_volume_change_ml\n    against_preset: deep\n";
+        for (String read : new String[] {"ratio", "at_share"}) {
+            ReferenceRange row = read(GOOD.replace("reduction: fall", "reduction: " + read) + second)
+                    .ranges()
+                    .get(0);
+            assertThat(row.againstPreset()).contains("deep");
+        }
+        for (String unread : new String[] {"slope", "hysteresis"}) {
+            assertThatThrownBy(() -> read(GOOD.replace("reduction: fall", "reduction: " + unread) + second))
+                    .isInstanceOf(BadInputException.class)
+                    .hasMessageContaining("against_preset")
+                    .hasMessageContaining("found it with reduction " + unread + ", expected none but with ratio");
+        }
+    }
+
+    @Test
     void aReasonForAMissIsNotEmptyAndNotOfWhatIsNotMeasured() {
         assertThatThrownBy(() -> read(GOOD + "    missed_because: ''\n"))
                 .hasMessageContaining("found nothing, expected why the range is missed");
