@@ -1,6 +1,5 @@
 package org.phrenic.cli.bench;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -12,6 +11,7 @@ import java.util.stream.Stream;
 import org.phrenic.cli.chart.BudgetChart;
 import org.phrenic.cli.chart.ErrorChart;
 import org.phrenic.cli.option.ErrorBudgetOptions;
+import org.phrenic.cli.option.MeasuredTableOption;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
@@ -87,6 +87,9 @@ final class BenchErrorCommand extends ReportingCommand {
     /** Options that are read with --whole alone. */
     private static final Set<String> OF_WHOLE_ALONE = Set.of("--part", "--scan", "--beside");
 
+    /** Options that --quick, whose body, mesh and time are its own, does not read or cannot fill a table for. */
+    private static final Set<String> NOT_QUICK = Set.of("--resolution", "--scan", "--beside", "--write");
+
     /** Options that are read with --check. */
     private static final Set<String> OF_CHECK = Set.of("--check", "--debug");
 
@@ -158,12 +161,8 @@ final class BenchErrorCommand extends ReportingCommand {
     @Option(names = "--out", paramLabel = "DIR", description = "Folder for the reports.")
     private Path out;
 
-    @Option(
-            names = "--write",
-            paramLabel = "FILE",
-            description =
-                    "Table to put the rows into, such as data/error/settings.csv, from which run --max-error chooses.")
-    private Path table;
+    @Mixin
+    private MeasuredTableOption table;
 
     @Override
     public Integer call() {
@@ -173,7 +172,7 @@ final class BenchErrorCommand extends ReportingCommand {
         } else {
             requireRead(name -> !name.equals("--made-by"), "without --out, expected both");
         }
-        ReportFolder.requireWritableFile("--write", table);
+        table.requireWritable();
         if (budget.isGiven()) {
             return measureBudget();
         }
@@ -184,9 +183,13 @@ final class BenchErrorCommand extends ReportingCommand {
             simulatedS();
         }
         double most = maxError == null ? Double.NaN : OptionValues.number("--max-error", maxError, 1e-9, 1e3);
-        ErrorTable earlier = table != null && Files.exists(table) ? ErrorTable.read(table) : null;
         List<Scenario> scenarios = scenarios();
         scenarios.forEach(this::grid);
+        table.open(
+                OptionValues.assignments(settings, RESERVED, "the measurement"),
+                scenarios,
+                integrators == null && timeSteps == null && sweeps == null && refreshes == null,
+                scenario -> until == null ? ErrorStudy.breathS(scenario) : simulatedS());
         if (!quick && integrators == null && timeSteps == null) {
             progress().note("All settings take minutes of processor time; --quick takes half a minute.");
         }
@@ -203,9 +206,7 @@ final class BenchErrorCommand extends ReportingCommand {
         if (out != null) {
             write(measured, report);
         }
-        if (table != null) {
-            (earlier == null ? measured : earlier.with(measured)).write(table);
-        }
+        table.put(measured);
         Stream<Scenario> asked = Double.isNaN(most) ? Stream.empty() : scenarios.stream();
         List<String> cheapest =
                 asked.map(s -> measured.cheapest(s, most).sentence()).toList();
@@ -218,6 +219,11 @@ final class BenchErrorCommand extends ReportingCommand {
 
     /** Refuses an option that the kind of measurement does not read. */
     private void requireUsed() {
+        if (quick) {
+            requireRead(
+                    name -> !NOT_QUICK.contains(name),
+                    "with --quick, which measures a coarse sheet for a moment, expected one of the two");
+        }
         if (budget.isGiven()) {
             requireRead(
                     OF_WHOLE::contains,

@@ -82,7 +82,7 @@ public record ErrorStudy(
     }
 
     /** Time of a whole breath, s. */
-    static double breathS(Scenario scenario) {
+    public static double breathS(Scenario scenario) {
         double periodS = scenario.breathing().pattern().periodS();
         return Double.isInfinite(periodS) ? scenario.breathing().pattern().fullDurationS() : periodS;
     }
@@ -213,13 +213,14 @@ public record ErrorStudy(
     }
 
     /** Marks the Pareto front of the points whose error is at least {@code leastMm}. */
-    private static List<ErrorPoint> withParetoFront(List<ErrorPoint> points, double leastMm) {
+    static List<ErrorPoint> withParetoFront(List<ErrorPoint> points, double leastMm) {
         List<ErrorPoint> ranked =
                 points.stream().filter(p -> p.rmsMm() >= leastMm).toList();
         boolean[] front = ParetoFront.of(
                 ranked.stream().mapToDouble(ErrorPoint::cpuS).toArray(),
                 ranked.stream().mapToDouble(ErrorPoint::rmsMm).toArray());
-        List<ErrorPoint> marked = new ArrayList<>(points);
+        List<ErrorPoint> marked = new ArrayList<>(
+                points.stream().map(p -> p.withParetoOptimal(false)).toList());
         for (int i = 0; i < front.length; i++) {
             marked.set(points.indexOf(ranked.get(i)), ranked.get(i).withParetoOptimal(front[i]));
         }

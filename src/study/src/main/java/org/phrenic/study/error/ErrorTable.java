@@ -2,6 +2,9 @@ package org.phrenic.study.error;
 
 import static org.phrenic.study.ReportNumbers.format;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -25,7 +28,13 @@ import org.phrenic.study.ReportNumbers;
  * @param rows in the order of the file
  */
 public record ErrorTable(String name, List<Row> rows) {
+    /** A table without rows. */
+    public static final ErrorTable EMPTY = new ErrorTable("empty table", List.of());
+
     private static final int DIGITS = 4;
+    /** Digits of an error in a message. */
+    private static final int STATED_DIGITS = 3;
+
     private static final List<String> HEADER =
             List.of(("material preset resolution nodes until_s uncertainty_mm integrator time_step_s"
                             + " projection_sweeps refresh_s substeps rms_mm max_mm rms_percent max_percent all_rms_mm"
@@ -59,6 +68,10 @@ public record ErrorTable(String name, List<Row> rows) {
             ErrorPoint point) {
         List<String> scene() {
             return List.of(material, preset, resolution);
+        }
+
+        private Row with(ErrorPoint other) {
+            return new Row(material, preset, resolution, nodes, untilS, uncertaintyMm, rmsPercent, maxPercent, other);
         }
 
         /** Upper bound of the error, mm: the rms distance from the reference and the reference's uncertainty. */
@@ -205,12 +218,62 @@ public record ErrorTable(String name, List<Row> rows) {
                                 + kinds.stream().map(IntegratorKind::label).collect(Collectors.joining(", "))));
     }
 
-    /** Merges two tables. Rows of {@code newer} replace those of the same material, preset and resolution. */
+    /**
+     * Merges two tables. Rows of {@code newer}, which has all settings of its scenes, replace those of the same
+     * material, preset and resolution.
+     */
     public ErrorTable with(ErrorTable newer) {
         List<Row> all = new ArrayList<>(rows);
         all.removeIf(old -> newer.rows.stream().anyMatch(row -> row.scene().equals(old.scene())));
         all.addAll(newer.rows);
         return new ErrorTable(name, all);
+    }
+
+    /**
+     * Merges some settings into their scenes. Rows of {@code newer} replace those of the same scene and setting; the
+     * front of such a scene is that of all its rows.
+     */
+    public ErrorTable withSettings(ErrorTable newer) {
+        List<Row> all = new ArrayList<>(rows);
+        for (Row row : newer.rows) {
+            all.removeIf(old -> old.scene().equals(row.scene())
+                    && old.point().settings().equals(row.point().settings()));
+            all.add(row);
+        }
+        for (List<String> scene : newer.rows.stream().map(Row::scene).distinct().toList()) {
+            List<Row> same =
+                    all.stream().filter(row -> row.scene().equals(scene)).toList();
+            double leastMm = ErrorStudy.RESOLVED
+                    * same.stream().mapToDouble(Row::uncertaintyMm).max().orElseThrow();
+            List<ErrorPoint> marked =
+                    ErrorStudy.withParetoFront(same.stream().map(Row::point).toList(), leastMm);
+            all.removeAll(same);
+            for (int i = 0; i < same.size(); i++) {
+                all.add(same.get(i).with(marked.get(i)));
+            }
+        }
+        return new ErrorTable(name, all);
+    }
+
+    /**
+     * Requires that the rows of a scene, if there are some, are of a simulated time: costs and errors of another do not
+     * compare.
+     *
+     * @throws BadInputException with one sentence, if they are not
+     */
+    public void requireTime(Scenario scenario, double simulatedS) {
+        List<String> scene =
+                List.of(scenario.material().label(), scenario.preset(), ReportNumbers.label(scenario.resolution()));
+        rows.stream()
+                .filter(row -> row.scene().equals(scene))
+                .filter(row -> Math.abs(row.untilS() - simulatedS) > BreathRunner.SAMPLE_S / 2)
+                .findFirst()
+                .ifPresent(row -> {
+                    String stated = SolverSettings.number(row.untilS());
+                    throw new BadInputException(name + ": found rows of " + String.join(", ", scene) + " over "
+                            + stated + " s, expected the " + SolverSettings.number(simulatedS)
+                            + " s of the new ones (--until " + stated + ", or all settings)");
+                });
     }
 
     /** Writes the table in the format of {@link #read}. */
@@ -250,7 +313,7 @@ public record ErrorTable(String name, List<Row> rows) {
                 .orElseThrow(() -> new BadInputException(format(
                         "--max-error: found %s mm, expected at least %.3g mm, the least that was measured for material"
                                 + " %s at resolution %s",
-                        ReportNumbers.trimmed(maxErrorMm, 6), least, material, resolution)));
+                        ReportNumbers.trimmed(maxErrorMm, 6), upward(least), material, resolution)));
         String sentence = format(
                 "For an error of at most %s mm rms of the diaphragm: %s; measured %.3g mm rms (%.2g %% of the"
                         + " excursion), %.3g mm at worst, on a %s breath of the virtual adult male at %s resolution.",
@@ -262,6 +325,13 @@ public record ErrorTable(String name, List<Row> rows) {
                 preset,
                 resolution);
         return new Chosen(row.point().settings(), sentence);
+    }
+
+    /** A bound with as many digits as a message states, not below it: what is stated is accepted. */
+    private static double upward(double mm) {
+        return BigDecimal.valueOf(mm)
+                .round(new MathContext(STATED_DIGITS, RoundingMode.CEILING))
+                .doubleValue();
     }
 
     /**

@@ -68,6 +68,13 @@ class ErrorTableTest {
     }
 
     @Test
+    void theLeastErrorThatARefusalStatesIsAccepted() {
+        ErrorTable table = table(row("quiet", 0.001, 0.0012342, 8));
+        assertThatThrownBy(() -> table.cheapest(PAPER, 0.00123)).hasMessageContaining("at least 0.00124 mm");
+        assertThat(table.cheapest(PAPER, 0.00124).settings().timeStepS()).isEqualTo(0.001);
+    }
+
+    @Test
     void aResolutionThatWasNotMeasuredIsTakenForTheFinestThatWasAndTheSentenceNamesIt() {
         ErrorTable.Chosen chosen = table(row("quiet", 0.005, 0.01, 2)).cheapest(PAPER.with("resolution=high"), 0.05);
         assertThat(chosen.settings().timeStepS()).isEqualTo(0.005);
@@ -90,6 +97,33 @@ class ErrorTableTest {
         old.with(table(row("quiet", 0.005, 0.002, 2))).write(file);
         assertThat(ErrorTable.read(file).rows())
                 .containsExactly(row("deep", 0.01, 0.06, 1), row("quiet", 0.005, 0.002, 2));
+    }
+
+    @Test
+    void someSettingsReplaceTheirRowsAndTheFrontIsThatOfAll() {
+        ErrorTable old = table(row("quiet", 0.01, 0.01, 1), row("quiet", 0.005, 0.002, 2), row("deep", 0.01, 0.06, 1));
+        List<ErrorTable.Row> merged =
+                old.withSettings(table(row("quiet", 0.01, 0.02, 3))).rows();
+        assertThat(merged).hasSize(3).contains(row("deep", 0.01, 0.06, 1), row("quiet", 0.005, 0.002, 2));
+        assertThat(merged)
+                .filteredOn(row ->
+                        row.preset().equals("quiet") && row.point().settings().timeStepS() == 0.01)
+                .singleElement()
+                .satisfies(row -> {
+                    assertThat(row.point().rmsMm()).isEqualTo(0.02);
+                    assertThat(row.point().paretoOptimal()).isFalse();
+                });
+    }
+
+    @Test
+    void rowsOverAnotherTimeAreRefused() {
+        ErrorTable table = table(row("quiet", 0.01, 0.01, 1));
+        table.requireTime(PAPER, 4);
+        table.requireTime(PAPER.with("preset=deep"), 2);
+        assertThatThrownBy(() -> table.requireTime(PAPER, 2))
+                .isInstanceOf(BadInputException.class)
+                .hasMessage("made up: found rows of paper, quiet, low over 4 s, expected the 2 s of the new ones"
+                        + " (--until 4, or all settings)");
     }
 
     @Test
