@@ -32,6 +32,8 @@ class BenchBodiesCommandTest {
         for (String[] bad : new String[][] {
             {},
             {"--random", "-1"},
+            {"--random", "1", "--set", "preset=quiet"},
+            {"--random", "1", "--set", "threads=2"},
             {"--random", "1", "--pictures"},
             {"--random", "1", "--complete", "virtual/adult-female"},
             {"one/scan.nii", "two/scan.nii", "--out", folder.resolve("out").toString()}

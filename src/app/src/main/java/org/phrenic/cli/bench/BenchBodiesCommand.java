@@ -62,6 +62,10 @@ import picocli.CommandLine.Parameters;
             Disclaimer.TEXT
         })
 final class BenchBodiesCommand extends ReportingCommand {
+    /** Scenario keys that the command sets. */
+    private static final Set<String> RESERVED =
+            Set.of("preset", "trace", "anatomy", "resolution", "duration_s", "steps", "threads", "changes", "hold");
+
     private static final int MAX_BODIES = 10_000;
     private static final int THUMBNAIL_WIDTH = 220;
     private static final int THUMBNAIL_HEIGHT = 250;
@@ -105,7 +109,7 @@ final class BenchBodiesCommand extends ReportingCommand {
     @Mixin
     private CoarseResolutionOption resolution;
 
-    @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Any key of a scenario; may be repeated.")
+    @Option(names = "--set", paramLabel = "KEY=VALUE", description = "Any other key of a scenario; may be repeated.")
     private List<String> settings = new ArrayList<>();
 
     @Option(names = "--threads", paramLabel = "N", description = "Bodies at a time; the numbers do not depend on it.")
@@ -178,7 +182,7 @@ final class BenchBodiesCommand extends ReportingCommand {
     private Scenario scenario() {
         List<Assignment> list = new ArrayList<>();
         list.add(resolution.assignment());
-        settings.forEach(text -> list.add(Assignment.parse(text)));
+        list.addAll(OptionValues.assignments(settings, RESERVED, "the measurement"));
         return Scenario.defaults().with(list);
     }
 

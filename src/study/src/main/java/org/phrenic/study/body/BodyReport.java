@@ -4,11 +4,15 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.scenario.Scenario;
 import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.ReportValues;
 
@@ -47,6 +51,9 @@ public final class BodyReport {
             Column.number("structures"),
             Column.number("mean mm"),
             Column.number("95 % mm"));
+
+    /** Keys that are stated elsewhere, or that the numbers do not depend on. */
+    private static final Set<String> SET_BY_STUDY = Set.of("resolution", "threads");
 
     private final BodyStudy study;
 
@@ -118,7 +125,7 @@ public final class BodyReport {
         ReportDocument report =
                 new ReportDocument(imported ? "Imported bodies" : "Bodies that breathe", summary() + ".");
         report.points(provenance.toArray(String[]::new));
-        report.paragraph("One quiet and one deep breath of each body from rest, default numbers, "
+        report.paragraph("One quiet and one deep breath of each body from rest, " + numbers() + ", "
                 + ReportNumbers.label(study.scenario().resolution())
                 + " resolution. Wanted, for a body of an adult's height: domes "
                 + range(BodyLimits.QUIET_LEAST_MM, BodyLimits.QUIET_MOST_MM) + " mm (quiet) and "
@@ -144,6 +151,23 @@ public final class BodyReport {
         compareRibs(report);
         compareSurfaces(report);
         return report;
+    }
+
+    private String numbers() {
+        String given = settings().entrySet().stream()
+                .map(entry -> entry.getKey() + " = " + entry.getValue())
+                .collect(Collectors.joining(", "));
+        return given.isEmpty() ? "default numbers" : "default numbers but for " + given;
+    }
+
+    /** Settings of all breaths that are not the default's, by key. */
+    private Map<String, Object> settings() {
+        Map<String, Object> settings = new LinkedHashMap<>(study.scenario().toMap());
+        Map<String, Object> usual = Scenario.defaults().toMap();
+        settings.entrySet()
+                .removeIf(entry -> SET_BY_STUDY.contains(entry.getKey())
+                        || Objects.equals(entry.getValue(), usual.get(entry.getKey())));
+        return settings;
     }
 
     private void compareRibs(ReportDocument report) {
@@ -239,6 +263,7 @@ public final class BodyReport {
         map.put("notice", Disclaimer.TEXT);
         map.put("passes", study.passes());
         map.put("resolution", ReportNumbers.label(study.scenario().resolution()));
+        map.put("settings", settings());
         List<Map<String, Object>> bodies = new ArrayList<>();
         for (BodyResult body : study.bodies()) {
             Map<String, Object> one = new LinkedHashMap<>();

@@ -3,6 +3,7 @@ package org.phrenic.study.body;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.StructureKind;
@@ -51,6 +52,18 @@ class BodyReportTest {
                         "quiet: returns to 0.51 mm rms",
                         "deep: returns to NaN mm rms",
                         "deep: 3 organ vertices through the diaphragm at full inspiration, spleen by 4.5 mm");
+    }
+
+    @Test
+    void settingsThatAreNotTheDefaultsAreNamed() {
+        BodyReport usual = new BodyReport(new BodyStudy(Scenario.defaults().with("threads=1"), List.of(GOOD)));
+        assertThat(MarkdownPage.format(usual.document(List.of()))).contains("from rest, default numbers, medium");
+        assertThat(usual.values()).containsEntry("settings", Map.of());
+        Scenario other = Scenario.defaults().with("damping_rate_per_s=7", "liver=false", "resolution=low");
+        BodyReport given = new BodyReport(new BodyStudy(other, List.of(GOOD)));
+        assertThat(MarkdownPage.format(given.document(List.of())))
+                .contains("default numbers but for", "liver = false", "damping\\_rate\\_per\\_s = 7");
+        assertThat(given.values().get("settings")).isEqualTo(Map.of("damping_rate_per_s", 7.0, "liver", false));
     }
 
     @Test
