@@ -30,8 +30,8 @@ import org.jfree.data.xy.XYSeriesCollection;
 import org.phrenic.study.error.ErrorTable;
 
 /**
- * A chart of CPU time per breath against error, with one panel per material and logarithmic axes. A line joins the
- * Pareto-optimal settings.
+ * A chart of CPU time against error, with one panel per material and logarithmic axes. A line joins the Pareto-optimal
+ * settings.
  */
 public final class ErrorChart {
     private static final int PANEL_HEIGHT = 560;
@@ -59,8 +59,8 @@ public final class ErrorChart {
                 rows.stream().map(ErrorChart::integrator).distinct().toList();
         double least = rows.stream().mapToDouble(r -> r.point().cpuS()).min().orElse(1);
         double most = rows.stream().mapToDouble(r -> r.point().cpuS()).max().orElse(1);
-        CombinedDomainXYPlot all = new CombinedDomainXYPlot(
-                new DecadeAxis("processor time of a breath, s", least / LABEL_ROOM, 1.3 * most));
+        CombinedDomainXYPlot all =
+                new CombinedDomainXYPlot(new DecadeAxis("processor time, s", least / LABEL_ROOM, 1.3 * most));
         all.setGap(22);
         materials.forEach((material, same) -> {
             int nodes = same.stream().mapToInt(ErrorTable.Row::nodes).max().orElse(0);
@@ -80,7 +80,7 @@ public final class ErrorChart {
         double target = any.material().equals("paper") ? PAPER_TARGET_PERCENT : PHYSICAL_TARGET_PERCENT;
         double low = rows.stream().mapToDouble(ErrorTable.Row::rmsPercent).reduce(target, Math::min);
         double high = rows.stream().mapToDouble(ErrorTable.Row::rmsPercent).reduce(target, Math::max);
-        String label = any.material() + " preset, " + any.resolution()
+        String label = any.material() + ", " + any.preset() + ", " + any.resolution()
                 + " resolution: rms error of the diaphragm, % of excursion";
         XYPlot plot = ChartStyle.panel(new XYPlot());
         plot.setRangeAxis(new DecadeAxis(label, low / 2, high * 2));

@@ -43,7 +43,7 @@ public record ImagingReport(Scenario scenario, List<ImagingStudy.Result> results
                 .orElseThrow();
         return format(
                 "Ultrasound beside the running scene: at least %.1f images/s (wanted: %.0f); a radiograph: at most"
-                        + " %.0f ms (wanted: %.0f), medians of the bodies",
+                        + " %.0f ms (wanted: %.0f); of each body the mean rate and the median time",
                 slowest, LEAST_PER_S, MILLI * longest, MILLI * LONGEST_S);
     }
 
@@ -76,7 +76,7 @@ public record ImagingReport(Scenario scenario, List<ImagingStudy.Result> results
                 "Pictures of 512 x 512 pixels of bodies with their organs at %s resolution. Radiograph: frontal, two"
                         + " threads, nothing else at work. Ultrasound: right intercostal, 150 mm deep, the probe"
                         + " turned by a degree after each image; on two threads alone, and on one thread while the"
-                        + " scene breathes quietly on another at the pace of the clock, each image of its latest"
+                        + " scene breathes quietly on another no faster than the clock, each image of its latest"
                         + " frame. p95: 95 %% of the pictures take no longer.",
                 ReportNumbers.label(scenario.resolution())));
         report.table(

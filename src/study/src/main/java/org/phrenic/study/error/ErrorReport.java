@@ -67,7 +67,8 @@ public final class ErrorReport {
     public static String heading(ErrorStudy study) {
         double[] uncertainty = study.referenceUncertainty();
         int threads = study.scenario().threads();
-        String breath = study.scenario().preset() + " breath of " + SolverSettings.number(study.simulatedS()) + " s";
+        String simulated = SolverSettings.number(study.simulatedS()) + " s of ";
+        String breath = simulated + "a breath, preset " + study.scenario().preset();
         String scene = format(
                 "%s: %d nodes, %s, domes go down %.2f mm, %d thread%s. Reference: %s; with steps twice as long its",
                 title(study),
@@ -107,7 +108,7 @@ public final class ErrorReport {
         ReportDocument page = new ReportDocument(
                 "Speed against error",
                 "Distance of the diaphragm's nodes (and of all nodes) from a reference, ten times a second over"
-                        + " a breath, against the time that the breath takes to compute.");
+                        + " the simulated time, against the processor time that it takes.");
         page.points(provenance.toArray(String[]::new));
         for (ErrorStudy study : studies) {
             page.section(title(study));

@@ -72,6 +72,7 @@ class ErrorStudyTest {
     @Test
     void theReportHasALineASettingAndTheJsonTheSame() {
         assertThat(ErrorReport.cells(study)).hasSameSizeAs(study.points());
+        assertThat(ErrorReport.heading(study)).contains("0.2 s of a breath, preset quiet");
         assertThat(new ErrorReport(List.of(study), Map.of()).values().toString())
                 .contains("reference_halving_rms_mm");
     }
