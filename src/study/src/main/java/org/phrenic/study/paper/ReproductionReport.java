@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.phrenic.anatomy.Resolution;
 import org.phrenic.breathing.pattern.BreathingPreset;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
@@ -14,6 +15,7 @@ import org.phrenic.study.Attempts;
 import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.paper.Claim.Verdict;
 import org.phrenic.study.paper.Reproduction.Run;
+import org.phrenic.study.speed.SpeedCase;
 
 /**
  * Report with every table, figure and claim of the paper in its order, as printed and as reproduced.
@@ -127,8 +129,10 @@ public record ReproductionReport(
     }
 
     private void addProvenance(ReportDocument report) {
-        String resolution = ReportNumbers.label(reproduction.breathResolution());
-        String vertices = ReportNumbers.grouped(reproduction.breathResolution().vertices());
+        Resolution measured = reproduction.breathResolution();
+        String resolution = ReportNumbers.label(measured);
+        String vertices = ReportNumbers.grouped(
+                reproduction.speed().row(measured, SpeedCase.HETEROGENEOUS).vertices());
         report.section("How this was made");
         report.points(provenance.toArray(String[]::new));
         report.paragraph(
