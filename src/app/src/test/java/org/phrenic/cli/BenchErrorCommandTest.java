@@ -146,8 +146,9 @@ class BenchErrorCommandTest {
         assertThat(after).containsAll(before);
         assertThat(after.stream()
                         .filter(row -> !before.contains(row))
-                        .map(row -> row.point().settings().timeStepS()))
-                .contains(0.01, 0.005);
+                        .map(row -> row.point().settings())
+                        .map(s -> s.integrator().label() + " " + s.timeStepS()))
+                .contains("verlet 0.01", "verlet 0.005");
     }
 
     @Test
