@@ -63,8 +63,8 @@ public record BodySection(
     private static final double MIN_LENGTH = 1e-6;
 
     /**
-     * Section in the plane through the needle that is closest to axial. It is viewed from below, as an axial slice: the
-     * patient's right is at the left and the front at the top.
+     * Section in the plane through the needle that is closest to axial, about the middle between entry and target. It
+     * is viewed from below, as an axial slice: the patient's right is at the left and the front at the top.
      */
     public static BodySection alongNeedle(List<Surface> surfaces, Frame frame, NeedleState state) {
         double[] needle = Vectors.normalize(Vectors.subtract(state.tip(), state.hub()));
@@ -75,7 +75,9 @@ public record BodySection(
             up = Vectors.of(-up[0], -up[1], -up[2]);
         }
         double[] entry = state.entry().orElse(state.tip());
-        return cut(surfaces, frame, state, Vectors.lerp(entry, state.target(), 0.5), right, up);
+        double[] middle = Vectors.lerp(entry, state.target(), 0.5);
+        double beside = Vectors.dot(Vectors.subtract(middle, entry), normal);
+        return cut(surfaces, frame, state, Vectors.addScaled(middle, normal, -beside), right, up);
     }
 
     /**
