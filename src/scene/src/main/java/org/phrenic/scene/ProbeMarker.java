@@ -47,8 +47,10 @@ public final class ProbeMarker {
         return Markers.movingBall(MARK);
     }
 
+    /** The housing is symmetric in elevation: its third axis is the one that makes the axes right-handed. */
     static float[] housingPose(ProbePose pose) {
-        return Markers.shapePose(pose.face(), pose.lateral(), pose.axial(), pose.elevation());
+        return Markers.shapePose(
+                pose.face(), pose.lateral(), pose.axial(), Vectors.cross(pose.lateral(), pose.axial()));
     }
 
     static float[] markPose(ProbePose pose) {
