@@ -6,12 +6,15 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.simulation.observe.Surface;
 
 /** The skin of a body, on which places for a probe are found at end-expiration. Its tree is built once. */
 public final class ScannedSkin {
     private static final double TOLERANCE_MM = 5;
+    /** Steps over the curved skin into the plane of a tilted probe. */
+    private static final int PLANE_STEPS = 4;
 
     final Surface surface;
     final int index;
@@ -53,6 +56,25 @@ public final class ScannedSkin {
     public double[] nearestPoint(double[] restMm) {
         TriangleTree.Hit hit = nearest(restMm);
         return new double[] {hit.x, hit.y, hit.z};
+    }
+
+    /**
+     * A point of the skin in the image plane of a probe, at end-expiration, LPS, mm.
+     *
+     * @param held the probe
+     * @param upright the probe with neither tilt nor rock
+     * @param place where the middle of its face is, on the skin
+     * @param lateralMm how far beside that the point is, toward the marker
+     */
+    public double[] inImagePlane(ProbePose held, ProbePose upright, double[] place, double lateralMm) {
+        double[] elevation = held.elevation();
+        double[] sideways = upright.elevation();
+        double[] at = nearestPoint(Vectors.addScaled(place, upright.lateral(), lateralMm));
+        for (int i = 0; i < PLANE_STEPS; i++) {
+            double beside = Vectors.dot(Vectors.subtract(at, held.face()), elevation);
+            at = nearestPoint(Vectors.addScaled(at, sideways, -beside / Vectors.dot(elevation, sideways)));
+        }
+        return at;
     }
 
     /**

@@ -7,9 +7,12 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.Shapes;
+import org.phrenic.mesh.Vectors;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
@@ -45,9 +48,8 @@ class ProbePoseTest {
         assertThat(there).containsExactly(new double[] {4, 5, 6}, ROUNDING);
     }
 
-    @Test
-    void probeOnSkinIsPressedInAndAPlaceOffTheSkinIsRefused() {
-        List<Surface> surfaces = List.of(new Surface(
+    private static List<Surface> roundSkin() {
+        return List.of(new Surface(
                 "skin",
                 StructureKind.SKIN,
                 0,
@@ -55,6 +57,27 @@ class ProbePoseTest {
                 Shapes.sphere(100, 4),
                 Surface.Motion.STILL,
                 new boolean[0]));
+    }
+
+    /** A needle that enters there and points along the plane stays in it. */
+    @ParameterizedTest
+    @CsvSource({"0, 0", "20, 0", "-35, 25", "60, 0"})
+    void theSkinBesideATiltedProbeIsInItsImagePlane(double tiltDeg, double rockDeg) {
+        List<Surface> surfaces = roundSkin();
+        ScannedSkin skin = new ScannedSkin(surfaces);
+        double[] place = skin.nearestPoint(new double[] {0, -100, 0});
+        ProbeOnSkin probe = skin.at(place);
+        Frame frame = Frame.still(surfaces);
+        ProbePose held = probe.pose(frame, new ProbePose.Angles(30, tiltDeg, rockDeg));
+        double[] at = skin.inImagePlane(held, probe.pose(frame, new ProbePose.Angles(30, 0, 0)), place, 42);
+        assertThat(held.toProbe(at)[2]).as("mm out of the plane").isCloseTo(0, within(0.1));
+        assertThat(held.toProbe(at)[0]).as("mm toward the marker").isGreaterThan(30);
+        assertThat(Vectors.distance(at, skin.nearestPoint(at))).isLessThan(1e-6);
+    }
+
+    @Test
+    void probeOnSkinIsPressedInAndAPlaceOffTheSkinIsRefused() {
+        List<Surface> surfaces = roundSkin();
         ProbePose pose =
                 new ProbeOnSkin(surfaces, new double[] {0, -100, 0}).pose(Frame.still(surfaces), ProbePose.Angles.ZERO);
         assertThat(pose.face()[1]).isCloseTo(ProbeOnSkin.PRESS_MM - 100, within(0.5));

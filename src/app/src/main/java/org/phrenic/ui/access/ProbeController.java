@@ -124,8 +124,9 @@ public final class ProbeController {
             rehearsal.note("Put the probe on the skin first (U).");
             return;
         }
-        ProbePose rest = restPose(place.get(), new ProbePose.Angles(angles.rotationDeg(), 0, 0));
-        double[] entry = body().skin().nearestPoint(Vectors.addScaled(place.get(), rest.lateral(), BESIDE_MM));
+        double[] at = place.get();
+        ProbePose upright = restPose(at, new ProbePose.Angles(angles.rotationDeg(), 0, 0));
+        double[] entry = body().skin().inImagePlane(restPose(at, angles), upright, at, BESIDE_MM);
         ProbePose now = state.get().pose();
         double in = StrictMath.toRadians(IN_PLANE_DEG);
         double[] direction = Vectors.addScaled(
