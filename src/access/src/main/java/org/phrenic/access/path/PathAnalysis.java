@@ -66,6 +66,7 @@ public record PathAnalysis(
     public List<String> touches(Set<NoGoZone> avoided) {
         List<String> reasons = new ArrayList<>();
         addIfTouched(reasons, NoGoZone.LUNG, avoided, "crosses lung");
+        int beforeBone = reasons.size();
         if (avoided.contains(NoGoZone.BONE)) {
             approaches.stream()
                     .filter(a -> a.distanceMm() == 0)
@@ -73,7 +74,7 @@ public record PathAnalysis(
                     .filter(label -> label.contains("rib") || label.contains("cartilage"))
                     .forEach(label -> reasons.add("crosses " + label));
         }
-        if (reasons.isEmpty()) {
+        if (reasons.size() == beforeBone) {
             addIfTouched(reasons, NoGoZone.BONE, avoided, "touches bone");
         }
         String vessels = "runs close below " + costalGrooveRib + ", where its vessels and nerve are";

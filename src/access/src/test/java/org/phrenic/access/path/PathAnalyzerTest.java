@@ -41,6 +41,14 @@ class PathAnalyzerTest {
         assertThat(reading.capsuleAngleDeg()).isCloseTo(90, within(1e-3));
     }
 
+    /** The needle is thicker than its path, which runs 0.2 mm below the rib. */
+    @Test
+    void aPathThroughLungTellsTheBoneThatTheNeedleTouchesToo() {
+        scene.update(body.still(0));
+        assertThat(read(29.8).touches(Set.of(NoGoZone.LUNG, NoGoZone.BONE)))
+                .containsExactly("crosses lung", "touches bone");
+    }
+
     @Test
     void anObliquePathIsLongerByTheCosine() {
         scene.update(body.still(0));
