@@ -32,6 +32,7 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.document.report.ReportDocument.Picture;
+import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Surface;
 
 /** The report of a rehearsal, as values for JSON and as a document. */
@@ -155,7 +156,7 @@ public final class RehearsalReport {
         ReportDocument document = new ReportDocument(plan.title(), plan.description());
         document.remark(headline());
         document.paragraph("Date: " + date + ". Body: "
-                + plan.scenario().anatomy() + ". Breathing: " + plan.scenario().preset() + ". Help: "
+                + plan.scenario().anatomy() + ". Breathing: " + breathing(plan.scenario()) + ". Help: "
                 + plan.aids().label().toLowerCase(Locale.ROOT) + ".");
         goals(document);
         attempt(document);
@@ -171,6 +172,10 @@ public final class RehearsalReport {
         String caption = "Where on the skin the target can be reached by a straight path, in per cent of a breath.";
         figure(document, caption, mapPictures);
         return document.section("What the words mean").points(definitions().toArray(String[]::new));
+    }
+
+    private static String breathing(Scenario scenario) {
+        return scenario.trace().map(file -> "recorded, " + file.getFileName()).orElseGet(scenario::preset);
     }
 
     private static void figure(ReportDocument document, String caption, List<Picture> pictures) {

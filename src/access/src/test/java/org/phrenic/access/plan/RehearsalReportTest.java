@@ -2,6 +2,7 @@ package org.phrenic.access.plan;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -17,6 +18,8 @@ import org.phrenic.access.path.TargetAccess;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.document.report.HtmlPage;
 import org.phrenic.engine.parallel.Workers;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 
 class RehearsalReportTest {
@@ -31,16 +34,16 @@ class RehearsalReportTest {
 
     /** The report of samples at these depths on the way to a target of 20 mm in a depth of 90 mm, to be read. */
     private static String report(double... depthsMm) {
-        return report(Needle.standard(), depthsMm);
+        return report(Scenario.defaults(), Needle.standard(), depthsMm);
     }
 
-    private static String report(Needle tube, double... depthsMm) {
+    private static String report(Scenario scenario, Needle tube, double... depthsMm) {
         BoxAnatomy body = new BoxAnatomy();
         MovingAnatomy scene = new MovingAnatomy(body.surfaces);
         scene.update(body.still(0));
         TargetLesion target = TargetLesion.at(scene, new double[] {90, 0, -20}, 20);
         List<BreathMoment> breath = List.of(new BreathMoment(body.still(0), RespiratoryPhase.PAUSE));
-        RehearsalPlan plan = RehearsalPlan.practice(Scenario.defaults(), target, tube, breath.size());
+        RehearsalPlan plan = RehearsalPlan.practice(scenario, target, tube, breath.size());
         try (Workers workers = Workers.of(1)) {
             TargetAccess access = TargetAccess.of(scene, breath, target, plan.needle(), plan.avoided(), workers);
             NeedleInsertion needle = new NeedleInsertion(scene, target, plan.needle(), plan.avoided());
@@ -65,6 +68,14 @@ class RehearsalReportTest {
     }
 
     @Test
+    void theReportNamesThePresetOrTheRecordingThatTheBodyBreathesBy() {
+        assertThat(report(Scenario.defaults().with("preset=deep"), Needle.standard())).contains("Breathing: deep. Help: ");
+        Assignment recording = Assignment.of("test", Breathing.TRACE, Optional.of(Path.of("some", "patient 7.csv")));
+        assertThat(report(Scenario.defaults().with("preset=deep").with(List.of(recording)), Needle.standard()))
+                .contains("Breathing: recorded, patient 7.csv. Help: ");
+    }
+
+    @Test
     void theHeadlineTellsADistanceOfTheSampleThatItsVerdictIsOf() {
         String of = " mm from the middle of a target of 20.0 mm";
         assertThat(report(88)).contains("Hit: the tip was 2.0" + of);
@@ -81,6 +92,6 @@ class RehearsalReportTest {
         String ofTip = "Hit: the tip was within the target";
         String ofCore = "Hit: a part of the core was within the target";
         assertThat(report(75)).contains("Missed: ", ofTip).doesNotContain(ofCore);
-        assertThat(report(core, 75)).contains(ofCore).doesNotContain("Missed: ", ofTip);
+        assertThat(report(Scenario.defaults(), core, 75)).contains(ofCore).doesNotContain("Missed: ", ofTip);
     }
 }
