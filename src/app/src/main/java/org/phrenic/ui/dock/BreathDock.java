@@ -120,7 +120,8 @@ public final class BreathDock extends SessionDock {
         Scenario scenario = session.scenario();
         if (scenario.preset().equals(name)
                 && !scenario.hold()
-                && scenario.trace().isEmpty()) {
+                && scenario.trace().isEmpty()
+                && PRESET_PARAMETERS.stream().allMatch(p -> scenario.get(p).equals(scenario.defaultOf(p)))) {
             return;
         }
         Scenario next = scenario.with("preset=" + name);

@@ -131,8 +131,9 @@ public final class SettingsDock extends JPanel implements Session.Listener {
     }
 
     void restore() {
-        if (list.getSelectedValue() != null) {
-            apply(list.getSelectedValue());
+        String name = list.getSelectedValue();
+        if (name != null) {
+            load(name).ifPresent(stored -> apply(name, stored));
         }
     }
 
@@ -150,16 +151,20 @@ public final class SettingsDock extends JPanel implements Session.Listener {
     void swap() {
         Object name = (secondIsNext ? second : first).getSelectedItem();
         if (name != null) {
-            String left = present.isEmpty() ? "the settings before" : present;
-            boolean kept = overlay.isSelected() && plots.keepBreath(left);
-            boolean none = overlay.isSelected() && !kept;
-            apply((String) name);
-            present = (secondIsNext ? "B: " : "A: ") + name;
-            String sentence = "Now " + present + (none ? "; no whole breath of " + left + " to keep" : "");
-            comparisonLabel.setText("<html>" + Controls.escapeHtml(sentence) + "</html>");
-            secondIsNext = !secondIsNext;
-            showTable();
+            load((String) name).ifPresent(stored -> swapTo((String) name, stored));
         }
+    }
+
+    private void swapTo(String name, Scenario stored) {
+        String left = present.isEmpty() ? "the settings before" : present;
+        boolean kept = overlay.isSelected() && plots.keepBreath(left);
+        boolean none = overlay.isSelected() && !kept;
+        apply(name, stored);
+        present = (secondIsNext ? "B: " : "A: ") + name;
+        String sentence = "Now " + present + (none ? "; no whole breath of " + left + " to keep" : "");
+        comparisonLabel.setText("<html>" + Controls.escapeHtml(sentence) + "</html>");
+        secondIsNext = !secondIsNext;
+        showTable();
     }
 
     private void onOverlay() {
@@ -189,13 +194,27 @@ public final class SettingsDock extends JPanel implements Session.Listener {
         return first;
     }
 
+    /** What is said of the settings compared. */
+    String comparison() {
+        return comparisonLabel.getText();
+    }
+
     JComboBox<String> secondChoice() {
         return second;
     }
 
-    private void apply(String name) {
+    /** Settings that are stored; empty, with a message, if they cannot be read. */
+    private Optional<Scenario> load(String name) {
+        try {
+            return Optional.of(store.load(name));
+        } catch (RuntimeException failure) {
+            session.refuse(failure.getMessage());
+            return Optional.empty();
+        }
+    }
+
+    private void apply(String name, Scenario stored) {
         reportingErrors(() -> {
-            Scenario stored = store.load(name);
             EditName change = EditName.of("Settings '" + name + "'");
             // Settings that differ in live parameters alone change without reloading the scene.
             Optional<List<Assignment>> live = session.scenario().liveChangesTo(stored, "window");

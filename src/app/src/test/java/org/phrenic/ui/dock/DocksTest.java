@@ -331,6 +331,25 @@ class DocksTest {
         EventThread.until("the button is up", () -> !dock.holdButton().isSelected());
     }
 
+    /** The first settings have a rate of their own. */
+    @Test
+    void theSelectedPresetTakesBackTheRateThatWasSetByHand() {
+        BreathDock dock = on(() -> new BreathDock(session));
+        EventThread.run(() -> dock.selectPreset(FIRST.preset()));
+        Scenario back = on(() -> session.scenario());
+        assertThat(back.get(Breathing.RATE))
+                .isEqualTo(back.breathing().parameters().ratePerMin());
+        String undo = on(() -> session.edits().undoPresentationName().orElseThrow());
+        EventThread.run(() -> session.edits().undo());
+        EventThread.run(() -> dock.selectPreset(FIRST.preset()));
+        EventThread.run(() -> dock.selectPreset(FIRST.preset()));
+        EventThread.run(() -> session.edits().undo());
+        assertThat(undo).contains("Breathing");
+        assertThat(on(() -> session.scenario()))
+                .as("one press more changes nothing")
+                .isEqualTo(FIRST);
+    }
+
     @Test
     void aFileThatIsNoTraceIsRefusedInOneSentence(@TempDir Path folder) throws Exception {
         Path bad = Files.writeString(folder.resolve("bad.csv"), "hello,world\n1,2\n");
@@ -426,6 +445,23 @@ class DocksTest {
         EventThread.run(dock::swap);
         assertThat(on(() -> session.scenario().get(Breathing.DEPTH))).isEqualTo(1.3);
         assertThat(on(() -> session.scene().orElseThrow().id())).isEqualTo(scene);
+    }
+
+    @Test
+    void settingsThatCannotBeReadAreNotSaidToBePresent(@TempDir Path folder) throws Exception {
+        ScenarioStore store = new ScenarioStore(folder);
+        String[] name = {"one"};
+        SettingsDock dock = on(() -> settings(store, name, question -> false, new PlotDock(session)));
+        EventThread.run(dock::save);
+        name[0] = "other";
+        EventThread.run(dock::save);
+        try (Stream<Path> files = Files.list(folder)) {
+            for (Path file : files.toList()) {
+                Files.delete(file);
+            }
+        }
+        EventThread.run(dock::swap);
+        assertThat(on(() -> dock.comparison())).doesNotContain("Now");
     }
 
     private static SettingsDock settings(
