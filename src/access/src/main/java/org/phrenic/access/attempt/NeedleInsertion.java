@@ -320,7 +320,7 @@ public final class NeedleInsertion {
     }
 
     public TargetingError targetingError() {
-        return TargetingError.of(shaft.tip(), shaft.direction(), targetNow(), target, needle.coreMm());
+        return TargetingError.of(shaft, targetNow(), target, needle.coreMm());
     }
 
     /** Current warnings, as short phrases: touched zones and displaced capsule. */

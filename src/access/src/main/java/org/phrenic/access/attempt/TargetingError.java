@@ -12,16 +12,19 @@ import org.phrenic.mesh.Vectors;
  *
  * @param axialMm distance from the sample to the centre along the needle, mm; negative if the sample is past the centre
  * @param lateralMm distance of the centre from the axis of the needle, mm
- * @param hit whether the tip, or a part of the core, is inside the target
+ * @param hit whether the tip is in the liver and inside the target, or a part of the core inside the target
  * @param coreInTargetMm length of the core inside the target, mm; empty without a core
  */
 public record TargetingError(double axialMm, double lateralMm, boolean hit, OptionalDouble coreInTargetMm) {
-    static TargetingError of(double[] tip, double[] direction, double[] centre, TargetLesion target, double coreMm) {
-        double[] d = Vectors.subtract(centre, tip);
+    /** Of a needle in its pose, to the place of the target's centre. */
+    static TargetingError of(NeedleShaft needle, double[] centre, TargetLesion target, double coreMm) {
+        double[] direction = needle.direction();
+        double[] d = Vectors.subtract(centre, needle.tip());
         double axial = Vectors.dot(d, direction);
         double lateral = Vectors.length(Vectors.addScaled(d, direction, -axial));
         if (coreMm == 0) {
-            return new TargetingError(axial, lateral, Vectors.length(d) <= target.radiusMm(), OptionalDouble.empty());
+            boolean hit = needle.isTipAnchored() && Vectors.length(d) <= target.radiusMm();
+            return new TargetingError(axial, lateral, hit, OptionalDouble.empty());
         }
         double inTarget = chord(axial, lateral, target.radiusMm(), coreMm);
         return new TargetingError(axial - coreMm / 2, lateral, inTarget > 0, OptionalDouble.of(inTarget));

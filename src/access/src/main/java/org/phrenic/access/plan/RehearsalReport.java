@@ -136,7 +136,8 @@ public final class RehearsalReport {
         return (core
                         ? "Hit: a part of the core was within the target when a sample was taken. Axial: from the"
                                 + " middle of the core along the needle"
-                        : "Hit: the tip was within the target when a sample was taken. Axial: along the needle")
+                        : "Hit: the tip was in the liver and within the target when a sample was taken. Axial: along"
+                                + " the needle")
                 + ", positive where the target's middle lies deeper; lateral: distance of the middle from the needle's"
                 + " line.";
     }

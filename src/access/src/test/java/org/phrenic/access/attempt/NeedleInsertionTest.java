@@ -79,6 +79,26 @@ class NeedleInsertionTest {
         }
     }
 
+    /**
+     * The capsule lies in a depth of 40 mm and is pushed by 3.5 mm before it is cut; the target begins in one of 38 mm.
+     */
+    @Test
+    void aTipThatPushesTheCapsuleIntoTheTargetIsNoHit() {
+        for (double depth : new double[] {39, 42, 45}) {
+            scene.update(body.still(0));
+            TargetLesion target = TargetLesion.at(scene, new double[] {48, 0, 0}, 20);
+            NeedleInsertion session = new NeedleInsertion(scene, target, Needle.standard(), NoGoZone.defaults());
+            session.update(body.still(0), RespiratoryPhase.PAUSE);
+            session.place(new double[] {0, 0, 0}, session.targetNow());
+            session.advance(depth, AT_ONCE);
+            session.update(body.still(FRAME_S), RespiratoryPhase.PAUSE);
+            assertThat(session.shaft().depth()).isEqualTo(depth);
+            assertThat(session.sample().hit())
+                    .as("at a depth of " + depth + " mm")
+                    .isEqualTo(depth == 45);
+        }
+    }
+
     /** 6 mm beside the middle of a ball of 20 mm, the line is within it from 8 mm before to 8 mm behind the middle. */
     @Test
     void aCoreCountsByItsLengthInTheTarget() {

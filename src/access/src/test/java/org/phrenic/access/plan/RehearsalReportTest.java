@@ -89,7 +89,7 @@ class RehearsalReportTest {
     @Test
     void theDefinitionOfAHitIsThatOfTheNeedle() {
         Needle core = new Needle(18, Needle.standard().lengthMm(), 20);
-        String ofTip = "Hit: the tip was within the target";
+        String ofTip = "Hit: the tip was in the liver and within the target";
         String ofCore = "Hit: a part of the core was within the target";
         assertThat(report(75)).contains("Missed: ", ofTip).doesNotContain(ofCore);
         assertThat(report(Scenario.defaults(), core, 75)).contains(ofCore).doesNotContain("Missed: ", ofTip);
