@@ -342,7 +342,7 @@ public final class PhrenicWindow {
             } else {
                 banner.show(message);
             }
-            loading.setVisible(loading.isVisible() && message.kind() == Session.Message.Kind.NOTE);
+            loading.setVisible(loading.isVisible() && session.live().isLoading());
         }
     }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.awt.Component;
+import java.awt.Container;
 import java.awt.Window;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
@@ -249,6 +250,31 @@ class WindowTest {
         assertThat(WindowHarness.onEdt(
                         () -> window.session().scene().orElseThrow().nodes()))
                 .isGreaterThan(nodes);
+    }
+
+    private static Optional<Component> named(Container at, String name) {
+        return Stream.of(at.getComponents())
+                .flatMap(part -> name.equals(part.getName())
+                        ? Stream.of(part)
+                        : part instanceof Container inner ? named(inner, name).stream() : Stream.empty())
+                .findFirst();
+    }
+
+    @Test
+    void theProgressOfASceneThatLoadsStaysThroughARefusal() throws Exception {
+        asAtFirst();
+        long before = id();
+        Component progress =
+                named(window.window().frame().getRootPane(), "loading").orElseThrow();
+        WindowHarness.doOnEdt(() -> window.session().open("Medium", start().with("resolution=medium")));
+        WindowHarness.await("the progress", () -> WindowHarness.onEdt(progress::isVisible));
+        boolean loads = WindowHarness.onEdt(() -> {
+            window.session().refuse("Something else is refused.");
+            return window.session().live().isLoading();
+        });
+        assertThat(WindowHarness.onEdt(progress::isVisible) || !loads).isTrue();
+        reloaded("medium", before);
+        WindowHarness.await("its end", () -> WindowHarness.onEdt(() -> !progress.isVisible()));
     }
 
     private static String title() {
