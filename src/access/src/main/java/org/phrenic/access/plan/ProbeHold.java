@@ -27,8 +27,10 @@ public record ProbeHold(
     /** Greatest tilt and rock to either side, degrees. */
     public static final double MOST_TILT_DEG = 80;
 
-    private static final double MOST_GAIN_DB = 60;
-    private static final double MOST_DEPTH_GAIN = 2;
+    /** Greatest overall gain, and attenuation, dB. */
+    public static final double MOST_GAIN_DB = 60;
+    /** Greatest time-gain compensation, dB/cm at 1 MHz. */
+    public static final double MOST_DEPTH_GAIN = 2;
 
     /** A probe on a point of the skin, given at end-expiration. */
     public static ProbeHold at(double[] pointRest, ProbePose.Angles angles, UltrasoundSettings settings) {

@@ -78,14 +78,18 @@ public final class UltrasoundDock extends AccessPanel {
         addSetting(
                 controls,
                 new String[] {"Depth", "Depth of the image, mm", "%.0f mm"},
-                new int[] {60, 240, 150},
+                new int[] {
+                    (int) UltrasoundSettings.LEAST_DEPTH_MM,
+                    (int) UltrasoundSettings.GREATEST_DEPTH_MM,
+                    (int) UltrasoundSettings.DEFAULT.depthMm()
+                },
                 1,
                 UltrasoundSettings::depthMm,
                 mm -> s -> s.withDepth(mm));
         addSetting(
                 controls,
                 new String[] {"Gain", "Overall gain, dB", "%.0f dB"},
-                new int[] {-30, 30, 0},
+                new int[] {(int) -ProbeHold.MOST_GAIN_DB, (int) ProbeHold.MOST_GAIN_DB, 0},
                 1,
                 UltrasoundSettings::gainDb,
                 db -> s -> s.withGain(db));
@@ -96,8 +100,12 @@ public final class UltrasoundDock extends AccessPanel {
                     "Time-gain compensation: the attenuation that it makes up for, dB/cm at 1 MHz",
                     "%.2f dB/cm"
                 },
-                new int[] {0, 30, 10},
-                0.05,
+                new int[] {
+                    0,
+                    (int) Math.round(ProbeHold.MOST_DEPTH_GAIN / DEPTH_GAIN_STEP),
+                    (int) Math.round(UltrasoundSettings.DEFAULT.depthGainDbPerCmMhz() / DEPTH_GAIN_STEP)
+                },
+                DEPTH_GAIN_STEP,
                 UltrasoundSettings::depthGainDbPerCmMhz,
                 db -> s -> s.withDepthGain(db));
         addSlider(
@@ -112,11 +120,22 @@ public final class UltrasoundDock extends AccessPanel {
     }
 
     private static final double LATENCY_STEP_S = 0.025;
+    /** Step of the time gain, dB/cm at 1 MHz. */
+    private static final double DEPTH_GAIN_STEP = 0.05;
 
-    /** A slider of the scanner, and the value that it shows. */
-    private record Setting(JSlider slider, double perStep, ToDoubleFunction<UltrasoundSettings> value) {
+    /** A slider, its value beside it and that value's format. */
+    private record Row(JSlider slider, JLabel text, String format, double perStep) {
+        void tell(double value) {
+            text.setText(NumberFormats.text(format, value));
+        }
+    }
+
+    /** A slider of the scanner, and the value that it shows; the knob is at the step nearest to it. */
+    private record Setting(Row row, ToDoubleFunction<UltrasoundSettings> value) {
         void show(UltrasoundSettings shown) {
-            slider.setValue((int) Math.round(value.applyAsDouble(shown) / perStep));
+            double exact = value.applyAsDouble(shown);
+            row.slider.setValue((int) Math.round(exact / row.perStep));
+            row.tell(exact);
         }
     }
 
@@ -128,12 +147,12 @@ public final class UltrasoundDock extends AccessPanel {
             double perStep,
             ToDoubleFunction<UltrasoundSettings> value,
             DoubleFunction<UnaryOperator<UltrasoundSettings>> change) {
-        JSlider slider = addSlider(panel, texts, range, perStep, to -> {
+        Row row = addSlider(panel, texts, range, perStep, to -> {
             if (!updating) {
                 probe.changeSettings(change.apply(to));
             }
         });
-        settings.add(new Setting(slider, perStep, value));
+        settings.add(new Setting(row, value));
     }
 
     /**
@@ -142,20 +161,21 @@ public final class UltrasoundDock extends AccessPanel {
      * @param texts name, tooltip and format of its value
      * @param range least, greatest and first position
      */
-    private static JSlider addSlider(JPanel panel, String[] texts, int[] range, double perStep, DoubleConsumer set) {
+    private static Row addSlider(JPanel panel, String[] texts, int[] range, double perStep, DoubleConsumer set) {
         String name = texts[0];
         String tip = texts[1];
         String format = texts[2];
         JSlider slider = Controls.describe(Controls.slider(range[0], range[1], range[2]), name, tip);
-        JLabel value = new JLabel(NumberFormats.text(format, perStep * range[2]));
+        Row row = new Row(slider, new JLabel(), format, perStep);
+        row.tell(perStep * range[2]);
         slider.addChangeListener(e -> {
-            value.setText(NumberFormats.text(format, perStep * slider.getValue()));
+            row.tell(perStep * slider.getValue());
             set.accept(perStep * slider.getValue());
         });
         panel.add(new JLabel(name));
         panel.add(slider, "wmin 0");
-        panel.add(value, "wmin 0");
-        return slider;
+        panel.add(row.text, "wmin 0");
+        return row;
     }
 
     private void showGuide() {
@@ -172,12 +192,23 @@ public final class UltrasoundDock extends AccessPanel {
         put.setSelected(rehearsal.pickMode().mode() == PickMode.Kind.PROBE);
         setEnabled(isReady(), put);
         setEnabled(isReady() && held, lift, beside, turnLeft, turnRight);
-        settings.forEach(setting -> setEnabled(!isPlayed(), setting.slider()));
+        settings.forEach(setting -> setEnabled(!isPlayed(), setting.row.slider));
         view.setOutlined(rehearsal.pictures().aids() != Aids.PICTURES);
         if (!held && isReady()) {
-            view.show(Optional.empty(), NO_PROBE);
+            view.show(Optional.empty(), hint());
         }
         showProbe();
+    }
+
+    /** The images of the attempt before are not its own. */
+    @Override
+    public void onAttemptStarted() {
+        view.show(Optional.empty(), hint());
+    }
+
+    /** What to do for an image; nothing where the probe is held or a plan holds it. */
+    private String hint() {
+        return isPlayed() || probe.hold().isPresent() ? "" : NO_PROBE;
     }
 
     private boolean isPlayed() {
@@ -186,7 +217,7 @@ public final class UltrasoundDock extends AccessPanel {
 
     @Override
     public void onUltrasound(Optional<UltrasoundShot> shot) {
-        view.show(shot, NO_PROBE);
+        view.show(shot, hint());
     }
 
     @Override

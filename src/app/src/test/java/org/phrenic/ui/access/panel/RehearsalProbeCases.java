@@ -72,7 +72,7 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
         return WindowHarness.onEdt(() -> descendant(window.window().frame().getRootPane(), UltrasoundDock.class));
     }
 
-    private static <T> T descendant(java.awt.Container at, Class<T> kind) {
+    static <T> T descendant(java.awt.Container at, Class<T> kind) {
         for (java.awt.Component child : at.getComponents()) {
             T found = kind.isInstance(child)
                     ? kind.cast(child)
@@ -210,7 +210,7 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
             set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, lungs: embedded, sternum: kinematic, threads: 1}
             target: {rest_mm: [%s], diameter_mm: 14}
             steps:
-              - probe: {skin: right-subcostal, rotate_deg: 90, tilt_deg: 20, depth_mm: 200, gain_db: 10}
+              - probe: {skin: right-subcostal, rotate_deg: 90, tilt_deg: 20, depth_mm: 280, gain_db: 10}
               - wait: 600
             """;
 
@@ -232,7 +232,7 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
                 () -> WindowHarness.find(ultrasound(), JSlider.class, "Depth").orElseThrow());
         JLabel angles = WindowHarness.onEdt(() -> labelOf(ultrasound(), "Rotated"));
         clinic.until("the angles", () -> angles.getText().startsWith("Rotated 90\u00b0, tilted 20\u00b0"));
-        assertThat(WindowHarness.onEdt(depth::getValue)).isEqualTo(200);
+        assertThat(WindowHarness.onEdt(depth::getValue)).isEqualTo(280);
         window.screenshot("rehearse-played-probe");
         assertThat(WindowHarness.onEdt(() -> rehearsal().probe().settings().depthMm()))
                 .as("what the hand has chosen stays")
