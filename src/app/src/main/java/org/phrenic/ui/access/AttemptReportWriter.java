@@ -39,14 +39,15 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize) {
     /**
      * Writes the files in the background; pictures are drawn between the frames of the view.
      *
+     * @param date when the attempt ended, as text
      * @param done gets the reason of a failure, or an empty text, on the event dispatch thread
      */
-    public void save(Rehearsal rehearsal, Path folder, Consumer<String> done) {
+    public void save(Rehearsal rehearsal, String date, Path folder, Consumer<String> done) {
         FileWrites.execute(
-                "the report in " + folder, Executors.callable(() -> write(rehearsal, folder), ""), done, done);
+                "the report in " + folder, Executors.callable(() -> write(rehearsal, date, folder), ""), done, done);
     }
 
-    private void write(Rehearsal rehearsal, Path folder) {
+    private void write(Rehearsal rehearsal, String date, Path folder) {
         List<Picture> needle = new ArrayList<>();
         List<Picture> map = new ArrayList<>();
         String title = rehearsal.plan().title();
@@ -66,7 +67,7 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize) {
         RehearsalPlan plan = rehearsal.plan();
         YamlWriter.write(folder.resolve("scenario.yaml"), plan.scenario().toMap());
         YamlWriter.write(folder.resolve("plan.yaml"), plan.toMap("scenario.yaml"));
-        String html = HtmlPage.format(report.document(needle, map, RehearsalReport.dateNow()));
+        String html = HtmlPage.format(report.document(needle, map, date));
         AtomicFile.write(folder.resolve("report.html"), html);
         JsonWriter.write(folder.resolve("report.json"), report.values());
     }

@@ -24,6 +24,7 @@ import net.miginfocom.swing.MigLayout;
 import org.phrenic.access.attempt.AttemptRecord;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.access.plan.RehearsalReport;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.OutputException;
 import org.phrenic.ui.access.AttemptHistory;
@@ -42,6 +43,9 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
 
     private record Column(String name, String tip, int width, Function<Rehearsal, String> text) {}
 
+    /** @param date when it ended, as text */
+    private record Ended(Rehearsal attempt, String date) {}
+
     private static final List<Column> COLUMNS = List.of(
             new Column("", "Number of the attempt", 22, null),
             new Column("Exercise", "What is rehearsed", 92, r -> r.plan().title()),
@@ -58,7 +62,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
     private final transient AttemptReportWriter writer;
     private final transient Supplier<Optional<Path>> chooser;
     private transient Optional<AttemptHistory> history = Optional.empty();
-    private final transient List<Rehearsal> attempts = new ArrayList<>();
+    private final transient List<Ended> attempts = new ArrayList<>();
     private final Model model = new Model();
     private final JTable table = new JTable(model) {
         @Override
@@ -124,7 +128,8 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
         for (int i = 0; i < COLUMNS.size(); i++) {
             table.getColumnModel().getColumn(i).setPreferredWidth(COLUMNS.get(i).width);
         }
-        table.getSelectionModel().addListSelectionListener(e -> selected().ifPresent(this::show));
+        table.getSelectionModel()
+                .addListSelectionListener(e -> selected().map(Ended::attempt).ifPresent(this::show));
         JScrollPane scroll = new JScrollPane(table);
         scroll.setPreferredSize(new Dimension(200, 160));
         return scroll;
@@ -142,7 +147,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
         return NumberFormats.text("%.1f", value);
     }
 
-    private Optional<Rehearsal> selected() {
+    private Optional<Ended> selected() {
         int row = table.getSelectedRow();
         return row < 0 ? Optional.empty() : Optional.of(attempts.get(row));
     }
@@ -197,16 +202,16 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
     @Override
     public void onAttemptEnded(Rehearsal attempt) {
         keep(attempt);
-        attempts.add(attempt);
+        attempts.add(new Ended(attempt, RehearsalReport.dateNow()));
         model.fireTableRowsInserted(attempts.size() - 1, attempts.size() - 1);
         table.setRowSelectionInterval(attempts.size() - 1, attempts.size() - 1);
     }
 
-    private void save(Rehearsal attempt) {
+    private void save(Ended ended) {
         chooser.get().ifPresent(folder -> {
             save.setEnabled(false);
             session.note("Writing the report into " + folder + ".");
-            writer.save(attempt, folder, problem -> {
+            writer.save(ended.attempt, ended.date, folder, problem -> {
                 save.setEnabled(true);
                 if (problem.isEmpty()) {
                     session.note("Saved " + folder.resolve("report.html") + ".");
@@ -218,7 +223,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
     }
 
     List<Rehearsal> attempts() {
-        return List.copyOf(attempts);
+        return attempts.stream().map(Ended::attempt).toList();
     }
 
     ReportCard card() {
@@ -243,7 +248,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
 
         @Override
         public Object getValueAt(int row, int column) {
-            return column == 0 ? row + 1 : COLUMNS.get(column).text.apply(attempts.get(row));
+            return column == 0 ? row + 1 : COLUMNS.get(column).text.apply(attempts.get(row).attempt);
         }
     }
 }

@@ -80,10 +80,12 @@ class RehearsalWindowTest extends RehearsalProbeCases {
         assertThat(WindowHarness.onEdt(() -> attempts().card().text())).startsWith("Hit");
         Path report = folder.resolve("report");
         String[] problem = new String[1];
-        WindowHarness.doOnEdt(() -> clinic.smallPictures().save(attempt, report, said -> problem[0] = said));
+        WindowHarness.doOnEdt(
+                () -> clinic.smallPictures().save(attempt, "2026-01-02 03:04", report, said -> problem[0] = said));
         until("the report", () -> problem[0] != null);
         assertThat(problem[0]).isEmpty();
-        assertThat(Files.readString(report.resolve("report.html"))).contains("Not for clinical use");
+        assertThat(Files.readString(report.resolve("report.html")))
+                .contains("Not for clinical use", "Date: 2026-01-02 03:04.");
         if (!window.window().view().isUnavailable()) {
             assertThat(report.resolve("sample_section.png")).exists();
         }
