@@ -6,6 +6,7 @@ import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.attempt.NeedleLoad;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.mesh.Vectors;
 
 /**
  * State of a live rehearsal at one frame, for display. Positions are LPS, mm. Arrays are read-only.
@@ -16,7 +17,8 @@ import org.phrenic.breathing.RespiratoryPhase;
  * @param hub hub of the needle; before placement, of the planned needle
  * @param tip tip of the needle; before placement, of the planned needle
  * @param depthMm depth of the tip below the skin, mm
- * @param aimedDepthMm depth of the target along the needle, mm; before placement, measured from the entry point
+ * @param aimedDepthMm length of the path that is judged, mm: the depth to which a placed needle is aimed, or that of
+ *     its tip if it is deeper; before placement, the depth of the target
  * @param targetingError targeting error; empty before placement
  * @param reasons reasons why the path from the skin to the target, or to the aimed depth of a placed needle, is not
  *     free, as text; empty if it is free
@@ -59,5 +61,11 @@ public record NeedleState(
     /** Whether there is a needle to display. */
     public boolean hasNeedle() {
         return entry.isPresent();
+    }
+
+    /** Depth at which the needle passes nearest to the target where that is at the moment, mm; at least 1. */
+    public double targetDepthMm() {
+        double[] toTarget = Vectors.subtract(target, entry.orElse(target));
+        return Math.max(1, Vectors.dot(toTarget, angles.direction()));
     }
 }

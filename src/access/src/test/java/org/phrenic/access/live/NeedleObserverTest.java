@@ -1,6 +1,7 @@
 package org.phrenic.access.live;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -63,6 +64,25 @@ class NeedleObserverTest {
         if (!free) {
             assertThat(state.reasons()).containsExactly("is longer than the needle of 89 mm");
         }
+    }
+
+    /** Going to the target withdraws a tip that is behind it, and follows a liver that has moved since it was aimed. */
+    @Test
+    void theDepthOfTheTargetIsWhereItIsAndNotWhereTheTipIs() {
+        NeedleInsertion needle = needle(150);
+        needle.update(body.still(0), RespiratoryPhase.PAUSE);
+        needle.place(ENTRY, TARGET);
+        needle.advance(110, 1000);
+        needle.update(body.still(1), RespiratoryPhase.PAUSE);
+        NeedleState deep = state(needle, 90);
+        assertThat(deep.depthMm()).isEqualTo(110);
+        assertThat(deep.aimedDepthMm()).as("the path that is judged").isEqualTo(110);
+        assertThat(deep.targetDepthMm()).isCloseTo(90, within(1e-9));
+
+        needle.advance(10, 1000);
+        needle.update(body.still(2), RespiratoryPhase.PAUSE);
+        needle.update(body.frame(3, 0, new double[] {7, 0, 0}, 0, 0), RespiratoryPhase.PAUSE);
+        assertThat(state(needle, 90).targetDepthMm()).isCloseTo(97, within(1e-6));
     }
 
     /** Places along a slanting needle are known but for rounding; that makes no needle too short for its own length. */

@@ -23,7 +23,7 @@ import org.phrenic.ui.session.Session;
  * An attempt in the run, by hand or played, from its start to its report. Used on the event dispatch thread, except
  * {@link #state}.
  */
-final class AttemptRunner implements AutoCloseable {
+final class AttemptRunner implements Session.Listener, AutoCloseable {
     private final Session session;
     private final BackgroundWorker work;
     private final RehearsalController controller;
@@ -37,6 +37,22 @@ final class AttemptRunner implements AutoCloseable {
         this.session = session;
         this.work = work;
         this.controller = controller;
+        session.addListener(this);
+    }
+
+    /**
+     * An attempt whose breath is held or released by an edit begins again, after what else follows from that: the plan
+     * that it keeps would not repeat it.
+     */
+    @Override
+    public void onHoldEdited() {
+        SwingUtilities.invokeLater(() -> {
+            boolean shows = controller.stage() == RehearsalStage.PLAYING;
+            if (rehearsal != null && (shows || (controller.stage() == RehearsalStage.READY && !isPlayed))) {
+                session.note("The attempt begins again: the breath was held or released without a step of it.");
+                controller.startAttempt(shows);
+            }
+        });
     }
 
     /**
@@ -73,6 +89,7 @@ final class AttemptRunner implements AutoCloseable {
                                         : attempt.toPlan(
                                                 plan.with(controller.pictures().mostHelp())),
                                 attempt);
+                        controller.pictures().end();
                         controller.onAttemptEnded(played);
                     }
                 });

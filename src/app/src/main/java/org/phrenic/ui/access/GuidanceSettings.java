@@ -20,6 +20,8 @@ public final class GuidanceSettings {
     private volatile ArmAngles armAngles = new ArmAngles(0, 0);
     private volatile Aids aids = Aids.SEE_THROUGH;
     private Aids mostHelp = Aids.SEE_THROUGH;
+    /** Whether an attempt has ended in this run and the needle of the next is not placed. */
+    private boolean awaitsNeedle;
 
     public double latencyS() {
         return latencyS;
@@ -60,6 +62,20 @@ public final class GuidanceSettings {
     /** Begins an attempt. */
     void begin() {
         mostHelp = aids;
+        awaitsNeedle = false;
+    }
+
+    /** Ends an attempt; the next in the same run begins when its needle is placed. */
+    void end() {
+        begin();
+        awaitsNeedle = true;
+    }
+
+    /** The needle is placed on the skin. */
+    void place() {
+        if (awaitsNeedle) {
+            begin();
+        }
     }
 
     /** The most help that has been shown in the attempt. */

@@ -61,8 +61,11 @@ public final class NeedleController {
         if (canMove()) {
             double lengthMm = rehearsal.plan().orElseThrow().needle().lengthMm();
             commandedDepthMm = Math.max(0, Math.min(lengthMm, depthMm));
-            if (commandedDepthMm > 0
-                    || rehearsal.state().filter(NeedleState::placed).isPresent()) {
+            boolean placed = rehearsal.state().filter(NeedleState::placed).isPresent();
+            if (!placed && commandedDepthMm > 0) {
+                rehearsal.pictures().place();
+            }
+            if (commandedDepthMm > 0 || placed) {
                 command(needle -> needle.moveTo(commandedDepthMm, speedMmPerS));
             }
         } else if (rehearsal.usableNeedle().isPresent()) {
@@ -91,8 +94,9 @@ public final class NeedleController {
         return canMove();
     }
 
+    /** Moves the tip, forward or back, to where the needle passes nearest to the target. */
     public void moveToTarget() {
-        rehearsal.state().ifPresent(now -> moveTo(now.aimedDepthMm()));
+        rehearsal.state().ifPresent(now -> moveTo(now.targetDepthMm()));
     }
 
     public void setSpeedMmPerS(double speed) {

@@ -16,19 +16,24 @@ final class EditedScenario {
     private final LiveRun live;
     private final EditHistory edits;
     private final Supplier<Scenario> present;
+    private final Runnable onHold;
     private Scenario requested;
     /** Changes made, undone or redone whose scene loads, the oldest first, and what takes each back in the history. */
     private final Map<UndoableEdit, Runnable> loading = new LinkedHashMap<>();
     /** The values before these. */
     private Scenario before;
 
-    /** @param present gives the present values */
-    EditedScenario(Scenario first, LiveRun live, EditHistory edits, Supplier<Scenario> present) {
+    /**
+     * @param present gives the present values
+     * @param onHold is called when a change holds or releases the breath
+     */
+    EditedScenario(Scenario first, LiveRun live, EditHistory edits, Supplier<Scenario> present, Runnable onHold) {
         requested = first;
         before = first;
         this.live = live;
         this.edits = edits;
         this.present = present;
+        this.onHold = onHold;
     }
 
     /** The values that were requested last. */
@@ -58,9 +63,13 @@ final class EditedScenario {
     }
 
     private void setValues(List<Assignment> assignments) {
-        Scenario next = present.get().with(assignments);
+        Scenario now = present.get();
+        Scenario next = now.with(assignments);
         live.change(assignments);
         requested = next;
+        if (next.hold() != now.hold()) {
+            onHold.run();
+        }
     }
 
     /** Loads another scenario, instead of one that still loads. */

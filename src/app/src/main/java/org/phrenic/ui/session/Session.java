@@ -44,6 +44,9 @@ public final class Session implements AutoCloseable {
         /** Values of the scenario have changed. */
         default void onChange() {}
 
+        /** A change by hand, or its undoing, holds or releases the breath. */
+        default void onHoldEdited() {}
+
         /** A message for the user. */
         default void onMessage(Message message) {}
 
@@ -83,15 +86,11 @@ public final class Session implements AutoCloseable {
         this(first, false);
     }
 
-    /**
-     * Starts the simulation.
-     *
-     * @param pictureFirst whether the first picture, of the body at rest, comes before the first scene is assembled
-     */
+    /** @param pictureFirst whether the first picture, of the body at rest, comes before the first scene is assembled */
     public Session(Scenario first, boolean pictureFirst) {
         picture = new FirstPicture(pictureFirst);
         live = new LiveRun(first, new RunListener());
-        edited = new EditedScenario(first, live, edits, this::userScenario);
+        edited = new EditedScenario(first, live, edits, this::userScenario, () -> fire(Listener::onHoldEdited));
         lookingBack = new LookingBack(live);
         live.play();
         tickTimer = new Timer(TICK_MS, e -> fire(l -> l.onTick(live.status())));

@@ -52,7 +52,11 @@ final class ExercisePanel extends AccessPanel {
     }
 
     private void addExercise(RehearsalPlan plan) {
-        exercise.addItem(plan.title() + (plan.difficulty().isEmpty() ? "" : " (" + plan.difficulty() + ")"));
+        exercise.addItem(label(plan));
+    }
+
+    private static String label(RehearsalPlan plan) {
+        return plan.title() + (plan.difficulty().isEmpty() ? "" : " (" + plan.difficulty() + ")");
     }
 
     private void onSelection() {
@@ -77,11 +81,11 @@ final class ExercisePanel extends AccessPanel {
         updating = false;
     }
 
-    /** Index in the list of exercises; a plan from another file is added to it. */
+    /** Index in the list of exercises; a plan from another file is added to it, one from the same file replaces it. */
     private int indexOf(RehearsalPlan plan) {
         for (int i = 0; i < exercises.size(); i++) {
-            if (exercises.get(i).title().equals(plan.title())
-                    && exercises.get(i).file().equals(plan.file())) {
+            if (exercises.get(i).file().equals(plan.file())) {
+                replaceExercise(i, plan);
                 return i;
             }
         }
@@ -90,9 +94,20 @@ final class ExercisePanel extends AccessPanel {
         return exercises.size() - 1;
     }
 
-    /** Description until an entry is chosen, and goals. */
+    private void replaceExercise(int index, RehearsalPlan plan) {
+        boolean renamed = !label(plan).equals(label(exercises.get(index)));
+        exercises.set(index, plan);
+        if (renamed) {
+            exercise.insertItemAt(label(plan), index + 1);
+            exercise.removeItemAt(index + 2);
+        }
+    }
+
+    /** Description until an entry is chosen, and goals if there are any. */
     private String text(RehearsalPlan plan) {
-        String description = rehearsal.entrySelection().advice().isPresent() ? "" : plan.description() + " ";
-        return description + "Done when: " + String.join("; ", plan.goals().describe()) + ".";
+        String description = rehearsal.entrySelection().advice().isPresent() ? "" : plan.description();
+        List<String> goals = plan.goals().describe();
+        String done = goals.isEmpty() ? "" : "Done when: " + String.join("; ", goals) + ".";
+        return (description + " " + done).strip();
     }
 }

@@ -100,7 +100,7 @@ final class NeedlePanel extends AccessPanel {
         Optional<NeedleState> state = rehearsal.state().filter(NeedleState::hasNeedle);
         Optional<NeedleState> placed = state.filter(NeedleState::placed);
         depthText.setText(placed.map(s -> error.isVisible()
-                        ? NumberFormats.text("Depth %.0f of %.0f mm", s.depthMm(), s.aimedDepthMm())
+                        ? NumberFormats.text("Depth %.0f of %.0f mm", s.depthMm(), s.targetDepthMm())
                         : NumberFormats.text("Depth %.0f mm", s.depthMm()))
                 .orElse("Not in the body"));
         Optional<TargetingError> distance = state.flatMap(NeedleState::targetingError);

@@ -8,19 +8,24 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import javax.swing.JComboBox;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.access.path.AccessMap;
+import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RehearsalReport;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.model.assembly.Breathing;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.access.RehearsalStage;
+import org.phrenic.ui.session.Session;
 import org.phrenic.ui.window.WindowHarness;
 
 /** A plan of one's own in the window: what it states holds there, and after it is shown the needle is in the hand. */
@@ -123,6 +128,100 @@ class RehearsalExerciseTest {
 
     private static String report(Rehearsal rehearsal) {
         return JsonWriter.format(new RehearsalReport(rehearsal).values());
+    }
+
+    @Test
+    void aPlanThatIsEditedAndOpenedAgainTakesThePlaceOfTheFormerInTheList() throws Exception {
+        openPlan("As it was", "steps: []\n");
+        JComboBox<?> list = clinic.window().control(JComboBox.class, "Exercise");
+        int listed = WindowHarness.onEdt(list::getItemCount);
+        openPlan("As edited", "description: Without a goal.\nsteps: []\n");
+        assertThat(WindowHarness.onEdt(list::getItemCount)).isEqualTo(listed);
+        String selected = WindowHarness.onEdt(() -> String.valueOf(list.getSelectedItem()));
+        assertThat(selected).isEqualTo("As edited");
+        WrappingLabel about = clinic.window().control(WrappingLabel.class, "About the exercise");
+        String told = WindowHarness.onEdt(about::getText);
+        assertThat(told).isEqualTo("Without a goal.");
+
+        int index = WindowHarness.onEdt(list::getSelectedIndex);
+        WindowHarness.doOnEdt(() -> rehearsal().startPractice());
+        clinic.ready();
+        WindowHarness.doOnEdt(() -> list.setSelectedIndex(index));
+        clinic.until("the exercise", () -> rehearsal().exercise().isPresent());
+        assertThat(rehearsal().exercise().orElseThrow().description()).isEqualTo("Without a goal.");
+        clinic.ready();
+    }
+
+    /** The plan that is kept has only the holds that were commanded. */
+    @Test
+    void anEditThatHoldsTheBreathBeginsTheAttemptAgain() throws Exception {
+        clinic.begin();
+        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(8));
+        clinic.until("in", () -> clinic.isAt(8));
+        Session session = clinic.window().session();
+        WindowHarness.doOnEdt(() -> session.change("Hold of the breath", Assignment.of("test", Breathing.HOLD, true)));
+        clinic.until(
+                "the start",
+                () -> rehearsal().state().filter(now -> !now.placed()).isPresent());
+        assertThat(WindowHarness.onEdt(() -> clinic.window().window().banner().message()))
+                .contains("begins again");
+        assertThat(WindowHarness.onEdt(() -> session.scenario().hold())).isFalse();
+        clinic.ready();
+    }
+
+    private Rehearsal sampleAt(double depthMm) throws InterruptedException {
+        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(depthMm));
+        clinic.until("in", () -> clinic.isAt(depthMm));
+        WindowHarness.doOnEdt(() -> rehearsal().needle().takeSample());
+        clinic.until("a sample", () -> clinic.state().samples() == 1);
+        return clinic.ended();
+    }
+
+    @Test
+    void theReportOfAFurtherAttemptStatesTheHelpOfItsOwn() throws Exception {
+        clinic.begin();
+        Rehearsal first = sampleAt(8);
+        WindowHarness.doOnEdt(() -> rehearsal().setAids(Aids.PICTURES));
+        Rehearsal second = sampleAt(10);
+        WindowHarness.doOnEdt(() -> rehearsal().setAids(Aids.SEE_THROUGH));
+        assertThat(first.plan().aids()).isEqualTo(Aids.SEE_THROUGH);
+        assertThat(second.plan().aids()).isEqualTo(Aids.PICTURES);
+    }
+
+    @Test
+    void goingToTheTargetWithdrawsATipThatIsBeyondIt() throws Exception {
+        clinic.begin();
+        WindowHarness.doOnEdt(() -> rehearsal().needle().aimAtTarget());
+        clinic.until("a needle that points at the target", () -> RehearsalHarness.pointsAtTarget(clinic.state()));
+        double tooDeep = WindowHarness.onEdt(() -> clinic.state().targetDepthMm()) + 15;
+        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(tooDeep));
+        clinic.until("beyond the target", () -> clinic.isAt(tooDeep));
+        WindowHarness.doOnEdt(() -> rehearsal().needle().moveToTarget());
+        clinic.until("back", () -> !clinic.state().moving() && clinic.state().depthMm() < tooDeep - 5);
+    }
+
+    @Test
+    void whatAnAttemptShowsIsNoImageOfTheAttemptBefore() throws Exception {
+        openPlan("Without a probe", "steps:\n  - wait: 600\n");
+        WindowHarness.doOnEdt(() -> {
+            var map = rehearsal().study().orElseThrow().map();
+            rehearsal()
+                    .probe()
+                    .put(map.pointAtRest(
+                            map.best(AccessMap.SUFFICIENT_MARGIN_MM).orElseThrow()));
+        });
+        UltrasoundView view = WindowHarness.onEdt(() ->
+                RehearsalProbeCases.descendant(clinic.window().window().frame().getRootPane(), UltrasoundView.class));
+        clinic.until("an image", () -> view.shot().isPresent());
+        WindowHarness.doOnEdt(() -> rehearsal().playExample());
+        assertThat(WindowHarness.onEdt(view::shot)).isEmpty();
+        clinic.window().breathe(0.3);
+        assertThat(WindowHarness.onEdt(view::shot)).isEmpty();
+        WindowHarness.doOnEdt(() -> {
+            rehearsal().probe().lift();
+            rehearsal().retry();
+        });
+        clinic.ready();
     }
 
     @Test
