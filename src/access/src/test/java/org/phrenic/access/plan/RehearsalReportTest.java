@@ -69,7 +69,8 @@ class RehearsalReportTest {
 
     @Test
     void theReportNamesThePresetOrTheRecordingThatTheBodyBreathesBy() {
-        assertThat(report(Scenario.defaults().with("preset=deep"), Needle.standard())).contains("Breathing: deep. Help: ");
+        assertThat(report(Scenario.defaults().with("preset=deep"), Needle.standard()))
+                .contains("Breathing: deep. Help: ");
         Assignment recording = Assignment.of("test", Breathing.TRACE, Optional.of(Path.of("some", "patient 7.csv")));
         assertThat(report(Scenario.defaults().with("preset=deep").with(List.of(recording)), Needle.standard()))
                 .contains("Breathing: recorded, patient 7.csv. Help: ");

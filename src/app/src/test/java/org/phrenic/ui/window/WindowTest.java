@@ -266,7 +266,7 @@ class WindowTest {
         long before = id();
         Component progress =
                 named(window.window().frame().getRootPane(), "loading").orElseThrow();
-        WindowHarness.doOnEdt(() -> window.session().open("Medium", start().with("resolution=medium")));
+        WindowHarness.doOnEdt(() -> window.session().open(EditName.of("Medium"), start().with("resolution=medium")));
         WindowHarness.await("the progress", () -> WindowHarness.onEdt(progress::isVisible));
         boolean loads = WindowHarness.onEdt(() -> {
             window.session().refuse("Something else is refused.");
