@@ -60,12 +60,14 @@ public final class MeshTopology extends EdgeTable {
     }
 
     /**
-     * Whether the triangles at each vertex form a single open or closed fan. Requires at most two triangles per edge.
+     * Whether the triangles at each vertex form a single open or closed fan; a triangle with one vertex alone has no
+     * edge and forms none. Requires at most two triangles per edge.
      */
     private boolean isVertexManifold() {
         for (int v = 0; v < mesh.vertexCount(); v++) {
             int count = vertexTriangleStart[v + 1] - vertexTriangleStart[v];
-            if (count > 0 && fanSize(v, count) != count) {
+            boolean hasEdge = vertexEdgeStart[v] < vertexEdgeStart[v + 1];
+            if (count > 0 && !(hasEdge && fanSize(v, count) == count)) {
                 return false;
             }
         }

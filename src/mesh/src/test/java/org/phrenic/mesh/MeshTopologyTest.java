@@ -100,6 +100,15 @@ class MeshTopologyTest {
     }
 
     @Test
+    void aTriangleOfOneVertexThatNoOtherUsesIsNotManifold() {
+        TriangleMesh box = Shapes.box(1, 1, 1);
+        TriangleMesh point = new TriangleMesh(new double[] {5, 5, 5}, new int[] {0, 0, 0});
+        MeshTopology topology = new MeshTopology(Shapes.join(box, point));
+        assertThat(topology.isManifold()).isFalse();
+        assertThat(topology.edgeCount()).isEqualTo(new MeshTopology(box).edgeCount());
+    }
+
+    @Test
     void anEmptyMeshIsNotClosed() {
         MeshTopology topology = new MeshTopology(new TriangleMesh(new double[0], new int[0]));
         assertThat(topology.isClosed()).isFalse();
