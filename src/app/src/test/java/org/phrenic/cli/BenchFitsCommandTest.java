@@ -25,6 +25,17 @@ class BenchFitsCommandTest {
     }
 
     @Test
+    void namesPatientsOfWhomOneScanIsMissing() throws IOException {
+        for (String scan : new String[] {"anna_expiration.nii.gz", "anna_inspiration.mha", "berta_expiration.nii.gz"}) {
+            Files.writeString(folder.resolve(scan), "no scan");
+        }
+        String out = folder.resolve("out").toString();
+        CommandLineRun run = CommandLineRun.of("bench", "fits", "--patients", folder.toString(), "--out", out);
+        assertThat(run.exitCode()).isEqualTo(ExitCode.CHECK_FAILED);
+        assertThat(run.out()).contains("not fitted: anna: ", "found no berta_inspiration.* beside it", "2 not fitted");
+    }
+
+    @Test
     void namesPatientsWhoseScansCannotBeUsedAndGoesOn() throws IOException {
         for (String name : new String[] {"anna", "berta"}) {
             Files.writeString(folder.resolve(name + "_expiration.nii.gz"), "no scan");

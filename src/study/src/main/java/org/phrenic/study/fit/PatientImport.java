@@ -43,9 +43,10 @@ public record PatientImport(
      * taken for a mask of both lungs.
      *
      * @param axes see {@link GeometryOverride#axes}; empty for the axes of the files
-     * @throws BadInputException if a scan cannot be used or contains no lungs
+     * @throws BadInputException if a scan is missing, cannot be used or contains no lungs
      */
     public static PatientImport of(PatientScans pair, Optional<String> axes) {
+        pair.requireBoth();
         Thorax template = SimulationRun.loadThorax(Scenario.defaults());
         PatientBody expired = run(pair, pair.expiration(), axes, Optional.of(template), Optional.empty())
                 .body();

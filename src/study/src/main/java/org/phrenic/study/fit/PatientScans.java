@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
@@ -12,8 +13,8 @@ import org.phrenic.file.FileNames;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 
 /**
- * Two label volumes of one patient: {@code NAME_expiration.nii.gz} and {@code NAME_inspiration.nii.gz}, or another
- * readable format.
+ * Two label volumes of one patient: {@code NAME_expiration.nii.gz} and {@code NAME_inspiration.nii.gz}, or other
+ * readable formats. A patient of whom one is missing has the path at which it would be.
  *
  * @param name of the patient
  * @param expiration lungs at end-expiration
@@ -24,31 +25,74 @@ public record PatientScans(String name, Path expiration, Path inspiration) {
     private static final String INSPIRATION = "_inspiration.";
 
     /**
-     * Finds all pairs of a folder, sorted by name.
+     * Finds the patients of a folder, sorted by name, also those of whom one scan is missing.
      *
-     * @throws BadInputException if there are none
+     * @throws BadInputException if there is no pair
      */
     public static List<PatientScans> findIn(Path folder) {
         if (!Files.isDirectory(folder)) {
             throw new BadInputException(folder + ": found no folder, expected one with scans of patients");
         }
-        List<PatientScans> pairs = new ArrayList<>();
+        List<Path> scans;
         try (Stream<Path> files = Files.list(folder)) {
-            for (Path file : FileNames.sorted(files)) {
-                String name = file.getFileName().toString();
-                Path other = file.resolveSibling(name.replace(EXPIRATION, INSPIRATION));
-                if (name.contains(EXPIRATION) && LabelVolumeFiles.isVolume(file) && Files.isRegularFile(other)) {
-                    pairs.add(new PatientScans(name.substring(0, name.indexOf(EXPIRATION)), file, other));
-                }
-            }
+            scans = FileNames.sorted(
+                    files.filter(file -> !FileNames.isHidden(file) && LabelVolumeFiles.isVolume(file)));
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
         }
-        if (pairs.isEmpty()) {
+        List<PatientScans> patients = new ArrayList<>();
+        for (Path scan : scans) {
+            if (isOf(scan, EXPIRATION)) {
+                patients.add(
+                        new PatientScans(name(scan, EXPIRATION), scan, partner(scan, EXPIRATION, INSPIRATION, scans)));
+            }
+        }
+        for (Path scan : scans) {
+            if (isOf(scan, INSPIRATION) && patients.stream().noneMatch(p -> p.name.equals(name(scan, INSPIRATION)))) {
+                patients.add(
+                        new PatientScans(name(scan, INSPIRATION), partner(scan, INSPIRATION, EXPIRATION, scans), scan));
+            }
+        }
+        if (patients.stream().noneMatch(PatientScans::isPair)) {
             throw new BadInputException(folder
                     + ": found no pair of volumes, expected NAME_expiration.nii.gz and NAME_inspiration.nii.gz"
                     + " or the like");
         }
-        return pairs;
+        patients.sort(Comparator.comparing(PatientScans::name));
+        return patients;
+    }
+
+    private static boolean isOf(Path scan, String level) {
+        return scan.getFileName().toString().contains(level);
+    }
+
+    private static String name(Path scan, String level) {
+        String file = scan.getFileName().toString();
+        return file.substring(0, file.indexOf(level));
+    }
+
+    /** The scan of the same patient at the other level: that of the same ending if there is one, else the first. */
+    private static Path partner(Path scan, String level, String other, List<Path> scans) {
+        Path alike = scan.resolveSibling(scan.getFileName().toString().replace(level, other));
+        return scans.contains(alike)
+                ? alike
+                : scans.stream()
+                        .filter(s -> isOf(s, other) && name(s, other).equals(name(scan, level)))
+                        .findFirst()
+                        .orElse(alike);
+    }
+
+    private boolean isPair() {
+        return Files.exists(expiration) && Files.exists(inspiration);
+    }
+
+    /** @throws BadInputException if one of the scans is missing */
+    public void requireBoth() {
+        if (!isPair()) {
+            boolean expired = Files.exists(expiration);
+            throw new BadInputException((expired ? expiration : inspiration) + ": found no " + name
+                    + (expired ? INSPIRATION : EXPIRATION) + "* beside it, expected a volume with one of the endings "
+                    + String.join(", ", LabelVolumeFiles.READABLE));
+        }
     }
 }
