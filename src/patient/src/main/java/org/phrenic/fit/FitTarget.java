@@ -4,10 +4,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.document.CsvTable;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FileNames;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.MeshRepair;
 import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.patient.registration.DiaphragmaticSurface;
 
@@ -79,7 +81,8 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
 
     /**
      * Reads a target given as {@code PART=FILE}, or as {@code FILE} if the file name without extension is a part. A CSV
-     * file contains point pairs in the columns x_mm, y_mm, z_mm, to_x_mm, to_y_mm, to_z_mm.
+     * file contains point pairs in the columns x_mm, y_mm, z_mm, to_x_mm, to_y_mm, to_z_mm. A surface is repaired as
+     * those of a body are ({@link ThoraxFolder}).
      *
      * @throws BadInputException if the text or the file is invalid
      */
@@ -97,9 +100,10 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
             }
             return ofPointPairs(part, points(table, FROM), points(table, TO));
         }
-        TriangleMesh mesh = MeshFiles.read(file);
+        TriangleMesh mesh = MeshRepair.repair(MeshFiles.read(file), ThoraxFolder.WELD_MM, ThoraxFolder.SEAM_MM)
+                .mesh();
         if (mesh.triangleCount() == 0) {
-            throw new BadInputException(file + ": found no triangle, expected a surface");
+            throw new BadInputException(file + ": found no triangle with an area, expected a surface");
         }
         return of(part, mesh);
     }

@@ -12,14 +12,13 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.SurfaceDistance;
 import org.phrenic.mesh.query.TriangleTree;
-import org.phrenic.patient.registration.DiaphragmaticSurface;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.observe.Surface;
 
 /**
  * Symmetric, area-weighted distance between a part of a body and a target, measured from the vertices of each to the
- * surface of the other. For the base of a lung, only vertices of its {@link DiaphragmaticSurface} are used on either
- * side. Their nearest points may lie anywhere on the lung, so the exact border of the base does not matter.
+ * surface of the other. For the base of a lung, only its vertices ({@link LungBaseVertices}) are used on either side.
+ * Their nearest points may lie anywhere on the lung, so the exact border of the base does not matter.
  *
  * <p>Not thread-safe.
  */
@@ -69,7 +68,7 @@ final class TargetDistance {
     }
 
     private boolean[] base(TriangleMesh lung, String whose) {
-        boolean[] base = DiaphragmaticSurface.vertexMask(lung);
+        boolean[] base = LungBaseVertices.of(lung);
         if (IntStream.range(0, base.length).noneMatch(v -> base[v])) {
             throw new BadInputException("target " + target.name() + ": found nothing that faces down in " + whose
                     + ", expected a whole lung with a base");

@@ -23,7 +23,11 @@ public final class LungOutline {
 
     /** Outline of the lobes of one lung; a lung of one part is its own outline. Empty without a part. */
     public static Optional<TriangleMesh> of(Stream<Structure> lobes) {
-        List<TriangleMesh> parts = lobes.map(Structure::mesh).toList();
+        return of(lobes.map(Structure::mesh).toList());
+    }
+
+    /** Outline of the surfaces of the lobes of one lung, as above. */
+    public static Optional<TriangleMesh> of(List<TriangleMesh> parts) {
         if (parts.size() < 2) {
             return parts.stream().findFirst();
         }

@@ -39,12 +39,12 @@ public final class ThoraxFolder {
     /** Key of the index of a folder whose meshes are being written. */
     public static final String UNFINISHED_KEY = "unfinished";
     /** Welding distance, mm: coordinates in files are rounded to about a thousandth. */
-    private static final double WELD_MM = 1e-3;
+    public static final double WELD_MM = 1e-3;
     /**
      * Welding distance between patches of one surface, mm. Their coordinates are rounded independently: on the seams of
      * five scanned lobes all of 2,200 vertices had a partner within 0.009 mm, on those of a liver within 0.02 mm.
      */
-    private static final double SEAM_MM = 0.05;
+    public static final double SEAM_MM = 0.05;
 
     private record Found(String name, StructureName known, Path file) {}
 

@@ -1,6 +1,7 @@
 package org.phrenic.patient.registration;
 
 import java.util.Arrays;
+import org.phrenic.engine.math.DisjointSets;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
@@ -12,8 +13,9 @@ import org.phrenic.mesh.query.TriangleTree;
  *
  * <p>Candidate faces are downward facing: with the lung scaled to equal height and depth, the z component of the
  * smoothed outward normal is below {@value #MAX_NORMAL_Z}. They must also have no lung below them. The result is the
- * connected region of candidates with the largest area, including the faces that it encloses. Downward facing parts of
- * hilum and fissures have lung below them or form separate regions.
+ * connected region of candidates with the largest area, including the faces that it encloses in its piece of the
+ * surface: other pieces, such as the walls of cavities, are no part of it. Downward facing parts of hilum and fissures
+ * have lung below them or form separate regions.
  */
 public final class DiaphragmaticSurface {
     /**
@@ -74,7 +76,7 @@ public final class DiaphragmaticSurface {
     }
 
     /** Whether each triangle belongs to the diaphragmatic surface. */
-    static boolean[] triangleMask(TriangleMesh lung) {
+    public static boolean[] triangleMask(TriangleMesh lung) {
         double[] normals = smoothed(lung);
         double outward = MeshMeasure.signedVolume(lung) < 0 ? -1 : 1;
         TriangleTree tree = new TriangleTree(lung);
@@ -92,16 +94,29 @@ public final class DiaphragmaticSurface {
         }
         MeshTopology topology = new MeshTopology(lung);
         keepLargest(lung, topology, down);
-        // Includes steep faces that are enclosed by the region.
-        invert(down);
-        keepLargest(lung, topology, down);
-        invert(down);
+        includeEnclosed(lung, topology, down);
         return down;
     }
 
-    private static void invert(boolean[] member) {
-        for (int i = 0; i < member.length; i++) {
-            member[i] = !member[i];
+    /** Includes steep faces that a region encloses: all faces of its piece of the surface but the largest rest. */
+    private static void includeEnclosed(TriangleMesh lung, MeshTopology topology, boolean[] region) {
+        int[] parent = DisjointSets.singletons(region.length);
+        for (int edge = 0; edge < topology.edgeCount(); edge++) {
+            for (int i = 1; i < topology.faceCount(edge); i++) {
+                DisjointSets.unionToLower(parent, topology.face(edge, 0), topology.face(edge, i));
+            }
+        }
+        int piece = MeshTopology.NONE;
+        for (int i = 0; i < region.length; i++) {
+            piece = region[i] ? DisjointSets.find(parent, i) : piece;
+        }
+        boolean[] rest = new boolean[region.length];
+        for (int i = 0; i < rest.length; i++) {
+            rest[i] = !region[i] && DisjointSets.find(parent, i) == piece;
+        }
+        keepLargest(lung, topology, rest);
+        for (int i = 0; i < rest.length; i++) {
+            region[i] = !rest[i] && DisjointSets.find(parent, i) == piece;
         }
     }
 
@@ -158,10 +173,13 @@ public final class DiaphragmaticSurface {
                 area += 0.5 * MeshMeasure.triangleCrossProduct(lung, queue[at], cross);
                 for (int side = 0; side < 3; side++) {
                     int edge = topology.edgeOfSide()[3 * queue[at] + side];
-                    int next = topology.faceCount(edge) == 1 ? -1 : topology.otherFace(edge, queue[at]);
-                    if (next >= 0 && member[next] && piece[next] == 0) {
-                        piece[next] = pieces;
-                        queue[length++] = next;
+                    int faces = edge == MeshTopology.NONE ? 0 : topology.faceCount(edge);
+                    for (int i = 0; i < faces; i++) {
+                        int next = topology.face(edge, i);
+                        if (member[next] && piece[next] == 0) {
+                            piece[next] = pieces;
+                            queue[length++] = next;
+                        }
                     }
                 }
             }

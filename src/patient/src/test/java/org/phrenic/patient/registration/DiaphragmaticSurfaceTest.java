@@ -2,6 +2,7 @@ package org.phrenic.patient.registration;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
@@ -12,6 +13,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.Shapes;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.SurfaceDistance;
 
@@ -29,7 +31,7 @@ class DiaphragmaticSurfaceTest {
             double share = MeshMeasure.area(base) / MeshMeasure.area(lung.mesh());
             assertThat(share).isBetween(0.12, 0.35);
             double[] off = sheet.unsignedDistance(base.positions());
-            java.util.Arrays.sort(off);
+            Arrays.sort(off);
             assertThat(off[(int) (0.9 * off.length)]).as(lung.name()).isLessThan(12);
         }
     }
@@ -67,14 +69,48 @@ class DiaphragmaticSurfaceTest {
     @Test
     void itIsTheSameWhicheverWayTrianglesTurn() {
         TriangleMesh lung = MALE.structuresOf(StructureKind.LUNG).get(0).mesh();
-        int[] turned = lung.triangles().clone();
+        assertThat(DiaphragmaticSurface.vertexMask(turned(lung)))
+                .containsExactly(DiaphragmaticSurface.vertexMask(lung));
+    }
+
+    /** A mask of a lung has cavities, whose walls are pieces of their own. */
+    @Test
+    void wallsOfCavitiesAreNoPartOfIt() {
+        for (Structure structure : MALE.structuresOf(StructureKind.LUNG)) {
+            TriangleMesh lung = structure.mesh();
+            double[] centre = lung.centre();
+            TriangleMesh cavity = turned(Shapes.moved(Shapes.sphere(15, 2), centre[0], centre[1], centre[2]));
+            boolean[] expected = DiaphragmaticSurface.triangleMask(lung);
+            boolean[] mask = DiaphragmaticSurface.triangleMask(Shapes.join(lung, cavity));
+            assertThat(Arrays.copyOf(mask, expected.length)).containsExactly(expected);
+            assertThat(Arrays.copyOfRange(mask, expected.length, mask.length)).containsOnly(false);
+        }
+    }
+
+    @Test
+    void aTriangleWithTwoCornersInOnePlaceIsNoObstacle() {
+        TriangleMesh lung = MALE.structuresOf(StructureKind.LUNG).get(0).mesh();
+        int apex = 0;
+        for (int t = 1; t < lung.triangleCount(); t++) {
+            apex = MeshMeasure.centroid(lung, t)[2] > MeshMeasure.centroid(lung, apex)[2] ? t : apex;
+        }
+        int last = lung.triangles().length;
+        int[] triangles = Arrays.copyOf(lung.triangles(), last + 3);
+        triangles[last] = triangles[3 * apex];
+        triangles[last + 1] = triangles[3 * apex];
+        triangles[last + 2] = triangles[3 * apex + 1];
+        assertThat(DiaphragmaticSurface.vertexMask(new TriangleMesh(lung.positions(), triangles)))
+                .containsExactly(DiaphragmaticSurface.vertexMask(lung));
+    }
+
+    private static TriangleMesh turned(TriangleMesh mesh) {
+        int[] turned = mesh.triangles().clone();
         for (int i = 0; i < turned.length; i += 3) {
             int corner = turned[i];
             turned[i] = turned[i + 1];
             turned[i + 1] = corner;
         }
-        assertThat(DiaphragmaticSurface.vertexMask(new TriangleMesh(lung.positions(), turned)))
-                .containsExactly(DiaphragmaticSurface.vertexMask(lung));
+        return new TriangleMesh(mesh.positions(), turned);
     }
 
     @Test
