@@ -54,8 +54,8 @@ public final class Fit {
      * Runs a fit.
      *
      * @param journal file that stores every evaluation; an interrupted fit resumes from it
-     * @throws org.phrenic.file.BadInputException if the body lacks the part of a target, or the journal belongs to
-     *     another fit
+     * @throws org.phrenic.file.BadInputException if the body lacks the part of a target, its lungs cannot carry
+     *     landmarks, or the journal belongs to another fit
      */
     public static FitResult run(FitSetup setup, Path journal, FitProgress progress) {
         return new Fit(setup, progress).run(new FitJournal(journal, setup.fingerprint(), setup.parameters()));
@@ -67,6 +67,9 @@ public final class Fit {
             objectives.addAll(parallel(
                     IntStream.range(0, threads).mapToObj(i -> (Supplier<FitObjective>) () -> new FitObjective(setup))));
             FitObjective first = objectives.peek();
+            if (setup.options().landmarks().isPresent()) {
+                Landmarks.requireLungs(first.breath().surfaces().surfaces());
+            }
             double initial = first.initialMm();
             FitSearch.Settings settings = setup.options().search();
             FitSearch.Result found = new FitSearch(

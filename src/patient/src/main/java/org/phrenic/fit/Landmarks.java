@@ -10,6 +10,7 @@ import org.phrenic.document.CsvTable;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.engine.kinematics.RigidMotion;
 import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.MovingLeastSquares;
@@ -96,10 +97,26 @@ public record Landmarks(double[] from, double[] scanned, RigidMotion motion) {
                 now.add(breath.mesh(i));
             }
         }
-        if (rest.isEmpty()) {
+        return errors(rest, now);
+    }
+
+    /**
+     * Refuses a body whose lungs cannot carry points.
+     *
+     * @throws BadInputException if there is no lung, or one whose surface encloses no space
+     */
+    static void requireLungs(List<Surface> surfaces) {
+        List<Surface> lungs =
+                surfaces.stream().filter(s -> s.kind() == StructureKind.LUNG).toList();
+        if (lungs.isEmpty()) {
             throw new BadInputException("--landmarks: found no lung in the body, expected one that carries them");
         }
-        return errors(rest, now);
+        for (Surface lung : lungs) {
+            if (!MeshMeasure.hasInside(lung.rest())) {
+                throw new BadInputException("--landmarks: found an open surface for " + lung.name()
+                        + ", expected lungs that enclose the points");
+            }
+        }
     }
 
     /** Errors for lungs at end-expiration and at the second breath level, in the same order. */
@@ -143,7 +160,7 @@ public record Landmarks(double[] from, double[] scanned, RigidMotion motion) {
         int[] lungs = new int[depths.length];
         Arrays.fill(depths, Double.POSITIVE_INFINITY);
         for (int s = 0; s < rest.size(); s++) {
-            double[] signed = new SurfaceDistance(rest.get(s)).signedDistance(from);
+            double[] signed = new SurfaceDistance(rest.get(s)).sidedDistance(from);
             for (int i = 0; i < depths.length; i++) {
                 if (signed[i] < depths[i]) {
                     depths[i] = signed[i];

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.offset;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -17,6 +18,7 @@ import org.phrenic.document.CsvTable;
 import org.phrenic.engine.kinematics.RigidMotion;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.simulation.observe.Surface;
 
 /** Points inside two boxes that stand for lungs, 100 mm apart. */
 class LandmarksTest {
@@ -90,6 +92,39 @@ class LandmarksTest {
         assertThat(e.bySurface().attached().mean()).isCloseTo(18, offset(1e-9));
         assertThat(e.fittedLessMean().mean()).isLessThan(e.fitted().mean());
         assertThat(e.rigidLessMean().mean()).isLessThan(e.rigid().mean());
+    }
+
+    /** A triangle of a lung's lower end is left out, as at an airway. */
+    @Test
+    void pointsAreInsideALungWithAHoleAndCarriedByIt() {
+        List<TriangleMesh> rest = REST.stream()
+                .map(m -> new TriangleMesh(m.positions(), Arrays.copyOf(m.triangles(), m.triangles().length - 3)))
+                .toList();
+        List<TriangleMesh> now =
+                rest.stream().map(m -> m.withPositions(breathed(m.positions()))).toList();
+        Landmarks landmarks = new Landmarks(FROM, breathed(FROM), RigidMotion.identity());
+        Landmarks.Errors e = landmarks.errors(rest, now);
+        Landmarks.Errors closed = errors(breathed(FROM), RigidMotion.identity());
+        assertThat(e.shifts().outside()).isZero();
+        assertThat(e.bySurface().attached().mean()).isCloseTo(0, offset(1e-9));
+        assertThat(e.fitted().mean()).isCloseTo(closed.fitted().mean(), offset(0.5));
+        Landmarks.requireLungs(List.of(lung(rest.get(0)), lung(rest.get(1))));
+    }
+
+    @Test
+    void aBodyWithoutLungsThatEnclosePointsIsRefused() {
+        TriangleMesh front = new TriangleMesh(
+                REST.get(0).positions(), Arrays.copyOf(REST.get(0).triangles(), 18));
+        assertThatThrownBy(() -> Landmarks.requireLungs(List.of(lung(REST.get(1)), lung(front))))
+                .isInstanceOf(BadInputException.class)
+                .hasMessage("--landmarks: found an open surface for lung_R, expected lungs that enclose the points");
+        assertThatThrownBy(() -> Landmarks.requireLungs(List.of()))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found no lung in the body");
+    }
+
+    private static Surface lung(TriangleMesh mesh) {
+        return new Surface("lung_R", StructureKind.LUNG, 0, Side.RIGHT, mesh, Surface.Motion.DEFORMING, new boolean[0]);
     }
 
     @Test

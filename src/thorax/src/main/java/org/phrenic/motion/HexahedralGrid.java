@@ -67,7 +67,7 @@ final class HexahedralGrid {
                 points[3 * p + axis] = low[axis] + edge * (at[axis] + (within[axis] + 0.5) / samples);
             }
         }
-        double[] depth = new SurfaceDistance(body).signedDistance(points);
+        double[] depth = new SurfaceDistance(body).sidedDistance(points);
         double[] shares = new double[total];
         for (int p = 0; p < depth.length; p++) {
             shares[p / each] += depth[p] < 0 ? 1.0 / each : 0;

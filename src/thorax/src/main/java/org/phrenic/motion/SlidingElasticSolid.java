@@ -50,7 +50,7 @@ public final class SlidingElasticSolid {
     private final double[] displacement;
 
     /**
-     * @param rest closed surface
+     * @param rest surface that encloses a space ({@link MeshMeasure#hasInside}); it may have holes, as at airways
      * @param now the same surface, moved
      */
     public SlidingElasticSolid(TriangleMesh rest, TriangleMesh now) {

@@ -3,6 +3,7 @@ package org.phrenic.motion;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.offset;
 
+import java.util.Arrays;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.phrenic.mesh.Shapes;
@@ -68,6 +69,19 @@ class SlidingElasticSolidTest {
                 new SlidingElasticSolid(ellipsoid(s -> s, 1), ellipsoid(s -> s, 1.1)).moved(new double[] {12, 0, 30});
         assertThat(to[2] - 30).isCloseTo(3, offset(0.6));
         assertThat(to[1]).isBetween(-1.35, 0.0);
+    }
+
+    /** An airway leaves a hole in the surface of a lung. */
+    @Test
+    void isMovedByASurfaceWithAHoleAsByAClosedOne() {
+        TriangleMesh rest = ellipsoid(s -> s, 1);
+        TriangleMesh now = ellipsoid(s -> s, 1.1);
+        double[] expected = new SlidingElasticSolid(rest, now).moved(INSIDE);
+        int[] open = Arrays.copyOf(rest.triangles(), rest.triangles().length - 3);
+        double[] to = new SlidingElasticSolid(
+                        new TriangleMesh(rest.positions(), open), new TriangleMesh(now.positions(), open))
+                .moved(INSIDE);
+        assertThat(to).containsExactly(expected, offset(0.1));
     }
 
     /**

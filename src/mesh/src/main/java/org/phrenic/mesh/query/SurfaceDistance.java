@@ -105,6 +105,21 @@ public final class SurfaceDistance {
         return out;
     }
 
+    /**
+     * Signed distances of points, negative inside; of a reference that is not closed, manifold and oriented, inside is
+     * where its rounded winding number is not 0 ({@link TriangleTree#isInside}), which takes a pass over all triangles.
+     */
+    public double[] sidedDistance(double[] points) {
+        if (signed) {
+            return signedDistance(points);
+        }
+        double[] out = unsignedDistance(points);
+        for (int i = 0; i < out.length; i++) {
+            out[i] = tree.isInside(points[3 * i], points[3 * i + 1], points[3 * i + 2]) ? -out[i] : out[i];
+        }
+        return out;
+    }
+
     /** Positive outside, negative inside, for the query point of the last hit. */
     private double side(double x, double y, double z) {
         int t = hit.triangle;

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -39,6 +40,22 @@ class SurfaceDistanceTest {
             for (int i = 0; i < signed.length; i++) {
                 boolean inside = tree.isInside(points[3 * i], points[3 * i + 1], points[3 * i + 2]);
                 assertThat(signed[i]).isEqualTo(inside ? -sizes[i] : sizes[i]);
+            }
+        }
+    }
+
+    @Test
+    void sidesAreToldApartWhereTheSurfaceHasAHoleToo() {
+        TriangleMesh whole = Shapes.sphere(8, 2);
+        TriangleMesh open =
+                new TriangleMesh(whole.positions(), Arrays.copyOf(whole.triangles(), whole.triangles().length - 3));
+        double[] points = points(new Random(7), 400, 14);
+        double[] signed = new SurfaceDistance(whole).signedDistance(points);
+        double[] sided = new SurfaceDistance(open).sidedDistance(points);
+        assertThat(new SurfaceDistance(whole).sidedDistance(points)).containsExactly(signed);
+        for (int i = 0; i < signed.length; i++) {
+            if (Math.abs(signed[i]) > 1) {
+                assertThat(Math.signum(sided[i])).isEqualTo(Math.signum(signed[i]));
             }
         }
     }
