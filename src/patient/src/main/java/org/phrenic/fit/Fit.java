@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -121,7 +122,7 @@ public final class Fit {
 
     /**
      * Computes the effect of moving the value of each parameter alone, in both directions: on the linear model of the
-     * search if it has one, otherwise with a breath each.
+     * search if it has one, otherwise with a breath each, observed when the best breath is.
      */
     private List<FitResult.Effect> effects(double[] values, double bestMm, LinearShapeModel model) {
         SearchSpace space = new SearchSpace(setup.parameters());
@@ -133,8 +134,8 @@ public final class Fit {
                 double[] moved = values.clone();
                 moved[i] = p.fromUnit(to);
                 double[] way = space.wayOf(values, i, moved[i]);
-                Supplier<Double> mean = () ->
-                        model == null ? evaluate(moved).value() : withObjective(o -> bestMm + change(o, model, way));
+                Supplier<Double> mean =
+                        () -> withObjective(o -> model == null ? o.observedMm(moved) : bestMm + change(o, model, way));
                 jobs.add(() -> to >= 0 && to <= 1 ? mean.get() : Double.NaN);
             }
         }
@@ -142,10 +143,15 @@ public final class Fit {
         return IntStream.range(0, values.length)
                 .mapToObj(i -> {
                     FitParameter p = setup.parameters().get(i);
-                    double step = p.fromUnit(Math.min(1, p.toUnit(values[i]) + SENSITIVITY_STEP)) - values[i];
-                    return new FitResult.Effect(p, step, means.get(2 * i), means.get(2 * i + 1));
+                    return new FitResult.Effect(p, step(p, values[i]), means.get(2 * i), means.get(2 * i + 1));
                 })
                 .toList();
+    }
+
+    /** The step up from a value, in the unit of the parameter; the step down where the step up leaves the bounds. */
+    private static double step(FitParameter p, double value) {
+        double above = p.toUnit(value) + SENSITIVITY_STEP;
+        return above <= 1 ? p.fromUnit(above) - value : value - p.fromUnit(p.toUnit(value) - SENSITIVITY_STEP);
     }
 
     /** Change of the objective on a way from the centre of a linear model, mm. */
@@ -208,6 +214,8 @@ public final class Fit {
                 .toList();
         Map<String, Double> observed = new LinkedHashMap<>();
         Observation.COLUMNS.forEach(column -> observed.put(column, breath.observed(column)));
+        // All that is read of the best breath precedes the effects, which breathe with the same objectives.
+        Optional<Landmarks.Errors> errors = setup.options().landmarks().map(l -> l.errors(breath));
         List<String> warnings = warnings(found);
         warnings.forEach(progress::note);
         List<FitResult.Effect> effects =
@@ -218,9 +226,9 @@ public final class Fit {
                 values,
                 bestMm,
                 initialMm,
-                found.trials().get(0).value(),
+                found.startMm(),
                 targets,
-                setup.options().landmarks().map(l -> l.errors(breath)),
+                errors,
                 effects,
                 observed,
                 scenario,

@@ -82,6 +82,11 @@ final class FitObjective implements AutoCloseable {
         return new Evaluation(values, mean, shape);
     }
 
+    /** Simulates a breath up to its observation; its objective value, mm, which is infinite if the breath fails. */
+    double observedMm(double[] values) {
+        return breath.breatheIn(values).isEmpty() ? currentMm() : Double.POSITIVE_INFINITY;
+    }
+
     /** Objective value of the current state of the body, mm. */
     double currentMm() {
         double sum = 0;

@@ -70,9 +70,9 @@ public record FitReport(FitResult result) {
         return Double.isFinite(value) ? String.format(Locale.ROOT, "%.3f", value) : "";
     }
 
-    /** A ratio for JSON; null where the distance before is 0. */
-    public static Double finite(double ratio) {
-        return Double.isFinite(ratio) ? ratio : null;
+    /** A number for JSON; null where there is none, such as a ratio to a distance of 0. */
+    public static Double finite(double value) {
+        return Double.isFinite(value) ? value : null;
     }
 
     /** Parameters and their effects, one row per parameter. */
@@ -95,10 +95,14 @@ public record FitReport(FitResult result) {
         } else {
             FitResult.Effect e = result.sensitivity().get(i);
             row.add(number(e.step()));
-            row.add(Double.isNaN(e.belowMm()) ? "bound" : mm(e.belowMm()));
-            row.add(Double.isNaN(e.aboveMm()) ? "bound" : mm(e.aboveMm()));
+            row.add(effect(e.belowMm()));
+            row.add(effect(e.aboveMm()));
         }
         return row;
+    }
+
+    private static String effect(double mm) {
+        return Double.isNaN(mm) ? "bound" : Double.isInfinite(mm) ? "failed" : mm(mm);
     }
 
     /** The result in a few sentences. */
@@ -106,11 +110,12 @@ public record FitReport(FitResult result) {
         FitSetup setup = result.setup();
         return String.format(
                 Locale.ROOT,
-                "The mean distance to the fitted targets fell from %.2f mm (body at end-expiration; %.2f mm breathed in"
-                        + " with the initial parameters) to %.2f mm%s. %d parameters, %d evaluations in generations of"
-                        + " %d, seed %d; it ended because %s. %s",
+                "The mean distance to the fitted targets fell from %.2f mm (body at end-expiration; %s) to %.2f mm%s."
+                        + " %d parameters, %d evaluations in generations of %d, seed %d; it ended because %s. %s",
                 result.initialMm(),
-                result.untunedMm(),
+                Double.isNaN(result.untunedMm())
+                        ? "the breath with the initial parameters failed"
+                        : mm(result.untunedMm()) + " mm breathed in with the initial parameters",
                 result.bestMm(),
                 Double.isFinite(result.ratio()) ? ", a ratio of " + ratio(result.ratio()) : "",
                 setup.parameters().size(),
@@ -197,7 +202,7 @@ public record FitReport(FitResult result) {
                 .with("anatomy", setup.base().anatomy())
                 .with("alignment", setup.options().alignment())
                 .with("initial_mean_mm", result.initialMm())
-                .with("untuned_mean_mm", result.untunedMm())
+                .with("untuned_mean_mm", finite(result.untunedMm()))
                 .with("residual_mean_mm", result.bestMm())
                 .with("ratio", finite(result.ratio()))
                 .with("evaluations", result.search().trials().length)
@@ -247,8 +252,8 @@ public record FitReport(FitResult result) {
         if (!result.sensitivity().isEmpty()) {
             FitResult.Effect e = result.sensitivity().get(i);
             row.with("step", e.step())
-                    .with("with_a_step_less_mm", Double.isNaN(e.belowMm()) ? null : e.belowMm())
-                    .with("with_a_step_more_mm", Double.isNaN(e.aboveMm()) ? null : e.aboveMm());
+                    .with("with_a_step_less_mm", finite(e.belowMm()))
+                    .with("with_a_step_more_mm", finite(e.aboveMm()));
         }
         return row;
     }

@@ -12,7 +12,7 @@ import org.phrenic.scenario.Scenario;
  * @param values parameter values, in the order of the setup
  * @param bestMm objective of the fitted body, mm: the weighted mean distance from the targets
  * @param initialMm objective at end-expiration, mm
- * @param untunedMm objective at the start of the search, mm
+ * @param untunedMm objective at the start of the search, mm; NaN if that breath failed
  * @param landmarks errors inside the lungs, if there are landmarks
  * @param sensitivity effect of each parameter near the fitted values; empty if not requested
  * @param observed observables of the fitted body by name
@@ -75,8 +75,9 @@ public record FitResult(
      * Effect of a parameter near the fitted values.
      *
      * @param step change of the parameter, in its unit
-     * @param belowMm objective with the parameter decreased by one step, mm; NaN outside the bounds
-     * @param aboveMm objective with the parameter increased by one step, mm; NaN outside the bounds
+     * @param belowMm objective with the parameter decreased by one step, mm; NaN outside the bounds, infinite if that
+     *     breath fails
+     * @param aboveMm the same with the parameter increased by one step
      */
     public record Effect(FitParameter parameter, double step, double belowMm, double aboveMm) {}
 

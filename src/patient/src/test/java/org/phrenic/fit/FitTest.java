@@ -17,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.document.JsonWriter;
+import org.phrenic.engine.kinematics.RigidMotion;
 import org.phrenic.file.BadInputException;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.fit.search.FitSearch;
@@ -166,6 +167,86 @@ class FitTest {
             assertThat(report.summary()).contains(" mm. 3 parameters").doesNotContain("a ratio", "NaN", "Infinity");
             assertThat(report.distances()).allSatisfy(row -> assertThat(row).endsWith(""));
         }
+    }
+
+    private static FitParameter greatestActivation(Scenario scenario) {
+        double most = scenario.get(Muscle.MUSCLE_ACTIVATION);
+        return new FitParameter(Muscle.MUSCLE_ACTIVATION, 0.1, most, most);
+    }
+
+    /** Pairs of points give no linear model, so that what a parameter does takes a breath. */
+    @Test
+    void whatAParameterDoesIsSeenWhenTheBestBreathIsAndLeavesTheLandmarksToIt() {
+        Scenario withLungs =
+                Scenario.defaults().with("preset=deep", "resolution=low", "sternum=off", "liver=false", "threads=1");
+        FitParameter parameter = greatestActivation(withLungs);
+        double[] values = {parameter.start()};
+        double[] less = {parameter.fromUnit(0.95)};
+        double[] inside = body.find("lung_R").orElseThrow().mesh().centre();
+        Landmarks landmarks = new Landmarks(inside, inside, RigidMotion.identity());
+        try (InspiratoryHold breath = new InspiratoryHold(withLungs, body, List.of(parameter))) {
+            int sheet = 0;
+            while (!FitPart.DIAPHRAGM.matches(breath.surfaces().surfaces().get(sheet))) {
+                sheet++;
+            }
+            double[] from = breath.surfaces().surfaces().get(sheet).rest().positions();
+            FitTarget pairs = FitTarget.ofPointPairs(FitPart.DIAPHRAGM, from, from);
+            FitSetup setup = new FitSetup(
+                    withLungs,
+                    body,
+                    List.of(pairs),
+                    List.of(parameter),
+                    new FitSetup.Options(
+                            FitHalf.ALL,
+                            TargetAlignment.NONE.sentence(),
+                            new FitSearch.Settings(1, 1),
+                            1,
+                            true,
+                            Optional.of(landmarks)));
+            FitResult result = Fit.run(setup, folder.resolve("journal.csv"), (count, most, best, initial) -> {});
+            FitResult.Effect effect = result.sensitivity().get(0);
+            assertThat(effect.aboveMm()).isNaN();
+            assertThat(effect.step()).isEqualTo(values[0] - less[0]).isPositive();
+
+            TargetDistance distance = new TargetDistance(pairs, breath.surfaces());
+            breath.breatheIn(less);
+            assertThat(effect.belowMm())
+                    .isEqualTo(distance.of(breath, FitHalf.ALL).mean());
+            breath.breatheIn(values);
+            assertThat(result.values()).containsExactly(values);
+            assertThat(result.bestMm())
+                    .isEqualTo(distance.of(breath, FitHalf.ALL).mean());
+            assertThat(result.landmarks().orElseThrow().fitted().mean())
+                    .isEqualTo(landmarks.errors(breath).fitted().mean());
+        }
+    }
+
+    @Test
+    void breathsThatFailedAreSaidToHaveAndHaveNoDistance() {
+        FitDistances left = new FitDistances(null, new double[] {2}, new double[] {1}, new double[0], new double[0]);
+        FitParameter parameter = greatestActivation(base);
+        FitSetup setup = new FitSetup(
+                base, body, truth.targets(), List.of(parameter), setup(1, 1).options());
+        FitReport report = new FitReport(new FitResult(
+                setup,
+                new double[] {parameter.start()},
+                left.mean(),
+                4,
+                Double.NaN,
+                List.of(new FitResult.TargetResult(truth.targets().get(0), left, left, null, null, null)),
+                Optional.empty(),
+                List.of(new FitResult.Effect(parameter, 0.02, Double.POSITIVE_INFINITY, Double.NaN)),
+                Map.of(),
+                base,
+                true,
+                new FitResult.Search(new double[] {2}, "it was told to", List.of(), List.of(), Double.NaN, 1)));
+        assertThat(report.summary())
+                .contains("fell from 4.00 mm (body at end-expiration; the breath with the initial parameters failed)")
+                .doesNotContain("NaN");
+        assertThat(report.parameters().get(0)).endsWith("failed", "bound");
+        assertThat(JsonWriter.format(report.values()))
+                .contains(
+                        "\"untuned_mean_mm\": null", "\"with_a_step_less_mm\": null", "\"with_a_step_more_mm\": null");
     }
 
     /** The journals of earlier versions carry this text in their fingerprint. */

@@ -101,6 +101,12 @@ public final class FitSearch {
             return FitSearch.best(trials);
         }
 
+        /** Value of the first breath; NaN if it failed, also if one with less drive did not. */
+        public double startMm() {
+            Evaluation start = trials.get(0);
+            return start.hasFailed() ? Double.NaN : start.value();
+        }
+
         /** All evaluations, the best first. */
         public List<Evaluation> fromBest() {
             return trials.stream()

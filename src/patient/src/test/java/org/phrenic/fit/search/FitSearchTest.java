@@ -65,6 +65,7 @@ class FitSearchTest {
     void isTheSameOnAnyNumberOfThreads() {
         FitSearch.Result one = search("one.csv", 1, EVALUATIONS, FitSearchTest::worth);
         assertThat(one.best().value()).isLessThan(0.1);
+        assertThat(one.startMm()).isEqualTo(one.trials().get(0).value());
         assertSame(search("three.csv", 3, EVALUATIONS, FitSearchTest::worth), one);
     }
 
@@ -111,6 +112,7 @@ class FitSearchTest {
         // 0.6, then 0.42, then 0.24.
         assertThat(trials.get(0).drive()).isEqualTo(0.4);
         assertThat(trials.get(0).failure()).startsWith("node 7 moves at 0.6");
+        assertThat(found.startMm()).isNaN();
         double[] first = new SearchSpace(PARAMETERS).values(trials.get(0).point());
         assertThat(first[0]).isCloseTo(0.24, offset(1e-12));
         assertThat(first[1]).isCloseTo(300, offset(1e-9));
@@ -134,6 +136,7 @@ class FitSearchTest {
         FitSearch.Result none = searchAttempts("none.csv", 1, 20, v -> Evaluation.failed(v, "the sheet is torn"));
         assertThat(none.best().drive()).isZero();
         assertThat(none.best().failure()).isEqualTo("the sheet is torn");
+        assertThat(none.startMm()).isNaN();
     }
 
     /** Number of evaluations in whole generations of 7 after the start, at most a budget. */
