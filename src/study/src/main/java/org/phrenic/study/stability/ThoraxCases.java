@@ -36,7 +36,10 @@ final class ThoraxCases {
     private static final double REFINEMENT_DIVISOR = 2;
 
     private static final double REFERENCE_S = 8;
+    /** Time from one throw of the ribs to the next, s; the short version has one throw, and half a second after it. */
     private static final double RIB_STEP_INTERVAL_S = 2;
+
+    private static final double SHORT_RIB_STEPS_S = RIB_STEP_INTERVAL_S + 0.5;
 
     /** Bounds of a body in contact with its chest wall. */
     private static final StabilityBounds CONTACT = FAST.with(OUTSIDE_MM, 3).with(CROSSED_MM, 1);
@@ -99,7 +102,7 @@ final class ThoraxCases {
         thorax("thorax-held-minute", minute, 70, 2, 0, CONTACT, scenario(), duration -> new Holds(1.6, 60, 1e9));
         Scenario held = scenario("preset=hold-inspiration", "time_step_s=0.1", "rib_rotation=0");
         String ribs = "ribs thrown through their whole range";
-        thorax("thorax-ribs-thrown", ribs, 20, 1, 0, JUMPING, held, duration -> new RibSteps());
+        thorax("thorax-ribs-thrown", ribs, 20, SHORT_RIB_STEPS_S, 0, JUMPING, held, duration -> new RibSteps());
         sliders("sliders", "all sliders thrown from end to end at random", RETURNING);
         StabilityBounds far = RETURNING.with(REACH_MM, UNBOUNDED);
         sliders("sliders-paper", "the same with the paper's material", far, "material=paper");
