@@ -25,7 +25,7 @@ import org.phrenic.mesh.voxel.LabelGrid;
  */
 final class DicomSegmentation {
     /** Labels that programs give to segments without a name: Segment 1, Seg_2, 3. */
-    private static final Pattern NUMBERED = Pattern.compile("(?i)(segment|seg|label)?[ _.-]*\\d*");
+    static final Pattern NUMBERED = Pattern.compile("(?i)(segment|seg|label)?[ _.-]*\\d*");
 
     private final DicomDataSet image;
     private final DicomPixels pixels;

@@ -18,9 +18,9 @@ import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
  * Reads the label volumes of a folder, whose voxels lie on one lattice ({@link LabelLattice}), as one volume: for
- * example a folder with one binary mask per structure. A mask has the name of its file; labels of a file with several
- * have their names in it. Images are left out. Where structures overlap, a voxel belongs to the one with the fewest
- * voxels ({@link LabelPainter}).
+ * example a folder with one binary mask per structure. A mask has the name of its file, unless the file itself names it
+ * otherwise than by a number; labels of a file with several have their names in it. Images are left out. Where
+ * structures overlap, a voxel belongs to the one with the fewest voxels ({@link LabelPainter}).
  */
 final class LabelFolder {
     private static final String THORAX_INDEX = "thorax.yaml";

@@ -19,7 +19,8 @@ import org.phrenic.mesh.voxel.LabelGrid;
  * @param size columns, rows and slices
  * @param toMm affine matrix of the grid, see {@link LabelGrid}
  * @param structures the voxels of each label
- * @param names their names: in the file, else that of the file if it has one label; empty where there is none
+ * @param names their names: in the file, or that of the file if it has one label whose name is no more than a number;
+ *     empty where there is none
  * @param notes assumptions about missing information, one sentence each
  */
 record LabelRuns(Path file, int[] size, double[] toMm, List<Runs> structures, List<String> names, List<String> notes) {
@@ -67,7 +68,8 @@ record LabelRuns(Path file, int[] size, double[] toMm, List<Runs> structures, Li
                 ? String.valueOf(file.getFileName()).replaceFirst("(?i)(\\.seg|\\.nii)?\\.[a-z]*$", "")
                 : "";
         List<String> names = Arrays.stream(labels)
-                .mapToObj(label -> volume.names().getOrDefault(label, name))
+                .mapToObj(label -> volume.names().getOrDefault(label, ""))
+                .map(own -> labels.length == 1 && isNumbered(own) ? name : own)
                 .toList();
         return new LabelRuns(
                 file,
@@ -76,6 +78,11 @@ record LabelRuns(Path file, int[] size, double[] toMm, List<Runs> structures, Li
                 runs(grid, labels),
                 names,
                 volume.notes());
+    }
+
+    /** Whether the name of a label is no more than a number, so that the file's says more. */
+    private static boolean isNumbered(String name) {
+        return DicomSegmentation.NUMBERED.matcher(name).matches();
     }
 
     private static List<Runs> runs(LabelGrid grid, int[] labels) {

@@ -130,6 +130,18 @@ class LabelFolderTest {
         assertThat(volume.grid().counts()).containsExactly(10, 14);
     }
 
+    /** Programs number what nobody has named: the file says more, unless the label has a name of its own. */
+    @Test
+    void aMaskWhoseLabelIsNumberedHasTheNameOfItsFile() throws IOException {
+        Path masks = Files.createDirectory(folder.resolve("masks"));
+        String header = "NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 3 4\n"
+                + "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: text\n"
+                + "Segment0_LabelValue:=1\nSegment0_Name:=";
+        Files.writeString(masks.resolve("liver.seg.nrrd"), header + "Segment_1\n\n" + "1 0 0 0 ".repeat(6));
+        Files.writeString(masks.resolve("part2.seg.nrrd"), header + "spleen\n\n" + "0 1 0 0 ".repeat(6));
+        assertThat(LabelVolumeFiles.read(masks).names().values()).containsExactlyInAnyOrder("liver", "spleen");
+    }
+
     @Test
     void whatCannotBeMergedIsRefusedInOneSentence() throws IOException {
         Path several = volume(folder.resolve("several.nii"), UINT8, h -> {}, v -> v % 3);
