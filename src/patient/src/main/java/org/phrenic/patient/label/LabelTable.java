@@ -68,8 +68,8 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
 
     /**
      * The table that {@code --labels} asks for: {@link #LUNGS} for a mask of both lungs, the name of a tool or a data
-     * set ({@link #byTool}), or a file. Of a tool's versions the one is taken that fits the volume, or the names of its
-     * labels if the volume has names.
+     * set ({@link #byTool}), or a file. Names of the volume that are the tool's tell its labels; if there are none,
+     * that one of the tool's versions does whose numbers fit the volume.
      *
      * @throws BadInputException as {@link #read}
      */
@@ -81,13 +81,13 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         if (tables.isEmpty()) {
             return read(Path.of(asked), volume);
         }
-        if (!volume.names().isEmpty()) {
-            Map<Integer, String> named = new TreeMap<>();
-            tables.forEach(table -> volume.names().forEach((label, name) -> {
-                if (table.names().containsKey(name)) {
-                    named.putIfAbsent(label, table.names().get(name));
-                }
-            }));
+        Map<Integer, String> named = new TreeMap<>();
+        tables.forEach(table -> volume.names().forEach((label, name) -> {
+            if (table.names().containsKey(name)) {
+                named.putIfAbsent(label, table.names().get(name));
+            }
+        }));
+        if (!named.isEmpty()) {
             return new LabelTable(named).withRest(volume);
         }
         NumberMatch match = NumberMatch.best(NumberMatch.positions(volume.grid()), tables);
@@ -199,8 +199,12 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
 
     private static int label(CsvTable table, int row) {
         double label = table.numbers("label")[row];
-        if (label != (int) label || label < 1) {
-            throw table.badCell(row, "label", "found " + label + ", expected a whole number from 1");
+        if (label != (int) label || label < 1 || label > LabelGrid.MAX_LABEL) {
+            throw table.badCell(
+                    row,
+                    "label",
+                    "found " + table.texts("label").get(row) + ", expected a whole number from 1 to "
+                            + LabelGrid.MAX_LABEL);
         }
         return (int) label;
     }

@@ -51,4 +51,25 @@ class LabelTableTest {
                         .structures())
                 .isEqualTo(Map.of(5, "costal_cartilage_05_L", 6, "vertebra_L01"));
     }
+
+    @Test
+    void aLabelBeyondThoseOfAVolumeIsRefused() {
+        assertThatThrownBy(() -> read("label,structure\n5,liver\n70000,heart\n", Map.of()))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("labels.csv: line 3, column 'label'")
+                .hasMessageContaining("found 70000, expected a whole number from 1 to 65535");
+    }
+
+    /** Programs that write a tool's labels again often name them otherwise, but keep their numbers. */
+    @Test
+    void aToolThatIsAskedForTellsLabelsByNumbersWhereNoneHasANameOfIts() {
+        LabelGrid grid = LabelGrid.of(3, 1, 1, new byte[] {5, 6, 0}, new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+        LabelVolume volume = new LabelVolume(grid, Map.of(5, "Segment_1", 6, "Segment_2"), List.of());
+        assertThat(LabelTable.of("totalsegmentator", volume).structures())
+                .containsEntry(5, "liver")
+                .containsEntry(6, "stomach");
+        LabelVolume named = new LabelVolume(grid, Map.of(5, "spleen", 6, "Segment_2"), List.of());
+        assertThat(LabelTable.of("totalsegmentator", named).structures())
+                .isEqualTo(Map.of(5, "spleen", 6, "other_segment_2"));
+    }
 }

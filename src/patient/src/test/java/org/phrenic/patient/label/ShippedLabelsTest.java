@@ -58,6 +58,14 @@ class ShippedLabelsTest {
                         "44,heart_myocardium,heart", "81,rib_right_12,rib_12_R", "104,urinary_bladder,urinary_bladder");
     }
 
+    /** VerSe numbers the vertebrae that only some people have after all others. */
+    @Test
+    void theThirteenthThoracicVertebraOfVerSeIsKnown() {
+        assertThat(NumberTable.named("verse")).singleElement().satisfies(table -> assertThat(table.structures())
+                .containsEntry(25, "bone_vertebra_L6")
+                .containsEntry(28, "bone_vertebra_T13"));
+    }
+
     /** Every structure of a table is one that a thorax folder may hold, and names stand for the same structures. */
     @Test
     void tablesHoldKnownStructures() {
