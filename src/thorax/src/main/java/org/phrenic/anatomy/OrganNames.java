@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.phrenic.file.FileNames;
 
 /**
@@ -18,6 +19,9 @@ public final class OrganNames {
     public static final String OTHER_PREFIX = "other_";
 
     private static final Map<String, StructureKind> KNOWN = known();
+
+    private static final Pattern VESSELS_IN_LIVER =
+            Pattern.compile("(vessel_)?hepatic_vein.*|portal_vein_[rl]|liver_vessels");
 
     private OrganNames() {}
 
@@ -67,6 +71,11 @@ public final class OrganNames {
             }
         }
         return Optional.ofNullable(kind).map(k -> new StructureName(k, 0, side));
+    }
+
+    /** Whether a vessel, by its name in lower case, is one of those that branch in the liver. */
+    public static boolean isVesselInLiver(String lower) {
+        return VESSELS_IN_LIVER.matcher(lower).matches();
     }
 
     private static Side side(String lower) {

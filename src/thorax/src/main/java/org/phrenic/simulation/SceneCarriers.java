@@ -3,6 +3,8 @@ package org.phrenic.simulation;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import org.phrenic.anatomy.DiaphragmSide;
+import org.phrenic.anatomy.LesionPlace;
+import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.cage.RibCagePose;
@@ -21,8 +23,6 @@ import org.phrenic.simulation.observe.SkinMotion;
  * by lungs and central tendon, vessels of the abdominal wall by the skin.
  */
 final class SceneCarriers {
-    private static final Pattern VESSELS_IN_LIVER =
-            Pattern.compile("(vessel_)?hepatic_vein.*|portal_vein_[rl]|liver_vessels");
     /** Vessels that are fixed to the spine. */
     private static final Pattern FIXED = Pattern.compile("inferior_vena_cava");
 
@@ -111,7 +111,7 @@ final class SceneCarriers {
 
     /** Whether what has a name in lower case lies in the liver and goes with it. */
     static boolean isInLiver(String name) {
-        return VESSELS_IN_LIVER.matcher(name).matches() || LesionPlace.isInLiver(name);
+        return OrganNames.isVesselInLiver(name) || LesionPlace.isInLiver(name);
     }
 
     private boolean bindSkin(SkinningWeights bones) {

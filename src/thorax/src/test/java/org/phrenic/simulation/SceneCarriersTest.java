@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.anatomy.LesionPlace;
 
 /** What carries lesions and vessels, by their names in lower case. */
 class SceneCarriersTest {

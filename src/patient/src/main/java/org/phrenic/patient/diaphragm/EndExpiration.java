@@ -3,6 +3,7 @@ package org.phrenic.patient.diaphragm;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
@@ -20,7 +21,7 @@ import org.phrenic.patient.PatientStructure;
 /**
  * Brings a scan at inspiration to end-expiration. Ribs turn back on their helical axes by the share s of a full
  * inspiration that {@link BreathLevel} states; the sternum follows, cartilages bend between both. Domes, with the
- * organs above and below them, rise by the descent d of that level:
+ * organs above and below them and what lies in the liver, rise by the descent d of that level:
  *
  * <pre>
  * z' = z + d p(u, v) g(z),   x' = x + g(z) (X'(u, z') - X(u, z)),   y' = y + g(z) (Y'(v, z') - Y(v, z))
@@ -67,7 +68,10 @@ public final class EndExpiration {
     private static final int RISE_ROUNDS = 4;
     /** Greatest change of the rise in a round. */
     private static final double FASTEST = 1.5;
-    /** Soft structures within the cage; the skin, muscles, other bones and great vessels keep their places. */
+    /**
+     * Soft structures within the cage. The skin, muscles and other bones keep their places, and so do vessels and
+     * unknown structures outside the liver.
+     */
     private static final Set<StructureKind> SOFT =
             EnumSet.of(StructureKind.LUNG, StructureKind.LIVER, StructureKind.ORGAN, StructureKind.LESION);
 
@@ -77,6 +81,11 @@ public final class EndExpiration {
     private static final Set<String> SOLID = Set.of("heart", "spleen", "kidney");
 
     private final BoneCarriage bones;
+    private final LesionBones lesionBones;
+    private final LiverContents inLiver;
+    /** How the liver of the scan keeps its volume; empty without a liver. */
+    private final Optional<Stretch> ofLiver;
+
     private final CageEnvelope before;
     private final CageEnvelope after;
     private final double share;
@@ -88,7 +97,7 @@ public final class EndExpiration {
     /** Height of a vertebra with its disc, mm. */
     private final double vertebra;
 
-    private EndExpiration(Thorax completed, BreathLevel level) {
+    private EndExpiration(List<Structure> scanned, Thorax completed, BreathLevel level) {
         share = Math.min(1, level.share());
         vertebra = level.descentMm() / level.descent();
         bones = new BoneCarriage(completed, share);
@@ -96,8 +105,8 @@ public final class EndExpiration {
                 .filter(s -> isCage(s.kind()) || s.kind() == StructureKind.VERTEBRA || s.kind() == StructureKind.DISC)
                 .toList();
         before = new CageEnvelope(new Thorax(completed.name(), skeleton, List.of()));
-        after = before.about(
-                new Thorax(completed.name(), skeleton.stream().map(this::turned).toList(), List.of()));
+        after = before.about(new Thorax(
+                completed.name(), skeleton.stream().map(s -> turned(s, s)).toList(), List.of()));
         List<Structure> lungs = completed.structuresOf(StructureKind.LUNG);
         domes = LungBase.of(completed).stream()
                 .mapToDouble(LungBase::dome)
@@ -113,6 +122,11 @@ public final class EndExpiration {
             double risen = top(base.stream().map(this::raised).toList()) - top;
             rise = Math.min(greatest, rise * Math.min(FASTEST, level.descentMm() / Math.max(risen, 1)));
         }
+        lesionBones = new LesionBones(completed);
+        Optional<Structure> liver =
+                scanned.stream().filter(s -> s.kind() == StructureKind.LIVER).findFirst();
+        inLiver = new LiverContents(scanned, liver);
+        ofLiver = liver.map(s -> stretch(s.mesh(), risen(s.mesh())));
     }
 
     /** Vertices of the lungs' bases at the domes or, where no lung lies on the diaphragm, of the roofs below them. */
@@ -150,7 +164,9 @@ public final class EndExpiration {
      * @throws IllegalArgumentException if the completed body has no cage
      */
     public static PatientBody of(PatientBody scanned, PatientBody completed, BreathLevel level) {
-        EndExpiration expiration = new EndExpiration(completed.thorax(), level);
+        List<Structure> structures =
+                scanned.structures().stream().map(PatientStructure::structure).toList();
+        EndExpiration expiration = new EndExpiration(structures, completed.thorax(), level);
         List<PatientStructure> moved = scanned.structures().parallelStream()
                 .filter(s -> s.structure().kind() != StructureKind.DIAPHRAGM)
                 .map(s -> s.withStructure(expiration.moved(s.structure())))
@@ -187,19 +203,28 @@ public final class EndExpiration {
 
     private Structure moved(Structure s) {
         if (isCage(s.kind())) {
-            return turned(s);
+            return turned(s, s);
+        }
+        if (inLiver.has(s)) {
+            double[] risen = risen(s.mesh());
+            return ofLiver.map(stretch -> stretch.of(s, risen))
+                    .orElseGet(() -> s.withMesh(s.mesh().withPositions(risen)));
+        }
+        if (LesionBones.isOfBone(s)) {
+            return lesionBones.of(s).map(bone -> turned(s, bone)).orElse(s);
         }
         return SOFT.contains(s.kind()) && !STILL.contains(s.name()) ? raised(s) : s;
     }
 
-    private Structure turned(Structure s) {
-        if (s.kind() == StructureKind.COSTAL_CARTILAGE) {
+    /** A structure that goes with a bone, or is one. */
+    private Structure turned(Structure s, Structure bone) {
+        if (bone.kind() == StructureKind.COSTAL_CARTILAGE) {
             return s.withMesh(s.mesh().withPositions(bones.carried(s.mesh().positions())));
         }
-        int body = s.kind() == StructureKind.RIB
-                ? bones.cage().rib(s.level(), s.side())
+        int body = bone.kind() == StructureKind.RIB
+                ? bones.cage().rib(bone.level(), bone.side())
                 : bones.cage().sternum();
-        return !isCage(s.kind()) || body < 0 ? s : withPoints(s, p -> bones.carried(body, p));
+        return !isCage(bone.kind()) || body < 0 ? s : withPoints(s, p -> bones.carried(body, p));
     }
 
     private static Structure withPoints(Structure s, UnaryOperator<double[]> map) {
@@ -213,8 +238,17 @@ public final class EndExpiration {
 
     /** A soft organ at end-expiration. */
     private Structure raised(Structure s) {
-        double[] p = s.mesh().positions();
-        double[] displacement = bones.displacement(s.mesh());
+        double[] risen = risen(s.mesh());
+        boolean solid = s.kind() == StructureKind.LIVER || SOLID.contains(OrganNames.words(s.name()));
+        return solid
+                ? stretch(s.mesh(), risen).of(s, risen)
+                : s.withMesh(s.mesh().withPositions(risen));
+    }
+
+    /** The vertices of a surface that rises with the domes. */
+    private double[] risen(TriangleMesh mesh) {
+        double[] p = mesh.positions();
+        double[] displacement = bones.displacement(mesh);
         double[] out = new double[p.length];
         for (int i = 0; i < p.length; i += 3) {
             double above = p[i + 2] > domes ? 1 - heightShare(p[i + 2]) : 0;
@@ -223,19 +257,28 @@ public final class EndExpiration {
                 out[i + axis] = q[axis] + above * displacement[i + axis];
             }
         }
-        boolean solid = s.kind() == StructureKind.LIVER || SOLID.contains(OrganNames.words(s.name()));
-        return s.withMesh(solid ? ofVolume(s.mesh(), out) : s.mesh().withPositions(out));
+        return out;
     }
 
-    /** Gives a solid organ back its volume, by stretching it along z from where it touches the diaphragm. */
-    private TriangleMesh ofVolume(TriangleMesh scanned, double[] moved) {
-        TriangleMesh mesh = scanned.withPositions(moved);
-        double stretch = Math.max(1, MeshMeasure.signedVolume(scanned) / MeshMeasure.signedVolume(mesh));
-        double held = scanned.centre()[2] > domes ? mesh.bounds()[2] : mesh.bounds()[5];
-        for (int i = 2; i < moved.length; i += 3) {
-            moved[i] = held + stretch * (moved[i] - held);
+    /**
+     * The stretch along z by which a solid organ keeps its volume.
+     *
+     * @param heldMm height at which it touches the diaphragm, mm
+     */
+    private record Stretch(double heldMm, double factor) {
+        Structure of(Structure s, double[] risen) {
+            double[] p = risen.clone();
+            for (int i = 2; i < p.length; i += 3) {
+                p[i] = heldMm + factor * (p[i] - heldMm);
+            }
+            return s.withMesh(s.mesh().withPositions(p));
         }
-        return mesh.withPositions(moved);
+    }
+
+    private Stretch stretch(TriangleMesh scanned, double[] moved) {
+        TriangleMesh mesh = scanned.withPositions(moved);
+        double factor = Math.max(1, MeshMeasure.signedVolume(scanned) / MeshMeasure.signedVolume(mesh));
+        return new Stretch(scanned.centre()[2] > domes ? mesh.bounds()[2] : mesh.bounds()[5], factor);
     }
 
     /** A point that rises with the domes. */

@@ -30,8 +30,8 @@ class EndExpirationTest {
     /** Heights of the lungs of the inspired body as a multiple of those at end-expiration. */
     private static final double TALLER = 1.3;
 
-    private static final PatientBody INSPIRED = body(true, s -> true);
-    private static final BreathLevel LEVEL = level(INSPIRED).orElseThrow();
+    static final PatientBody INSPIRED = body(true, s -> true);
+    static final BreathLevel LEVEL = level(INSPIRED).orElseThrow();
     private static final PatientBody RESTING = EndExpiration.of(INSPIRED, INSPIRED, LEVEL);
 
     private static PatientBody body(boolean inspired, Predicate<Structure> kept) {

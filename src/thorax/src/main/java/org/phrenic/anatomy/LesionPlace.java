@@ -1,4 +1,4 @@
-package org.phrenic.simulation;
+package org.phrenic.anatomy;
 
 import java.util.regex.Pattern;
 
@@ -6,12 +6,15 @@ import java.util.regex.Pattern;
  * Where a lesion lies, by the words of its name in lower case. One whose name holds neither the liver nor another organ
  * nor a bone is one of the liver.
  */
-final class LesionPlace {
+public final class LesionPlace {
     private static final Pattern LESION = Pattern.compile(".*(lesion|tumou?r).*");
     private static final Pattern LIVER = holding("liver");
     private static final Pattern BONE =
             holding("bones?|skelet(on|al)|ribs?|costal|stern(um|al)|vertebra[el]?|spin(e|al)"
                     + "|sacr(um|al)|scapula|clavicle|humerus|femur|hip|pelvis|skull");
+    /** Bones that a breath moves, and bones of which the name does not say which. */
+    private static final Pattern MOVING_BONE = holding("bones?|skelet(on|al)|ribs?|costal|stern(um|al)");
+
     private static final Pattern LUNG = Pattern.compile(".*(lung|bronch).*");
     private static final Pattern MEDIASTINUM =
             holding("pulmonary|pleural?|mediastin(um|al)|heart|cardiac|pericardi(um|al)|trachea");
@@ -28,19 +31,26 @@ final class LesionPlace {
         return Pattern.compile("(.*_)?(" + words + ")(_.*)?");
     }
 
-    static boolean isInLiver(String name) {
+    /** Whether it is a lesion of the liver. */
+    public static boolean isInLiver(String name) {
         return isLesion(name) && (LIVER.matcher(name).matches() || !isElsewhere(name));
     }
 
     /** Whether it is a lesion of the lungs or of what lies between them. */
-    static boolean isInChest(String name) {
+    public static boolean isInChest(String name) {
         return isLesion(name) && !LIVER.matcher(name).matches() && isOfChest(name);
     }
 
-    static boolean isInBone(String name) {
+    /** Whether it is a lesion of a bone or a costal cartilage. */
+    public static boolean isInBone(String name) {
         return isLesion(name)
                 && !LIVER.matcher(name).matches()
                 && BONE.matcher(name).matches();
+    }
+
+    /** Whether it is a lesion of a bone that may be a rib, the sternum or a costal cartilage. */
+    public static boolean mayBeInCage(String name) {
+        return isInBone(name) && MOVING_BONE.matcher(name).matches();
     }
 
     private static boolean isLesion(String name) {

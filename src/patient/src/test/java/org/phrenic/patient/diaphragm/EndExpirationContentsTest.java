@@ -1,0 +1,113 @@
+package org.phrenic.patient.diaphragm;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.TriangleTree;
+import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.PatientStructure;
+
+/** What lies in the liver and on bones of the inspired man of {@link EndExpirationTest}. */
+class EndExpirationContentsTest {
+    /** Vertex of rib 7 at which a lesion lies. */
+    private static final int ON_RIB = 200;
+
+    private static final PatientBody SCANNED = scanned();
+    private static final PatientBody RESTING =
+            EndExpiration.of(SCANNED, EndExpirationTest.INSPIRED, EndExpirationTest.LEVEL);
+
+    private static PatientBody scanned() {
+        double[] liver = mesh(EndExpirationTest.INSPIRED, "liver").centre();
+        double[] vertebra = mesh(EndExpirationTest.INSPIRED, "vertebra_T11").centre();
+        double[] rib = vertex(mesh(EndExpirationTest.INSPIRED, "rib_07_R"), ON_RIB);
+        Map<String, double[]> places = new LinkedHashMap<>();
+        places.put("hepatic_vein", liver);
+        places.put("vessel_of_segment_4", liver);
+        places.put("other_5", liver);
+        places.put("aorta", vertebra);
+        places.put("other_9", vertebra);
+        places.put("lesion_vertebra_t11_tumor", vertebra);
+        places.put("lesion_bone_metastasis", vertebra);
+        places.put("lesion_rib_7_metastasis_R", rib);
+        List<PatientStructure> all = new ArrayList<>(EndExpirationTest.INSPIRED.structures());
+        places.forEach((name, place) -> all.add(new PatientStructure(
+                new Structure(name, kind(name), 0, Side.MIDLINE, tetrahedron(place)),
+                PatientStructure.Source.SCAN,
+                Optional.empty(),
+                Optional.empty())));
+        return new PatientBody("patient", all, List.of(), List.of());
+    }
+
+    private static StructureKind kind(String name) {
+        return name.startsWith("other")
+                ? StructureKind.OTHER
+                : name.startsWith("lesion") ? StructureKind.LESION : StructureKind.VESSEL;
+    }
+
+    private static TriangleMesh tetrahedron(double[] p) {
+        double[] corners = {p[0], p[1], p[2], p[0] + 1, p[1], p[2], p[0], p[1] + 1, p[2], p[0], p[1], p[2] + 1};
+        return new TriangleMesh(corners, new int[] {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3});
+    }
+
+    private static TriangleMesh mesh(PatientBody body, String name) {
+        return body.structure(name).orElseThrow().structure().mesh();
+    }
+
+    private static double[] vertex(TriangleMesh mesh, int v) {
+        return new double[] {mesh.x(v), mesh.y(v), mesh.z(v)};
+    }
+
+    /** Vessels of the liver in a scan whose liver has no label, and all in one that has. */
+    @Test
+    void vesselsAndUnknownStructuresInTheLiverRiseWithIt() {
+        TriangleTree liver = new TriangleTree(mesh(RESTING, "liver"));
+        for (String name : List.of("hepatic_vein", "vessel_of_segment_4", "other_5")) {
+            double[] before = vertex(mesh(SCANNED, name), 0);
+            double[] after = vertex(mesh(RESTING, name), 0);
+            assertThat(after[2] - before[2]).as(name).isGreaterThan(0.5 * EndExpirationTest.LEVEL.descentMm());
+            assertThat(liver.isInside(after[0], after[1], after[2])).as(name).isTrue();
+        }
+        PatientBody noLiver = new PatientBody(
+                "patient",
+                SCANNED.structures().stream()
+                        .filter(s -> s.structure().kind() != StructureKind.LIVER)
+                        .toList(),
+                List.of(),
+                List.of());
+        PatientBody resting = EndExpiration.of(noLiver, EndExpirationTest.INSPIRED, EndExpirationTest.LEVEL);
+        double rise = mesh(resting, "hepatic_vein").bounds()[2]
+                - mesh(SCANNED, "hepatic_vein").bounds()[2];
+        assertThat(rise).isGreaterThan(0.5 * EndExpirationTest.LEVEL.descentMm());
+    }
+
+    @Test
+    void greatVesselsAndUnknownStructuresElsewhereKeepTheirPlaces() {
+        for (String name : List.of("aorta", "other_9")) {
+            assertThat(mesh(RESTING, name).positions())
+                    .as(name)
+                    .isEqualTo(mesh(SCANNED, name).positions());
+        }
+    }
+
+    @Test
+    void lesionsOfVertebraeStayAndThoseOfRibsTurnWithTheirRib() {
+        for (String name : List.of("lesion_vertebra_t11_tumor", "lesion_bone_metastasis")) {
+            assertThat(mesh(RESTING, name).positions())
+                    .as(name)
+                    .isEqualTo(mesh(SCANNED, name).positions());
+        }
+        double[] rib = vertex(mesh(RESTING, "rib_07_R"), ON_RIB);
+        assertThat(rib).isNotEqualTo(vertex(mesh(SCANNED, "rib_07_R"), ON_RIB));
+        assertThat(vertex(mesh(RESTING, "lesion_rib_7_metastasis_R"), 0)).containsExactly(rib, within(1e-9));
+    }
+}
