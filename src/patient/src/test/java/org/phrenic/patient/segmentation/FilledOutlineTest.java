@@ -18,6 +18,11 @@ class FilledOutlineTest {
     private static final int SLICES = 10;
 
     private static LabelGrid outline(int gap) {
+        return outline(shell(gap), Map.of(1, "skin"), 1);
+    }
+
+    /** @param gap number of slices in which the shell is open on one side */
+    private static byte[] shell(int gap) {
         byte[] labels = new byte[COLUMNS * ROWS * SLICES];
         for (int k = 0; k < SLICES; k++) {
             for (int j = 2; j < 14; j++) {
@@ -28,10 +33,14 @@ class FilledOutlineTest {
                 }
             }
         }
+        return labels;
+    }
+
+    private static LabelGrid outline(byte[] labels, Map<Integer, String> structures, int times) {
         LabelGrid grid = LabelGrid.of(COLUMNS, ROWS, SLICES, labels, new double[] {3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 3, 0});
         LabelVolume volume = new LabelVolume(grid, Map.of(), List.of());
-        Segmentation body = new Segmentation(volume, new LabelTable(Map.of(1, "skin")), "scan");
-        return FilledOutline.of(body, new int[] {1, 1, 1});
+        Segmentation body = new Segmentation(volume, new LabelTable(structures), "scan");
+        return FilledOutline.of(body, new int[] {times, times, times});
     }
 
     @Test
@@ -42,5 +51,31 @@ class FilledOutlineTest {
     @Test
     void aLayerWhoseShellIsOpenStaysAsItIs() {
         assertThat(outline(1).counts()[1]).isEqualTo(16 * 12 * (SLICES - 1) + 2 * 16 + 2 * 10 - 1);
+    }
+
+    /** Of two neighbouring voxels that become one, the shell may be in either: its middle lies in one of them. */
+    @Test
+    void aShellIsFilledInLargerVoxelsAsWell() {
+        LabelGrid outline = outline(shell(0), Map.of(1, "skin"), 2);
+        assertThat(outline.counts()[1]).isEqualTo(8 * 6 * SLICES / 2);
+        assertThat(outline.columns()).isEqualTo(8);
+    }
+
+    /** A couch below the back, a target volume that reaches beyond the skin, and an unknown structure in the body. */
+    @Test
+    void aCouchAndATargetVolumeBeyondTheSkinAreNoPartOfTheBody() {
+        byte[] labels = shell(0);
+        for (int k = 0; k < SLICES; k++) {
+            for (int i = 4; i < 16; i++) {
+                labels[i + COLUMNS * (14 + ROWS * k)] = 2;
+            }
+            for (int i = 0; i < 6; i++) {
+                int v = i + COLUMNS * (7 + ROWS * k);
+                labels[v] = labels[v] == 1 ? labels[v] : 3;
+            }
+            labels[9 + COLUMNS * (9 + ROWS * k)] = 4;
+        }
+        Map<Integer, String> structures = Map.of(1, "skin", 2, "other_couch", 3, "lesion_ptv", 4, "other_4");
+        assertThat(outline(labels, structures, 1).counts()[1]).isEqualTo(16 * 12 * SLICES);
     }
 }
