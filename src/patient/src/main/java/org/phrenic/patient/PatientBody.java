@@ -32,6 +32,13 @@ public record PatientBody(String name, List<PatientStructure> structures, List<S
                 .findFirst();
     }
 
+    /** The first part of a structure that the scan truncates; with one part truncated the whole structure is. */
+    public Optional<PatientStructure> firstCut(Structure structure) {
+        return structures.stream()
+                .filter(s -> !s.isComplete() && s.structure().isSameAs(structure))
+                .findFirst();
+    }
+
     /** Whether the body can be simulated, which requires a diaphragm and ribs. */
     public boolean canBreathe() {
         return has(StructureKind.DIAPHRAGM) && has(StructureKind.RIB);

@@ -19,6 +19,7 @@ import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 import org.phrenic.patient.ShownPlaces;
+import org.phrenic.patient.TemplateParts;
 import org.phrenic.patient.label.LabelTable;
 import org.phrenic.patient.segmentation.CutPlane;
 
@@ -72,7 +73,7 @@ public final class BodyCompletion {
 
     private BodyCompletion(PatientBody body, Thorax template) {
         this.body = body;
-        rest = template.structures();
+        rest = TemplateParts.of(template.structures(), body);
         List<PatientStructure> seen = new ArrayList<>();
         for (PatientStructure s : body.structures()) {
             if (seen.stream().noneMatch(other -> other.structure().isSameAs(s.structure()))) {
@@ -254,18 +255,15 @@ public final class BodyCompletion {
         for (PatientStructure s : body.structures()) {
             Optional<DistanceSummary> off =
                     PatientBody.merged(template, s.structure()).map(mesh -> SurfacePair.distanceToScan(s, mesh));
-            // The end of a scan always cuts the skin.
-            boolean skin = s.structure().kind() == StructureKind.SKIN;
-            if (off.isEmpty() || firstCut(s.structure()).isEmpty() || skin) {
+            if (off.isEmpty() || body.firstCut(s.structure()).isEmpty() || keepsCut(s.structure(), continued)) {
                 all.add(extended(off.map(s::withDistanceToScan).orElse(s), extended));
             }
         }
+        List<PatientStructure> kept = List.copyOf(all);
         int added = 0;
         for (Structure structure : template) {
-            if (all.stream()
-                    .noneMatch(
-                            s -> s.structure().isSameAs(structure) && s.source() != PatientStructure.Source.VIRTUAL)) {
-                Optional<PatientStructure> cut = firstCut(structure);
+            if (kept.stream().noneMatch(s -> s.structure().isSameAs(structure))) {
+                Optional<PatientStructure> cut = body.firstCut(structure);
                 all.add(new PatientStructure(
                         structure,
                         continued.contains(structure.name())
@@ -295,11 +293,12 @@ public final class BodyCompletion {
         return new PatientBody(body.name(), all, ExpectedStructures.missing(all), body.notes()).withNotes(notes);
     }
 
-    /** The first part of a structure that the scan truncates; with one part truncated the whole structure is. */
-    private Optional<PatientStructure> firstCut(Structure structure) {
-        return body.structures().stream()
-                .filter(s -> !s.isComplete() && s.structure().isSameAs(structure))
-                .findFirst();
+    /**
+     * Whether what the scan shows of a structure that it truncates is kept as it is: the end of a scan always cuts the
+     * skin, and nothing continues vessels, muscles and bones outside the chest wall.
+     */
+    private static boolean keepsCut(Structure s, Set<String> continued) {
+        return s.kind() == StructureKind.SKIN || (s.kind().isNamed() && !continued.contains(s.name()));
     }
 
     /** The rib with neck and head where it ends short of the spine, any other structure as it is. */

@@ -269,7 +269,7 @@ class BodyCompletionTest {
                 .isCloseTo(MeshMeasure.signedVolume(right.mesh()), withinPercentage(10));
     }
 
-    private static Structure lobe(Structure lung, String name, double low, double high) {
+    static Structure lobe(Structure lung, String name, double low, double high) {
         double[] p = lung.mesh().positions().clone();
         for (int i = 2; i < p.length; i += 3) {
             p[i] = Math.max(low, Math.min(high, p[i]));
