@@ -39,7 +39,8 @@ class ImportSummaryDialogTest {
         return WindowHarness.onEdt(() -> {
             ImportSummaryDialog.show(
                     null,
-                    new ImportResult("scan.mha", Optional.empty(), body, Optional.empty(), quality, Optional.empty()),
+                    new ImportResult(
+                            "scan.mha", Optional.empty(), body, Optional.empty(), quality, Optional.empty(), List.of()),
                     rehearse);
             return Stream.of(Window.getWindows())
                     .filter(w -> w.isVisible() && "import.summary".equals(w.getName()))

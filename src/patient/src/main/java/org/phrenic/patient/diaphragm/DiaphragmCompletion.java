@@ -21,10 +21,10 @@ public final class DiaphragmCompletion {
     private DiaphragmCompletion() {}
 
     /**
-     * Replaces the diaphragm of a body, or adds one. A diaphragm that the scan labels as a whole stays if it can
-     * breathe ({@link SheetQuality}). A body without ribs, lower thoracic vertebrae or lungs is returned with a note.
-     * Organs that lie elsewhere than the scan shows them yield to the sheet ({@link YieldToSheet}), as they do in a
-     * scene.
+     * Replaces the diaphragm of a body, or adds one. A diaphragm that the scan labels as a whole, or that was built in
+     * an earlier import, stays if it can breathe ({@link SheetQuality}). A body without ribs, lower thoracic vertebrae
+     * or lungs is returned with a note. Organs that lie elsewhere than the scan shows them yield to the sheet
+     * ({@link YieldToSheet}), as they do in a scene.
      *
      * @param moved whether the body was brought to end-expiration, and none of its organs lies where the scan shows it
      */
@@ -50,7 +50,7 @@ public final class DiaphragmCompletion {
             rest.replaceAll(
                     s -> moved || !bare.isInScan(s.structure()) ? s.withStructure(contact.yielded(s.structure())) : s);
         } catch (IllegalArgumentException e) {
-            return body.withNotes(List.of("no diaphragm is built: " + e.getMessage()));
+            return withoutTemplates(body).withNotes(List.of("no diaphragm is built: " + e.getMessage()));
         }
         rest.add(new PatientStructure(sheet, PatientStructure.Source.BUILT, Optional.empty(), Optional.empty()));
         rest.sort(Comparator.comparing(s -> s.structure().name()));
@@ -60,12 +60,21 @@ public final class DiaphragmCompletion {
         return new PatientBody(body.name(), rest, ExpectedStructures.missing(rest), body.notes()).withNotes(notes);
     }
 
+    /** The body without the diaphragm of a template, which lies at none of its organs. */
+    private static PatientBody withoutTemplates(PatientBody body) {
+        List<PatientStructure> own = body.structures().stream()
+                .filter(s -> s.structure().kind() != StructureKind.DIAPHRAGM
+                        || s.source() != PatientStructure.Source.VIRTUAL)
+                .toList();
+        return new PatientBody(body.name(), own, ExpectedStructures.missing(own), body.notes());
+    }
+
     private static boolean hasUsable(PatientBody body) {
-        boolean scanned = body.structures().stream()
+        boolean own = body.structures().stream()
                 .anyMatch(s -> s.structure().kind() == StructureKind.DIAPHRAGM
-                        && s.source() == PatientStructure.Source.SCAN
+                        && s.source() != PatientStructure.Source.VIRTUAL
                         && s.isComplete());
-        return scanned
+        return own
                 && SheetQuality.of(body.thorax())
                         .filter(q -> q.refusal().isEmpty())
                         .isPresent();

@@ -31,8 +31,6 @@ public final class ImportPipeline {
     public static ImportResult run(ImportRequest request, ImportProgress progress) {
         String file = request.file().toString();
         progress.stage("reading " + file);
-        Optional<LabelGrid> grid = Optional.empty();
-        PatientBody scanned;
         if (Files.isDirectory(request.file()) && !LabelVolumeFiles.isVolume(request.file())) {
             boolean ofVolumes = request.labels().isPresent()
                     || request.edgeMm().isPresent()
@@ -41,15 +39,22 @@ public final class ImportPipeline {
                 throw new BadInputException(file + ": found a folder of meshes and --labels, --axes, --spacing or"
                         + " --edge, which are of label volumes, expected none of them");
             }
-            scanned = MeshFolder.read(request.file(), request.name());
-        } else {
-            LabelVolume volume = request.geometry().apply(LabelVolumeFiles.read(request.file()), file);
-            grid = Optional.of(volume.grid());
-            LabelTable table = table(request, volume, progress);
-            checkAxes(request, volume, table);
-            scanned = new ScanImport(volume, file, MeshingSettings.PAPER, request.edgeMm(), progress)
-                    .run(table, request.name());
+            MeshFolder folder = MeshFolder.read(request.file(), request.name());
+            return result(request, Optional.empty(), folder.body(), progress).withStatements(folder.statements());
         }
+
+        LabelVolume volume = request.geometry().apply(LabelVolumeFiles.read(request.file()), file);
+        LabelTable table = table(request, volume, progress);
+        checkAxes(request, volume, table);
+        PatientBody scanned = new ScanImport(volume, file, MeshingSettings.PAPER, request.edgeMm(), progress)
+                .run(table, request.name());
+        return result(request, Optional.of(volume.grid()), scanned, progress);
+    }
+
+    /** Aligns or completes a body as the request says. */
+    private static ImportResult result(
+            ImportRequest request, Optional<LabelGrid> grid, PatientBody scanned, ImportProgress progress) {
+        String file = request.file().toString();
         if (request.alignTo().isPresent()) {
             ScanAlignment.Aligned aligned = aligned(request, scanned);
             return ImportResult.of(file, grid, aligned.body(), Optional.of(aligned.alignment()));

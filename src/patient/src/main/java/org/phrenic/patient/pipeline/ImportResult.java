@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.PatientBody;
@@ -18,6 +19,7 @@ import org.phrenic.patient.registration.ScanAlignment;
  * @param alignment how a second scan was brought to the body of a first one; empty if it was not
  * @param quality quality of the diaphragm; empty if the body has none, or no cage that it could be measured against
  * @param resting the completed body and its breath level; empty if it was not completed
+ * @param statements what else than structures its scan does not show, in words
  */
 public record ImportResult(
         String file,
@@ -25,7 +27,12 @@ public record ImportResult(
         PatientBody body,
         Optional<ScanAlignment> alignment,
         Optional<SheetQuality> quality,
-        Optional<RestingBody> resting) {
+        Optional<RestingBody> resting,
+        List<String> statements) {
+    public ImportResult {
+        statements = List.copyOf(statements);
+    }
+
     /** Measures the diaphragm of the body and adds a note if it is beyond a limit. */
     static ImportResult of(String file, Optional<LabelGrid> grid, PatientBody body, Optional<ScanAlignment> alignment) {
         Optional<SheetQuality> quality = SheetQuality.of(body.thorax());
@@ -35,13 +42,28 @@ public record ImportResult(
                 body.withNotes(quality.flatMap(SheetQuality::warning).stream().toList()),
                 alignment,
                 quality,
-                Optional.empty());
+                Optional.empty(),
+                List.of());
     }
 
     /** The result for a completed body. */
     static ImportResult of(String file, Optional<LabelGrid> grid, RestingBody resting) {
         ImportResult plain = of(file, grid, resting.body(), Optional.empty());
-        return new ImportResult(file, grid, plain.body(), Optional.empty(), plain.quality(), Optional.of(resting));
+        return new ImportResult(
+                file,
+                grid,
+                plain.body(),
+                Optional.empty(),
+                plain.quality(),
+                Optional.of(resting),
+                resting.statements());
+    }
+
+    /** Returns a copy that states what the imported folder does, before its own statements. */
+    ImportResult withStatements(List<String> ofFolder) {
+        List<String> all =
+                Stream.concat(ofFolder.stream(), statements.stream()).distinct().toList();
+        return new ImportResult(file, grid, body, alignment, quality, resting, all);
     }
 
     /** The content of {@code import.json}. */
@@ -55,6 +77,6 @@ public record ImportResult(
      * @throws org.phrenic.file.OutputException if a file cannot be written
      */
     public void write(Path folder) {
-        PatientFolder.write(folder, body, resting.map(RestingBody::statements).orElse(List.of()), report());
+        PatientFolder.write(folder, body, statements, report());
     }
 }

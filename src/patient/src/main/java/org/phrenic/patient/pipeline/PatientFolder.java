@@ -1,9 +1,9 @@
 package org.phrenic.patient.pipeline;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.OrderedValues;
@@ -44,8 +44,9 @@ final class PatientFolder {
                 .with("axes", "LPS")
                 .with("units", "mm")
                 .with("structures", files);
-        List<String> notInScan = new ArrayList<>(body.notInScan());
-        notInScan.addAll(statements);
+        List<String> notInScan = Stream.concat(body.notInScan().stream(), statements.stream())
+                .distinct()
+                .toList();
         YamlWriter.write(indexFile, notInScan.isEmpty() ? index : index.with("not_in_scan", notInScan));
     }
 

@@ -94,4 +94,29 @@ class DiaphragmCompletionTest {
         assertThat(throughMm(ofTemplate)).isLessThan(1.5);
         assertThat(throughMm(ofScan)).isGreaterThan(3);
     }
+
+    @Test
+    void aDiaphragmThatWasBuiltStaysInTheBodyThatIsCompletedAgain() {
+        PatientBody whole = DiaphragmCompletion.complete(with(LIVER, Source.SCAN, p -> p), false);
+        assertThat(DiaphragmCompletion.complete(whole, false)).isSameAs(whole);
+    }
+
+    /** Without lungs nothing tells where the domes stand. */
+    @Test
+    void whereNoDiaphragmCanBeBuiltThatOfATemplateIsNotLeftInItsPlace() {
+        List<PatientStructure> structures = VirtualThorax.ofPreset("adult-female", Resolution.LOW).structures().stream()
+                .filter(s -> s.kind() != StructureKind.LUNG)
+                .map(s -> new PatientStructure(
+                        s,
+                        s.kind() == StructureKind.DIAPHRAGM ? Source.VIRTUAL : Source.SCAN,
+                        Optional.empty(),
+                        Optional.empty()))
+                .toList();
+        PatientBody body =
+                DiaphragmCompletion.complete(new PatientBody("woman", structures, List.of(), List.of()), false);
+        assertThat(body.notes()).singleElement().asString().startsWith("no diaphragm is built");
+        assertThat(body.structure("diaphragm")).isEmpty();
+        assertThat(body.missing()).contains("diaphragm");
+        assertThat(body.canBreathe()).isFalse();
+    }
 }

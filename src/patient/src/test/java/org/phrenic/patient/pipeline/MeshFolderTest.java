@@ -3,16 +3,19 @@ package org.phrenic.patient.pipeline;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.anatomy.virtual.VirtualThorax;
@@ -21,8 +24,10 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.file.Hashes;
 import org.phrenic.file.InputBytes;
 import org.phrenic.file.OutputException;
+import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.VtpWriter;
+import org.phrenic.patient.PatientStructure;
 import org.phrenic.patient.label.GeometryOverride;
 
 /** A folder of bones without a diaphragm, named as other programs name them, in cm and RAS. */
@@ -108,6 +113,76 @@ class MeshFolderTest {
     private static Map<String, String> contents(Path folder) {
         return InputBytes.list(folder).stream()
                 .collect(Collectors.toMap(file -> file.getFileName().toString(), Hashes::sha256));
+    }
+
+    private void write(String name, TriangleMesh mesh) {
+        VtpWriter.write(folder.resolve(name + ".vtp"), mesh, Map.of());
+    }
+
+    private void writeFourBones(Thorax body) {
+        for (String bone : List.of("rib_07_L", "rib_07_R", "vertebra_T07", "vertebra_T12")) {
+            write(bone, body.find(bone).orElseThrow().mesh());
+        }
+    }
+
+    /** The mesh at half its height, on top of the other half. */
+    private static TriangleMesh half(TriangleMesh mesh, boolean upper) {
+        double[] p = mesh.positions().clone();
+        for (int i = 2; i < p.length; i += 3) {
+            p[i] = 0.5 * (p[i] + mesh.bounds()[upper ? 5 : 2]);
+        }
+        return mesh.withPositions(p);
+    }
+
+    /**
+     * Of a structure that may have parts, each file is a part; those of an organ are one, as labels of a volume are.
+     */
+    @Test
+    void filesOfOneStructureAreAllInTheBodyThatIsWritten() {
+        Thorax body = VirtualThorax.generate(VirtualThoraxParameters.preset("adult-female"), Resolution.LOW);
+        writeFourBones(body);
+        TriangleMesh lung = body.find("lung_L").orElseThrow().mesh();
+        write("lung_lower_lobe_left", half(lung, false));
+        write("lung_upper_lobe_left", half(lung, true));
+        write("heart_atrium_left", half(lung, true));
+        write("heart_myocardium", half(lung, false));
+        ImportResult result = imported(folder);
+        Path out = folder.resolve("patient");
+        result.write(out);
+        Thorax written = ThoraxFolder.loadPart(out, name -> Optional.empty());
+        assertThat(written.structures())
+                .extracting(Structure::name)
+                .filteredOn(name -> name.startsWith("lung") || name.startsWith("heart"))
+                .containsExactlyInAnyOrder("lung_L", "lung_L_2", "heart");
+        double volume = MeshMeasure.signedVolume(lung);
+        for (String stem : List.of("lung", "heart")) {
+            assertThat(written.structures().stream()
+                            .filter(s -> s.name().startsWith(stem))
+                            .mapToDouble(s -> MeshMeasure.signedVolume(s.mesh()))
+                            .sum())
+                    .as(stem)
+                    .isCloseTo(volume, withinPercentage(0.1));
+        }
+        assertThat(result.body().notes())
+                .contains("lung_L: its 2 files are kept as lung_L, lung_L_2", "heart: its 2 files are taken together");
+    }
+
+    /** A folder that an import has made is imported again. */
+    @Test
+    void whatAFolderStatesNotToBeInTheScanStaysSo() throws IOException {
+        writeFourBones(VirtualThorax.generate(VirtualThoraxParameters.preset("adult-female"), Resolution.LOW));
+        String raised = "end-expiration (domes raised by 41 mm)";
+        Files.writeString(
+                folder.resolve("thorax.yaml"),
+                "axes: LPS\nunits: mm\nnot_in_scan:\n- rib_07_L\n- part of the lungs\n- " + raised + "\n");
+        ImportResult result = imported(folder);
+        assertThat(result.body().structure("rib_07_L").orElseThrow().source())
+                .isEqualTo(PatientStructure.Source.VIRTUAL);
+        assertThat(result.body().structure("rib_07_R").orElseThrow().source()).isEqualTo(PatientStructure.Source.SCAN);
+        Path out = folder.resolve("patient");
+        result.write(out);
+        assertThat(ThoraxFolder.loadPart(out, name -> Optional.empty()).notInScan())
+                .containsExactlyInAnyOrder("rib_07_L", "part of the lungs", raised);
     }
 
     @Test
