@@ -87,7 +87,7 @@ final class ImportReport {
                     .with("off_label_percentile_95_mm", off.percentile95())
                     .with("off_label_maximum_mm", off.maximum());
         });
-        s.distanceToScan().ifPresent(off -> row.with("fit_off_scan_mean_mm", off.mean())
+        s.distanceToScan().filter(off -> off.points() > 0).ifPresent(off -> row.with("fit_off_scan_mean_mm", off.mean())
                 .with("fit_off_scan_percentile_95_mm", off.percentile95()));
         MeshQuality quality = MeshQuality.of(s.structure().mesh());
         return row.with("vertices", quality.vertices())
