@@ -37,13 +37,21 @@ public final class FactorScale {
     }
 
     /**
-     * The scale of a factor of a model.
+     * Requires that a model can take the listed values of a factor.
      *
-     * @throws IllegalArgumentException with one sentence, if the model has no such factor or cannot take its values
+     * @throws IllegalArgumentException with one sentence, if it has no such factor or cannot take a value
+     */
+    static void requireValues(Factor factor, SweepModel model) {
+        factor.values().forEach(value -> model.check(factor.key(), value));
+    }
+
+    /**
+     * The scale of a factor of a model. Listed values are not read.
+     *
+     * @throws IllegalArgumentException with one sentence, if the model has no such factor or cannot take its range
      */
     static FactorScale of(Factor factor, SweepModel model) {
         if (factor.isListed()) {
-            factor.values().forEach(value -> model.check(factor.key(), value));
             return new FactorScale(factor, 0, 0);
         }
         double[] limits = model.limits(factor.key());

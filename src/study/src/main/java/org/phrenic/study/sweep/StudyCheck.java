@@ -19,10 +19,13 @@ final class StudyCheck {
 
     private final YamlMap yaml;
     private final SweepStudy study;
+    private final boolean evaluated;
 
-    StudyCheck(YamlMap yaml, SweepStudy study) {
+    /** @param evaluated whether bodies and recordings are needed, and read */
+    StudyCheck(YamlMap yaml, SweepStudy study, boolean evaluated) {
         this.yaml = yaml;
         this.study = study;
+        this.evaluated = evaluated;
     }
 
     /** @throws BadInputException with one sentence */
@@ -35,7 +38,7 @@ final class StudyCheck {
         requireFactors(model);
         requireOneBody();
         boolean creep = study.responses().stream().anyMatch(ResponseSpec::needsHold);
-        if (creep && !HeldBreaths.in(study)) {
+        if (evaluated && creep && !HeldBreaths.in(study)) {
             throw yaml.bad("responses", "found creep, expected a breath with a hold, such as preset hold-inspiration");
         }
         long size = study.design().size(study.factors());
@@ -95,6 +98,9 @@ final class StudyCheck {
                 throw place.bad("found '" + factor.key() + "' a second time, expected each name once");
             }
             try {
+                if (evaluated || !SweepStudy.isPath(factor.key())) {
+                    FactorScale.requireValues(factor, model);
+                }
                 FactorScale.of(factor, model);
             } catch (IllegalArgumentException | BadInputException refused) {
                 throw new BadInputException(place.bad(refused.getMessage()).getMessage(), refused);

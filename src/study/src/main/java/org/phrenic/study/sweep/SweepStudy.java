@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.phrenic.document.Key;
 import org.phrenic.document.YamlDocument;
@@ -15,6 +16,7 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.file.FileNames;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.material.Numerics;
+import org.phrenic.parameter.ParsedSetting;
 import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.RunSettings;
@@ -68,15 +70,21 @@ public record SweepStudy(
      * @throws BadInputException with one sentence that names file, line and key
      */
     public static SweepStudy read(Path file) {
-        return of(YamlDocument.read(file), file.toAbsolutePath().getParent(), FileNames.withoutExtension(file));
+        return of(YamlDocument.read(file), file.toAbsolutePath().getParent(), FileNames.withoutExtension(file), true);
     }
 
     /** Reads the text of a study whose paths are absolute, such as {@link #resolved}. */
     public static SweepStudy parse(String name, String text) {
-        return of(YamlDocument.parse(name, text), Path.of("").toAbsolutePath(), name);
+        return of(YamlDocument.parse(name, text), Path.of("").toAbsolutePath(), name, true);
     }
 
-    private static SweepStudy of(YamlMap yaml, Path folder, String title) {
+    /** As {@link #parse}, for a study that is not evaluated: its bodies and recordings may be on another machine. */
+    public static SweepStudy parseWithoutBodies(String name, String text) {
+        return of(YamlDocument.parse(name, text), Path.of("").toAbsolutePath(), name, false);
+    }
+
+    /** @param evaluated whether bodies and recordings are needed */
+    private static SweepStudy of(YamlMap yaml, Path folder, String title, boolean evaluated) {
         yaml.requireOnly(KEYS);
         String model = yaml.text("model", BreathModel.NAME);
         if (!MODELS.contains(model)) {
@@ -87,12 +95,12 @@ public record SweepStudy(
         SweepStudy study = new SweepStudy(
                 yaml.text("title", title),
                 model,
-                scenario(yaml, folder),
+                scenario(yaml, folder, evaluated),
                 factors(yaml, design, folder),
                 design,
                 yaml.has("responses") ? bound(yaml, "responses", ResponseSpec.class) : List.of(),
                 yaml.has("series") ? yaml.texts("series") : List.of());
-        new StudyCheck(yaml, study).require();
+        new StudyCheck(yaml, study, evaluated).require();
         return study;
     }
 
@@ -117,7 +125,7 @@ public record SweepStudy(
         return yaml.maps(key).stream().map(map -> map.bind(type)).toList();
     }
 
-    private static Scenario scenario(YamlMap yaml, Path folder) {
+    private static Scenario scenario(YamlMap yaml, Path folder, boolean evaluated) {
         Scenario base =
                 yaml.has("scenario") ? Scenario.read(folder.resolve(yaml.text("scenario"))) : Scenario.defaults();
         YamlMap settings = yaml.mapOrEmpty("settings");
@@ -125,7 +133,8 @@ public record SweepStudy(
         List<Assignment> assignments = new ArrayList<>();
         for (Setting<?> setting : Settings.all()) {
             if (settings.has(setting.key())) {
-                assignments.add(new Assignment("settings", setting, setting.read(settings, folder)));
+                Object value = evaluated ? setting.read(settings, folder) : stated(setting, settings, folder);
+                assignments.add(new Assignment("settings", setting, value));
             }
         }
         try {
@@ -134,6 +143,15 @@ public record SweepStudy(
             throw new BadInputException(
                     yaml.bad("settings", refused.getMessage()).getMessage(), refused);
         }
+    }
+
+    /** The value of a setting; a body or a recording by its path, which is not looked up. */
+    private static Object stated(Setting<?> setting, YamlMap settings, Path folder) {
+        if (!isPath(setting.key()) || isNamed(settings.text(setting.key()))) {
+            return setting.read(settings, folder);
+        }
+        Path path = ParsedSetting.path(settings, setting.key(), folder).normalize();
+        return setting == Breathing.TRACE ? Optional.of(path) : path.toString();
     }
 
     private static List<Factor> factors(YamlMap yaml, DesignSpec design, Path folder) {
@@ -172,14 +190,23 @@ public record SweepStudy(
 
     /** The value of a factor, with an absolute path if it names a file or a folder. */
     private static String resolved(String key, String value, Path folder) {
-        boolean named = RunSettings.VIRTUAL_BODIES.contains(value) || value.equals(Breathing.NO_TRACE);
         try {
-            return PATHS.contains(key) && !named
+            return isPath(key) && !isNamed(value)
                     ? folder.resolve(value).normalize().toString()
                     : value;
         } catch (InvalidPathException noPath) {
             return value; // which the check of the factor refuses
         }
+    }
+
+    /** Whether a body or a recording is one by its name, which is no path. */
+    private static boolean isNamed(String value) {
+        return RunSettings.VIRTUAL_BODIES.contains(value) || value.equals(Breathing.NO_TRACE);
+    }
+
+    /** Whether a setting names a body or a recording, whose file or folder is elsewhere than in the study. */
+    static boolean isPath(String key) {
+        return PATHS.contains(key);
     }
 
     /** Column of the journal with the values of a series. */

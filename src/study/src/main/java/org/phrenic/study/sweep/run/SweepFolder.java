@@ -64,7 +64,7 @@ public final class SweepFolder {
     }
 
     /**
-     * The folder of a study that has begun.
+     * The folder of a study that has begun. Its bodies and recordings need not be on this machine.
      *
      * @throws BadInputException with one sentence, if there is no study in it
      */
@@ -77,7 +77,7 @@ public final class SweepFolder {
     }
 
     private static SweepStudy stated(Path file) {
-        return SweepStudy.parse(file.toString(), TextFile.read(file, "a study"));
+        return SweepStudy.parseWithoutBodies(file.toString(), TextFile.read(file, "a study"));
     }
 
     public SweepPlan plan() {

@@ -259,4 +259,40 @@ class SweepRunnerTest {
         assertThat(row.hasResultOf(new RunRow(0, outcome, "diverged", 1, "here")))
                 .isFalse();
     }
+
+    /** A merge evaluates nothing: the bodies and recordings may be on the machines of the shards alone. */
+    @Test
+    void aMergeNeedsNeitherBodiesNorRecordings() throws IOException {
+        Path shared = folder.resolve("shared");
+        Path near = Files.createDirectory(folder.resolve("near"));
+        Path far = Files.createDirectory(folder.resolve("far"));
+        Path breath = Files.writeString(
+                folder.resolve("breath.csv"), "time_s,amplitude\n0,0\n1,1\n2,0\n3,1\n4,0\n5,1\n6,0\n7,1\n8,0\n");
+        Path file = Files.writeString(
+                folder.resolve("s.yaml"),
+                "settings: {anatomy: near, trace: breath.csv, resolution: low, preset: hold-inspiration}\nfactors:\n"
+                        + "  - {key: anatomy, values: [far, virtual/adult-male]}\n"
+                        + "  - {key: trace, values: [breath.csv, none]}\n"
+                        + "design: {kind: grid}\nresponses: [{observable: dome_right_mm, reduction: creep}]\n");
+        SweepPlan plan = SweepPlan.of(SweepStudy.read(file));
+        try (SweepJournal journal = SweepFolder.of(shared, plan).journal(Shard.WHOLE)) {
+            for (int run = 0; run < plan.size(); run++) {
+                SweepOutcome outcome = new SweepOutcome(new double[] {10 + run}, "aa", new double[0][]);
+                journal.add(new RunRow(run, outcome, "", 1, "there"));
+            }
+        }
+        for (Path gone : List.of(near, far, breath)) {
+            Files.delete(gone);
+        }
+        SweepFolder merged = SweepFolder.existing(shared);
+        assertThat(merged.plan().study().resolved()).isEqualTo(plan.study().resolved());
+        assertThat(merged.results().isComplete()).isTrue();
+        merged.write(merged.results(), 0, 0, 1);
+        assertThat(Files.readString(shared.resolve("runs.csv"))).contains(far.toString(), breath.toString());
+        Path study = shared.resolve("study.yaml");
+        Files.writeString(study, Files.readString(study).replace("preset: hold-inspiration", "preset: held"));
+        assertThatThrownBy(() -> SweepFolder.existing(shared))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("'held'");
+    }
 }
