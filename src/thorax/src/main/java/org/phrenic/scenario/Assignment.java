@@ -15,7 +15,8 @@ import org.phrenic.parameter.Setting;
  * @param value of the setting's type
  */
 public record Assignment(String origin, Setting<?> setting, Object value) {
-    private static final Pattern PLAIN = Pattern.compile("[A-Za-z0-9_./+-]+");
+    /** Words and numbers that YAML takes for what they say, which it does not of {@code null} and a lone dash. */
+    private static final Pattern PLAIN = Pattern.compile("(?!(?:null|Null|NULL|-)$)[A-Za-z0-9_./+-]+");
 
     /** Creates an assignment from a typed value. */
     public static <T> Assignment of(String origin, Setting<T> setting, T value) {
@@ -32,7 +33,7 @@ public record Assignment(String origin, Setting<?> setting, Object value) {
     }
 
     /** As {@link #read(String, String, String)}, with relative paths resolved against another folder. */
-    static Assignment read(String origin, String key, String text, Path folder) {
+    public static Assignment read(String origin, String key, String text, Path folder) {
         try {
             // Text that is not a plain word or number is quoted, so that YAML does not interpret it.
             String escaped = text.isEmpty() || PLAIN.matcher(text).matches() ? text : quote(text);

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -111,6 +112,9 @@ class ScenarioTest {
         assertThat(scenario.get(Breathing.DEPTH)).isEqualTo(0.5);
         assertThat(scenario.preset()).isEqualTo("deep");
         assertThat(scenario.name()).isEqualTo("a b #1: 'c'");
+        for (String word : List.of("null", "Null", "NULL", "~", "-", "nullify", "true", "12")) {
+            assertThat(Scenario.defaults().with("name=" + word).name()).isEqualTo(word);
+        }
         assertThat(Scenario.defaults().with("material=paper").timeStepS()).isEqualTo(0.01);
         assertThat(scenario.states(Breathing.DEPTH)).isTrue();
         assertThat(scenario.states(Breathing.RATE)).isFalse();

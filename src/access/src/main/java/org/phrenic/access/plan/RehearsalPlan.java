@@ -230,8 +230,9 @@ public record RehearsalPlan(
         Scenario repeating = base.states(Breathing.REPEAT)
                 ? base
                 : base.with(List.of(Assignment.of(file.toString(), Breathing.REPEAT, true)));
+        Path folder = file.toAbsolutePath().getParent();
         return repeating.with(set.keys().stream()
-                .map(key -> Assignment.read(file + ": set " + key, key, set.text(key)))
+                .map(key -> Assignment.read(file + ": set " + key, key, set.text(key), folder))
                 .toList());
     }
 

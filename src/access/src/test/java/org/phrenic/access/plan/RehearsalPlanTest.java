@@ -47,4 +47,17 @@ class RehearsalPlanTest {
                 "target: {rest_mm: [-90, 0, 50], diameter_mm: 20}\ngive_up_after_s: .inf\n");
         assertThatThrownBy(() -> RehearsalPlan.read(file)).hasMessageContaining("give_up_after_s");
     }
+
+    @Test
+    void theBodyAndTheRecordingOfAPlanAreTakenFromItsFolder() throws IOException {
+        Path body = Files.createDirectory(folder.resolve("body"));
+        Path breath = Files.writeString(
+                folder.resolve("breath.csv"), "time_s,amplitude\n0,0\n1,1\n2,0\n3,1\n4,0\n5,1\n6,0\n7,1\n8,0\n");
+        Path file = Files.writeString(
+                folder.resolve("plan.yaml"),
+                "set: {anatomy: body, trace: breath.csv}\ntarget: {rest_mm: [-90, 0, 50], diameter_mm: 20}\n");
+        Scenario scenario = RehearsalPlan.read(file).scenario();
+        assertThat(scenario.anatomy()).isEqualTo(body.toString());
+        assertThat(scenario.trace()).contains(breath);
+    }
 }
