@@ -30,6 +30,28 @@ class BenchErrorCommandTest {
         assertThat(chart.getWidth()).isEqualTo(1200);
     }
 
+    /** What took minutes is not lost because the bound was too low. */
+    @Test
+    void aMeasurementIsToldThoughNothingInItKeepsTheErrorThatWasAskedFor() {
+        CommandLineRun run = CommandLineRun.of(
+                "bench",
+                "error",
+                "--quick",
+                "--material",
+                "paper",
+                "--integrator",
+                "verlet",
+                "--time-step",
+                "0.01",
+                "--sweeps",
+                "1",
+                "--max-error",
+                "1e-9");
+        assertThat(run.exitCode()).as(run.err()).isZero();
+        assertThat(run.out())
+                .contains("Reference: rk4", "No setting that was measured keeps this error", "expected at least");
+    }
+
     /** Samples of a run with steps of 7 ms lie 2 ms from those of its reference, in which the domes move by 0.07 mm. */
     @Test
     void aStepThatDoesNotDivideTheSamplingIntervalIsRefused() {

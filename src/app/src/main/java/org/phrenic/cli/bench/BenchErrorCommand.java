@@ -209,7 +209,7 @@ final class BenchErrorCommand extends ReportingCommand {
         table.put(measured);
         Stream<Scenario> asked = Double.isNaN(most) ? Stream.empty() : scenarios.stream();
         List<String> cheapest =
-                asked.map(s -> measured.cheapest(s, most).sentence()).toList();
+                asked.map(s -> ErrorReport.cheapestSentence(measured, s, most)).toList();
         print(report.values(), () -> text(studies, report, cheapest));
         if (isJson()) {
             cheapest.forEach(err()::println);

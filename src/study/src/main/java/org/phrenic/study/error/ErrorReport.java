@@ -14,6 +14,8 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.engine.equilibrium.NewtonEquilibrium;
+import org.phrenic.file.BadInputException;
+import org.phrenic.scenario.Scenario;
 import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.ReportValues;
 
@@ -36,6 +38,19 @@ public final class ErrorReport {
     public ErrorReport(List<ErrorStudy> studies, Map<String, List<MeshRefinementError>> meshes) {
         this.studies = List.copyOf(studies);
         this.meshes = new LinkedHashMap<>(meshes);
+    }
+
+    /**
+     * Says which setting of a scene is the cheapest that keeps an error, or that none does.
+     *
+     * @param mostMm rms error of the diaphragm, mm
+     */
+    public static String cheapestSentence(ErrorTable measured, Scenario scenario, double mostMm) {
+        try {
+            return measured.cheapest(scenario, mostMm).sentence();
+        } catch (BadInputException none) {
+            return "No setting that was measured keeps this error; " + none.getMessage() + ".";
+        }
     }
 
     /** Table rows, one per setting, cheapest first. */

@@ -62,6 +62,12 @@ class ErrorTableTest {
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("found 0.001 mm")
                 .hasMessageContaining("at least 0.00120 mm");
+        assertThat(ErrorReport.cheapestSentence(table, PAPER, 0.001))
+                .isEqualTo(
+                        "No setting that was measured keeps this error; --max-error: found 0.001 mm, expected at least"
+                                + " 0.00120 mm, the least that was measured for material paper at resolution low.");
+        assertThat(ErrorReport.cheapestSentence(table, PAPER, 0.01))
+                .isEqualTo(table.cheapest(PAPER, 0.01).sentence());
         assertThatThrownBy(() -> table.cheapest(Scenario.defaults(), 1))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("material physical");
