@@ -28,6 +28,9 @@ import org.phrenic.ui.view.SceneViewport;
  * @param pictureSize width and height of its pictures, pixels
  */
 public record AttemptReportWriter(SceneViewport view, int pictureSize) {
+    /** Names of the files that hold an attempt; one of another attempt, or of one's own, may have the same name. */
+    public static final List<String> FILES = List.of("report.json", "report.html", "plan.yaml", "scenario.yaml");
+
     /** Longest time for the pictures of one kind, s. */
     private static final long PICTURES_S = 120;
 

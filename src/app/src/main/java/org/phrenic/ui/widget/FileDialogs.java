@@ -3,9 +3,11 @@ package org.phrenic.ui.widget;
 import java.awt.Component;
 import java.io.File;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
@@ -30,7 +32,9 @@ public final class FileDialogs {
         File file = chosen.getName().toLowerCase(Locale.ROOT).endsWith("." + suffix)
                 ? chosen
                 : new File(chosen.getParentFile(), chosen.getName() + "." + suffix);
-        return confirmed(parent, title, file, file, "Replace " + file.getName() + ", which is there already?");
+        Optional<String> question = Optional.of("Replace " + file.getName() + ", which is there already?")
+                .filter(text -> file.exists());
+        return confirmed(parent, title, file, question);
     }
 
     public static Optional<Path> open(Component parent, String title, String... suffixes) {
@@ -45,20 +49,29 @@ public final class FileDialogs {
 
     /** A folder to write a report into; a report that is in it is confirmed. */
     public static Optional<Path> folder(Component parent, String title) {
-        return folder(parent, title, "");
+        return folder(parent, title, "", List.of("report.json"));
     }
 
-    /** A folder to write a report into; one in the last folder is proposed, by this name unless it is empty. */
-    public static Optional<Path> folder(Component parent, String title, String proposed) {
+    /**
+     * A folder to write a report into; one in the last folder is proposed, by this name unless it is empty.
+     *
+     * @param files names of files that are written, each of which is confirmed if it is there already
+     */
+    public static Optional<Path> folder(Component parent, String title, String proposed, List<String> files) {
         JFileChooser chooser = chooser(title);
         propose(chooser, proposed);
         if (chooser.showSaveDialog(parent) != JFileChooser.APPROVE_OPTION) {
             return Optional.empty();
         }
         File folder = chooser.getSelectedFile();
-        String question = "Replace the report in " + folder.getName() + "?";
-        File report = new File(folder, "report.json");
-        return confirmed(parent, title, folder, report, question);
+        return confirmed(parent, title, folder, replaced(folder, files));
+    }
+
+    /** Asks whether files of a folder are replaced, by their names; empty if none of them is there. */
+    static Optional<String> replaced(File folder, List<String> files) {
+        String there =
+                files.stream().filter(name -> new File(folder, name).exists()).collect(Collectors.joining(", "));
+        return Optional.of("Replace " + there + " in " + folder.getName() + "?").filter(text -> !there.isEmpty());
     }
 
     /** Lets a chooser choose folders and shows the name of a new one, which need not exist. */
@@ -78,14 +91,14 @@ public final class FileDialogs {
         return path;
     }
 
-    private static Optional<Path> confirmed(Component parent, String title, File file, File old, String question) {
+    private static Optional<Path> confirmed(Component parent, String title, File file, Optional<String> question) {
         Optional<Path> path = path(file, refusal(parent, title));
         if (path.isEmpty()) {
             return path;
         }
         rememberFolder(path.get());
-        boolean write = !old.exists()
-                || JOptionPane.showConfirmDialog(parent, question, title, JOptionPane.OK_CANCEL_OPTION)
+        boolean write = question.isEmpty()
+                || JOptionPane.showConfirmDialog(parent, question.get(), title, JOptionPane.OK_CANCEL_OPTION)
                         == JOptionPane.OK_OPTION;
         return write ? path : Optional.empty();
     }

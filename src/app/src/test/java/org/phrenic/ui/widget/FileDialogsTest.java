@@ -3,6 +3,8 @@ package org.phrenic.ui.widget;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -10,6 +12,7 @@ import javax.swing.JFileChooser;
 import javax.swing.plaf.basic.BasicFileChooserUI;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.ui.access.AttemptReportWriter;
 import org.phrenic.ui.session.EventThread;
 
 /** What a dialog proposes is what its field shows, which a press on Save takes. */
@@ -23,6 +26,20 @@ class FileDialogsTest {
             return ((BasicFileChooserUI) chooser.getUI()).getFileName();
         });
         assertThat(Path.of(shown)).isEqualTo(folder.resolve("rehearsal 2026-11-25 16.21"));
+    }
+
+    /** A folder may hold a plan and a scenario of one's own, which would be lost. */
+    @Test
+    void eachFileThatIsWrittenOverIsAskedFor(@TempDir Path folder) throws IOException {
+        assertThat(FileDialogs.replaced(folder.toFile(), AttemptReportWriter.FILES))
+                .isEmpty();
+        for (String name : List.of("plan.yaml", "notes.txt", "scenario.yaml")) {
+            Files.createFile(folder.resolve(name));
+        }
+        assertThat(FileDialogs.replaced(folder.toFile(), AttemptReportWriter.FILES))
+                .contains("Replace plan.yaml, scenario.yaml in " + folder.getFileName() + "?");
+        assertThat(FileDialogs.replaced(folder.resolve("new").toFile(), AttemptReportWriter.FILES))
+                .isEmpty();
     }
 
     /** A name with a character that no file system has stands for one that the encoding of the system lacks. */

@@ -163,7 +163,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
     private Optional<Path> newFolder() {
         String proposed =
                 "rehearsal " + LocalDateTime.now(ZoneId.systemDefault()).format(TIME);
-        return FileDialogs.folder(this, "Folder for the report", proposed);
+        return FileDialogs.folder(this, "Folder for the report", proposed, AttemptReportWriter.FILES);
     }
 
     /** Keeps attempts over sessions. */
