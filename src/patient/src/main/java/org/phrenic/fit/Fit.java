@@ -25,6 +25,7 @@ import org.phrenic.fit.search.LinearShapeModel;
 import org.phrenic.fit.search.SearchSpace;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.Observation;
 
 /**
@@ -245,7 +246,7 @@ public final class Fit {
     /** Hash of the state that the scenario reaches in a newly assembled simulation. */
     private String stateHash(Scenario scenario) {
         try (Simulation simulation = Simulation.of(scenario, setup.thorax())) {
-            long steps = Math.round(scenario.durationS() / scenario.timeStepS());
+            long steps = SimulationRun.stepsFor(scenario.durationS(), scenario.timeStepS());
             while (simulation.steps() < steps) {
                 simulation.step();
             }

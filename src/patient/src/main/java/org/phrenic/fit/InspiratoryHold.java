@@ -16,6 +16,7 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.Observation;
 
 /**
@@ -121,7 +122,7 @@ public final class InspiratoryHold implements AutoCloseable {
     private String breatheIn(double[] values, double untilS) {
         try {
             simulation.rerun(changes(held, parameters, values));
-            long steps = Math.round(untilS / held.timeStepS());
+            long steps = SimulationRun.stepsFor(untilS, held.timeStepS());
             while (simulation.steps() < steps) {
                 simulation.step();
             }

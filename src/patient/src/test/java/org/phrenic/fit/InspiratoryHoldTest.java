@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.anatomy.Resolution;
@@ -11,6 +12,7 @@ import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.Settings;
+import org.phrenic.simulation.SimulationRun;
 
 /** A breath that is held for a fit, on the sheet alone. */
 class InspiratoryHoldTest {
@@ -42,6 +44,23 @@ class InspiratoryHoldTest {
             double late = hold.observed("dome_right_mm");
             assertThat(late).as("the dome goes down by centimetres").isLessThan(-10);
             assertThat(early).isCloseTo(late, within(0.02 * Math.abs(late)));
+        }
+    }
+
+    /** The time is no multiple of this step: a run takes the step that reaches beyond it. */
+    @Test
+    void aRunOfTheFittedScenarioEndsInTheStateThatWasObserved() {
+        Scenario base = Scenario.defaults()
+                .with("preset=deep", "resolution=low", "lungs=off", "sternum=off", "liver=false", "rib_rotation=0")
+                .with("time_step_s=0.006");
+        List<FitParameter> parameters = List.of(FitParameter.of(Settings.parameter("muscle_activation"), base));
+        double[] values = {0.6};
+        try (InspiratoryHold hold =
+                new InspiratoryHold(base, VirtualThorax.ofPreset("adult-male", Resolution.LOW), parameters)) {
+            assertThat(hold.breatheIn(values)).isEmpty();
+            assertThat(SimulationRun.run(
+                            InspiratoryHold.scenario(base, parameters, values), null, (at, of, perS) -> {}))
+                    .containsEntry("state_sha256", hold.stateHash());
         }
     }
 }

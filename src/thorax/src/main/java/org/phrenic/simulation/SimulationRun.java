@@ -98,7 +98,7 @@ public final class SimulationRun {
     }
 
     /** Steps that a time takes, the last of which may reach beyond it: a run ends no earlier than its last breath. */
-    static long stepsFor(double seconds, double dt) {
+    public static long stepsFor(double seconds, double dt) {
         long steps = Math.max(0, (long) Math.ceil(seconds / dt * (1 - ROUNDING)));
         return steps * dt < seconds ? steps + 1 : steps;
     }
