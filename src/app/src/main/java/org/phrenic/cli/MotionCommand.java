@@ -67,7 +67,9 @@ final class MotionCommand extends ReportingCommand {
         thorax.notes().forEach(progress::note);
         try (Simulation simulation = Simulation.of(scenario, thorax, UserCache.ofUser(), progress);
                 BodyMotion motion = new BodyMotion(simulation, options.organs(), options.lungs(), scenario.threads())) {
-            double[] times = options.times(simulation.breathDurationS(), simulation.durationS());
+            double dt = simulation.stepper().dt();
+            double lastS = SimulationRun.stepsFor(simulation.durationS(), dt) * dt;
+            double[] times = options.times(simulation.breathDurationS(), Math.max(lastS, simulation.durationS()));
             report = new MotionExport(simulation, motion, request, out, progress).write(times);
         } finally {
             progress.end();

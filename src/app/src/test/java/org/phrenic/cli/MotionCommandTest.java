@@ -81,4 +81,30 @@ class MotionCommandTest {
         assertThat(unknown.err()).contains("line 2, column 'structure'", "found structure 'lung_X'");
         assertThat(folder.resolve("out")).doesNotExist();
     }
+
+    /** A run ends with the first step at or after its duration, whose time is the last of its table. */
+    @Test
+    void theTimesOfARunAreThoseOfTheMotionOfTheSameScenario() throws IOException {
+        Path run = folder.resolve("run");
+        String[] scenario = {"--resolution", "low", "--duration", "0.052"};
+        List<String> args = new ArrayList<>(List.of("run", "--out", run.toString()));
+        args.addAll(List.of(scenario));
+        assertThat(CommandLineRun.of(args.toArray(new String[0])).exitCode()).isZero();
+        Path points = Files.writeString(folder.resolve("points.csv"), "x_mm,y_mm,z_mm\n-60,0,0\n");
+        args = new ArrayList<>(List.of("motion", "--no-organs", "--out"));
+        args.addAll(List.of(folder.resolve("out").toString(), "--points", points.toString(), "--times"));
+        args.add(run.resolve("observables.csv").toString());
+        args.addAll(List.of(scenario));
+        CommandLineRun motion = CommandLineRun.of(args.toArray(new String[0]));
+        assertThat(motion.exitCode()).as(motion.err()).isZero();
+        assertThat(Files.readString(folder.resolve("out").resolve("trajectories.csv")))
+                .contains(",0.0525,");
+    }
+
+    @Test
+    void refusesTimesAfterTheLastStep() {
+        CommandLineRun run = motion("--grid", "20mm", "--duration", "0.052", "--at", "0.0526");
+        assertThat(run.exitCode()).isEqualTo(2);
+        assertThat(run.err()).contains("--at: found 0.0526 s, expected 0 to 0.0525 s");
+    }
 }

@@ -90,10 +90,10 @@ public final class MotionOptions {
      * The times in ascending order, s.
      *
      * @param breathS duration of a breath
-     * @param totalS duration of the scenario
-     * @throws BadInputException if a time is negative or after the end of the scenario
+     * @param lastS time of the last step of the scenario
+     * @throws BadInputException if a time is negative or after the last step
      */
-    public double[] times(double breathS, double totalS) {
+    public double[] times(double breathS, double lastS) {
         if (phases != null) {
             int count = OptionValues.integer("--phases", phases, 1, MAX_PHASES);
             return IntStream.range(0, count)
@@ -110,7 +110,7 @@ public final class MotionOptions {
         if (sorted.length == 0 || sorted.length > MAX_PHASES) {
             throw new BadInputException(option + ": found " + sorted.length + " times, expected 1 to " + MAX_PHASES);
         }
-        OptionValues.requireWithin(option, sorted, totalS);
+        OptionValues.requireWithin(option, sorted, lastS);
         return sorted;
     }
 }

@@ -156,7 +156,7 @@ public final class OptionValues {
     /**
      * Requires that times lie in a scenario.
      *
-     * @param totalS duration of the scenario
+     * @param totalS duration of the scenario, or the time of its last step
      * @throws BadInputException if a time is negative or after the end
      */
     static void requireWithin(String option, double[] times, double totalS) {
