@@ -2,6 +2,9 @@ package org.phrenic.document;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.SerializableString;
+import com.fasterxml.jackson.core.io.CharacterEscapes;
+import com.fasterxml.jackson.core.io.SerializedString;
 import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter.NopIndenter;
@@ -12,6 +15,7 @@ import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.OutputException;
@@ -37,6 +41,7 @@ public final class JsonWriter {
         try (JsonGenerator json = new JsonFactory().createGenerator(text)) {
             json.setPrettyPrinter(new Layout());
             json.setHighestNonEscapedChar(HIGHEST_PLAIN_CHARACTER);
+            json.setCharacterEscapes(new YamlEscapes());
             write(json, PlainValues.copy("", values));
         } catch (IOException impossible) {
             throw new UncheckedIOException("a StringWriter takes all text", impossible);
@@ -69,6 +74,29 @@ public final class JsonWriter {
             json.writeEndArray();
         } else {
             json.writePOJO(value);
+        }
+    }
+
+    /** Escapes control characters and line breaks that JSON may hold as they are and YAML may not. */
+    private static final class YamlEscapes extends CharacterEscapes {
+        private static final long serialVersionUID = 1;
+        private static final char DELETE = 0x7F;
+        private static final char LINE_SEPARATOR = 0x2028;
+        private static final char PARAGRAPH_SEPARATOR = 0x2029;
+
+        @Override
+        public int[] getEscapeCodesForAscii() {
+            int[] codes = standardAsciiEscapesForJSON();
+            codes[DELETE] = ESCAPE_STANDARD;
+            return codes;
+        }
+
+        @Override
+        public SerializableString getEscapeSequence(int character) {
+            boolean escaped = Character.isISOControl(character)
+                    || character == LINE_SEPARATOR
+                    || character == PARAGRAPH_SEPARATOR;
+            return escaped ? new SerializedString(String.format(Locale.ROOT, "\\u%04X", character)) : null;
         }
     }
 

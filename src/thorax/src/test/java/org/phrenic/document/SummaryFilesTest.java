@@ -55,6 +55,21 @@ class SummaryFilesTest {
                         """);
     }
 
+    /** JSON may hold these characters as they are, YAML may not, and takes some for the end of a line. */
+    @Test
+    void jsonOfAnyTextCanBeReadAsYaml() {
+        StringBuilder text = new StringBuilder("a");
+        for (char c = 1; c < 0x100; c++) {
+            text.append(c);
+        }
+        text.append("\u2028\u2029\uFEFF\uFFFE\uFFFF\uD83D\uDE00b");
+        String json = JsonWriter.format(Map.of("name " + text, text.toString()));
+        assertThat(json)
+                .contains("\\u007F\\u0080", "\\u0096", "\\u009F", "\\u2028")
+                .contains("\u00E4");
+        assertThat(YamlDocument.parse("a.json", json).text("name " + text)).isEqualTo(text.toString());
+    }
+
     /**
      * The file is replaced, not written over: a second name of the old file, as an open reader has, keeps its content.
      */
