@@ -104,10 +104,18 @@ final class CompareCommand extends ReportingCommand {
         if (ply != null) {
             PlyWriter.write(ply, from, Map.of("distance_mm", comparison.aToB().distances()));
         }
-        List<String> pictures = picture == null ? List.of() : pictures(from, comparison, shots, scale);
         CompareReport report = new CompareReport(a, b, comparison);
-        print(report.values(pictures), () -> withDisclaimer(report.table()));
+        try {
+            print(report, picture == null ? List.of() : pictures(from, comparison, shots, scale));
+        } catch (NoGraphicsException undrawn) {
+            print(report, List.of());
+            throw undrawn;
+        }
         return ExitCode.SUCCESS;
+    }
+
+    private void print(CompareReport report, List<String> pictures) {
+        print(report.values(pictures), () -> withDisclaimer(report.table()));
     }
 
     private static void requireOwn(String option, Path file, Path... others) {

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.mesh.io.MeshFiles;
 
 /** Commands as a machine without a screen starts them: where that counts, in a Java process of their own. */
 class HeadlessTest {
@@ -165,19 +166,22 @@ class HeadlessTest {
 
     /** Starts {@code render} in a process without a display and returns its exit code. */
     private int render(Map<String, String> environment, String... options) throws IOException, InterruptedException {
+        List<String> arguments = new ArrayList<>(List.of("render", "--resolution", "low", "--set", "lungs=embedded"));
+        arguments.addAll(Arrays.asList(options));
+        return execute(environment, arguments);
+    }
+
+    /** Starts the program in a process without a display and returns its exit code. */
+    private int execute(Map<String, String> environment, List<String> arguments)
+            throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 SHORT_LIVED,
                 "-Djava.awt.headless=true",
                 "-cp",
                 System.getProperty("java.class.path"),
-                Phrenic.class.getName(),
-                "render",
-                "--resolution",
-                "low",
-                "--set",
-                "lungs=embedded"));
-        command.addAll(Arrays.asList(options));
+                Phrenic.class.getName()));
+        command.addAll(arguments);
         ProcessBuilder builder = new ProcessBuilder(command)
                 .redirectOutput(folder.resolve("stdout").toFile())
                 .redirectError(folder.resolve("stderr").toFile());
@@ -223,16 +227,34 @@ class HeadlessTest {
         return Stream.concat(first.stream(), Arrays.stream(more)).toArray(String[]::new);
     }
 
+    /** An environment in which no driver of OpenGL is found. */
+    private Map<String, String> drawingNothing() {
+        return Map.of(
+                "__EGL_VENDOR_LIBRARY_FILENAMES", folder.resolve("none.json").toString());
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void theFiguresOfAComparisonNeedNoPicture() throws Exception {
+        Path low = folder.resolve("low.ply");
+        Path high = folder.resolve("high.ply");
+        Path picture = folder.resolve("map.png");
+        MeshFiles.write(low, BoxThorax.box(0, 0, 0, 10));
+        MeshFiles.write(high, BoxThorax.box(0, 0, 2, 10));
+        List<String> arguments =
+                List.of("compare", low.toString(), high.toString(), "--picture", picture.toString(), "--json");
+        assertThat(execute(drawingNothing(), arguments)).isEqualTo(ExitCode.NO_GRAPHICS);
+        assertThat(Files.readString(folder.resolve("stdout")))
+                .contains("\"hausdorff_mm\": 2.0")
+                .doesNotContain("\"pictures\"");
+        assertThat(picture).doesNotExist();
+    }
+
     @Test
     @EnabledOnOs(OS.LINUX)
     void whereNothingDrawsOneSentenceSaysSo() throws Exception {
         Path out = folder.resolve("pictures");
-        int code = render(
-                Map.of(
-                        "__EGL_VENDOR_LIBRARY_FILENAMES",
-                        folder.resolve("none.json").toString()),
-                "--out",
-                out.toString());
+        int code = render(drawingNothing(), "--out", out.toString());
         assertThat(code).isEqualTo(ExitCode.NO_GRAPHICS);
         assertThat(Files.readString(folder.resolve("stdout"))).isEmpty();
         assertThat(Files.readAllLines(folder.resolve("stderr")).stream().filter(line -> line.startsWith("phrenic: ")))
