@@ -12,7 +12,7 @@ import java.util.stream.IntStream;
 import javax.swing.table.AbstractTableModel;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.file.AtomicFile;
+import org.phrenic.document.CsvWriter;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
@@ -146,11 +146,12 @@ final class ScanLabels extends AbstractTableModel {
         if (!edited) {
             return Optional.empty();
         }
-        String lines = IntStream.range(0, rows.size())
-                .mapToObj(row -> rows.get(row).label() + ","
-                        + (structures.get(row).equals(NONE) ? LabelTable.IGNORE : structures.get(row)))
-                .collect(Collectors.joining("\n", "label,structure\n", "\n"));
-        AtomicFile.write(file, lines);
+        List<List<String>> lines = IntStream.range(0, rows.size())
+                .mapToObj(row -> List.of(
+                        String.valueOf(rows.get(row).label()),
+                        structures.get(row).equals(NONE) ? LabelTable.IGNORE : structures.get(row)))
+                .toList();
+        CsvWriter.write(file, List.of("label", "structure"), lines);
         return Optional.of(file);
     }
 

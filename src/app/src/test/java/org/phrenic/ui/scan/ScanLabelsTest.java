@@ -13,8 +13,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.patient.ScanSamples;
 import org.phrenic.patient.label.GeometryOverride;
+import org.phrenic.patient.label.LabelTable;
 
 /** What the dialog of an import proposes for the geometry of a volume. */
 class ScanLabelsTest {
@@ -74,5 +76,17 @@ class ScanLabelsTest {
                 .hasValueSatisfying(problem -> assertThat(problem).contains("run to LPS", "the file states LPI"));
         assertThat(labels.geometry(labels.axes(), labels.spacing()).axes()).contains("LPS");
         assertThat(labels.geometry("LPI", labels.spacing()).axes()).contains("LPI");
+    }
+
+    @Test
+    void aStructureWithACommaIsReadAgainAsItWasTyped() throws IOException {
+        Path scan = scan("4");
+        ScanLabels labels = ScanLabels.read(scan, USUAL);
+        labels.setValueAt("other_cyst, left", 2, ScanLabels.STRUCTURE_COLUMN);
+        assertThat(labels.unknown()).isEmpty();
+        Path table = labels.writeIfEdited(folder.resolve("labels.csv")).orElseThrow();
+        assertThat(LabelTable.read(table, LabelVolumeFiles.read(scan)).structures())
+                .containsEntry(3, "other_cyst, left")
+                .hasSize(3);
     }
 }
