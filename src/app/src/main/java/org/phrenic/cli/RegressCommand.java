@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.report.ExitCode;
@@ -11,7 +12,6 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.engine.parallel.ProgressListener;
-import org.phrenic.file.BadInputException;
 import org.phrenic.study.regression.Regression;
 import org.phrenic.study.regression.RegressionComparison;
 import picocli.CommandLine.Command;
@@ -31,6 +31,9 @@ import picocli.CommandLine.Option;
             "Exit code 3 if a scene is farther from its references than its tolerance. The scenes: docs/regression.md."
         })
 final class RegressCommand extends ReportingCommand {
+    /** Options that are read with --write-references. */
+    private static final Set<String> OF_WRITING = Set.of("--write-references", "--scene", "--debug");
+
     @Option(names = "--scene", paramLabel = "NAME,...", description = "Only these scenes.")
     private String only;
 
@@ -51,10 +54,7 @@ final class RegressCommand extends ReportingCommand {
         List<String> scenes = only == null ? List.of() : OptionValues.split(only);
         ProgressListener progress = progress("scenes done");
         if (write != null) {
-            if (references != null) {
-                throw new BadInputException(
-                        "--write-references: found --references too, expected one of them: nothing is compared");
-            }
+            requireRead(OF_WRITING::contains, "with --write-references, which compares and prints nothing");
             new Regression(ReportFolder.requireWritable("--write-references", write)).write(scenes, progress);
             return ExitCode.SUCCESS;
         }

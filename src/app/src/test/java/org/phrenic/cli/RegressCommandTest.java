@@ -50,6 +50,7 @@ class RegressCommandTest {
             {"--scene", "no-such"},
             {"--references", folder.resolve("none").toString()},
             {"--references", folder.toString(), "--write-references", folder.toString()},
+            {"--scene", "changed", "--write-references", folder.toString(), "--json"},
         }) {
             CommandLineRun run = CommandLineRun.of(concat("regress", bad));
             assertThat(run.exitCode()).as(String.join(" ", bad)).isEqualTo(ExitCode.BAD_INPUT);
