@@ -106,7 +106,7 @@ public final class RenderLoop implements AutoCloseable {
     private final DrawingPace pace = new DrawingPace();
     private boolean drawnSharp;
     private long drawnNs;
-    private long countedScene = -1;
+    private long countedScene;
 
     /** @param firstBody the body that is shown first, once it is there; called on the render thread */
     RenderLoop(LiveRun live, Supplier<Optional<LiveScene>> firstBody, Listener listener) {
@@ -325,14 +325,14 @@ public final class RenderLoop implements AutoCloseable {
             renderer.readPixels(context, canvas);
         });
         String phase = historyFrame < 0 ? live.status().phaseLabel() : "recorded";
-        shownTime = scene.id() == LiveScene.AT_REST ? "" : Annotations.timestamp(frame.timeS(), phase);
+        shownTime = scene.isAtRest() ? "" : Annotations.timestamp(frame.timeS(), phase);
         listener.onFrame(new RenderedFrame(
                 canvas, wanted, frame.step(), shownTime, shownMarks, renderer.statistics(), resolution));
         return true;
     }
 
     private boolean isAtRest() {
-        return scene.id() != LiveScene.AT_REST && !live.isPlaying() && System.nanoTime() - drawnNs > AT_REST_NS;
+        return !scene.isAtRest() && !live.isPlaying() && System.nanoTime() - drawnNs > AT_REST_NS;
     }
 
     private boolean takeHistoryFrame(int index) {

@@ -3,9 +3,11 @@ package org.phrenic.ui.view;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -17,6 +19,7 @@ import org.phrenic.scene.gl.FrameStatistics;
 import org.phrenic.scene.gl.GraphicsInfo;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.surface.SceneBounds;
+import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.ui.session.Session;
 
@@ -84,6 +87,61 @@ class RenderLoopTest {
         }
     }
 
+    /** A second scene may settle before the first has run. */
+    @Test
+    void anotherBodyAtRestIsShownInsteadOfTheOneBefore() throws Exception {
+        Scenario small = Scenario.defaults().with("resolution=low", "threads=1");
+        BlockingQueue<RenderedFrame> pictures = new LinkedBlockingQueue<>();
+        try (Session session = new Session(small)) {
+            RenderLoop loop = new RenderLoop(session.live(), Optional::empty, new RenderLoop.Listener() {
+                @Override
+                public void onFrame(RenderedFrame drawn) {
+                    pictures.add(drawn);
+                }
+
+                @Override
+                public void onReady(GraphicsInfo info) {}
+
+                @Override
+                public void onUnavailable(String sentence) {}
+            });
+            loop.start();
+            try {
+                LiveScene man = atRest(small);
+                LiveScene woman = atRest(small.with("anatomy=virtual/adult-female"));
+                RenderLoop.Request first = request(man);
+                loop.request(first);
+                RenderedFrame ofMan = pictures.poll(100, TimeUnit.SECONDS);
+                assertThat(ofMan).isNotNull();
+                loop.request(request(woman));
+                RenderedFrame ofWoman = pictures.poll(100, TimeUnit.SECONDS);
+                assertThat(ofWoman).isNotNull();
+                assertThat(ofWoman.cost().bytesUploaded()).as("another body").isPositive();
+                assertThat(ofWoman.cost().triangles()).isNotEqualTo(ofMan.cost().triangles());
+                assertThat(pick(loop, first)).as("in the body before").isEmpty();
+                assertThat(pick(loop, request(woman))).isPresent();
+            } finally {
+                loop.close();
+            }
+        }
+    }
+
+    private static LiveScene atRest(Scenario scenario) {
+        return LiveScene.atRest(scenario, SimulationRun.loadThorax(scenario));
+    }
+
+    private static RenderLoop.Request request(LiveScene of) {
+        Camera camera = Camera.of(AnatomicalView.ANTERIOR, SceneBounds.of(of.surfaces()), 1);
+        SceneStyle style = SceneStyle.atlas(of.surfaces());
+        return new RenderLoop.Request(of, camera, style, Optional.empty(), Optional.empty(), SIDE, SIDE, -1);
+    }
+
+    private static Optional<PickResult> pick(RenderLoop loop, RenderLoop.Request at) throws Exception {
+        CompletableFuture<Optional<PickResult>> answer = new CompletableFuture<>();
+        loop.pick(SIDE / 2.0, SIDE / 2.0, at, surface -> 1, answer::complete);
+        return answer.get(100, TimeUnit.SECONDS);
+    }
+
     /** What is sent with the first picture keeps the user waiting. */
     @Test
     void meshesAreSentBeforeTheFirstPictureIsAskedFor() throws Exception {
@@ -103,16 +161,7 @@ class RenderLoopTest {
                 CountDownLatch prepared = new CountDownLatch(1);
                 loop.runTask(gl -> prepared.countDown());
                 assertThat(prepared.await(100, TimeUnit.SECONDS)).isTrue();
-                Camera camera = Camera.of(AnatomicalView.ANTERIOR, SceneBounds.of(shown.surfaces()), 1);
-                loop.request(new RenderLoop.Request(
-                        shown,
-                        camera,
-                        SceneStyle.atlas(shown.surfaces()),
-                        Optional.empty(),
-                        Optional.empty(),
-                        SIDE,
-                        SIDE,
-                        -1));
+                loop.request(request(shown));
                 FrameStatistics cost = first.picture.get(100, TimeUnit.SECONDS).cost();
                 assertThat(cost.triangles()).isGreaterThan(10_000);
                 assertThat(cost.bytesUploaded()).isZero();

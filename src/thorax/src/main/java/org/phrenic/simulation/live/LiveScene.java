@@ -1,6 +1,7 @@
 package org.phrenic.simulation.live;
 
 import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Supplier;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.scenario.Scenario;
@@ -18,7 +19,7 @@ import org.phrenic.simulation.observe.Surface;
  * @param nodes number of nodes
  * @param springs number of springs
  * @param body the body as loaded, with its notes
- * @param id unique among loaded scenes
+ * @param id unique in a run: its scenes count from 1 up, bodies at rest from -1 down
  */
 public record LiveScene(
         Scenario scenario,
@@ -29,8 +30,7 @@ public record LiveScene(
         int springs,
         Thorax body,
         long id) {
-    /** Id of a body that is shown before its scene runs; running scenes count from 1. */
-    public static final long AT_REST = 0;
+    private static final AtomicLong BODIES_AT_REST = new AtomicLong();
 
     /** A body at rest, all of whose surfaces stand still, to be shown while its scene is assembled. */
     public static LiveScene atRest(Scenario scenario, Thorax body) {
@@ -38,6 +38,19 @@ public record LiveScene(
                 .map(s -> new Surface(
                         s.name(), s.kind(), s.level(), s.side(), s.mesh(), Surface.Motion.STILL, new boolean[0]))
                 .toList();
-        return new LiveScene(scenario, surfaces, List.of(), () -> Frame.still(surfaces), 0, 0, body, AT_REST);
+        return new LiveScene(
+                scenario,
+                surfaces,
+                List.of(),
+                () -> Frame.still(surfaces),
+                0,
+                0,
+                body,
+                BODIES_AT_REST.decrementAndGet());
+    }
+
+    /** Whether this is a body that is shown before its scene runs. */
+    public boolean isAtRest() {
+        return id < 0;
     }
 }

@@ -124,7 +124,8 @@ class LiveRunTest {
         LiveScene scene = next(scenes);
         assertThat(stages).containsExactly("body", "scene", "surfaces", "done");
         LiveScene body = bodies.remove();
-        assertThat(body.id()).isEqualTo(LiveScene.AT_REST).isNotEqualTo(scene.id());
+        assertThat(body.isAtRest()).isTrue();
+        assertThat(scene.isAtRest()).isFalse();
         assertThat(body.surfaces().stream().map(Surface::name))
                 .containsExactlyInAnyOrderElementsOf(
                         scene.surfaces().stream().map(Surface::name).toList());
