@@ -115,7 +115,7 @@ public final class Simulation implements AutoCloseable {
             ChestBox.confineLungs(scene, stepper);
             stepper.nameNodes(node -> NodeNames.of(scene, node));
             return new Simulation(scenario, scene, stepper, workers, limit, moved);
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             workers.close();
             throw e;
         }

@@ -78,6 +78,8 @@ final class SceneLoader {
             end.failed(new IllegalStateException(
                     "not enough memory for this scene; choose a lower resolution or start Java with a larger -Xmx",
                     full));
+        } catch (Error e) {
+            end.failed(new IllegalStateException("this scene cannot be loaded (" + e + ")", e));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
@@ -95,7 +97,7 @@ final class SceneLoader {
             RunningScene running = new RunningScene(simulation, surfaces, thorax, id, organs);
             enterStage("done", 1);
             return running;
-        } catch (RuntimeException | OutOfMemoryError e) {
+        } catch (RuntimeException | Error e) {
             simulation.close();
             throw e;
         }

@@ -39,6 +39,10 @@ final class SimulationLoop implements Runnable {
     private final LiveRun.Listener listener;
     private Scenario synchronizedSettings;
     private String frameFailure = "";
+    /** What ended the last turn; null if it came to its end. */
+    private Throwable brokenBy;
+    /** What stopped the run and is still to be told; null if all is told. */
+    private Throwable untold;
 
     SimulationLoop(RequestedSettings settings, LiveRun.Listener listener) {
         this.settings = settings;
@@ -49,13 +53,40 @@ final class SimulationLoop implements Runnable {
     public void run() {
         try {
             while (!closed) {
-                turn();
+                turnOrStop();
             }
         } finally {
             commands.close();
             if (running != null) {
                 running.close();
             }
+        }
+    }
+
+    /** Makes a turn. An error stops the run and is told; commands, changes and loads go on. */
+    private void turnOrStop() {
+        try {
+            tellError();
+            turn();
+            brokenBy = null;
+        } catch (RuntimeException | Error e) {
+            // Memory may be full: nothing is allocated here. An error that comes in every turn is told once.
+            boolean isKnown = !playing && brokenBy != null && brokenBy.getClass() == e.getClass();
+            untold = isKnown ? untold : e;
+            brokenBy = e;
+            playing = false;
+            CommandQueue.await(MAX_IDLE_NS);
+        }
+    }
+
+    private void tellError() {
+        if (untold != null) {
+            String why = untold instanceof OutOfMemoryError
+                    ? "there is not enough memory; choose a lower resolution or start Java with a larger -Xmx"
+                    : untold.toString();
+            listener.failed("The simulation stopped: " + why);
+            untold = null;
+            notifyListener();
         }
     }
 

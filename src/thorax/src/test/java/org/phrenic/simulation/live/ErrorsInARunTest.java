@@ -1,0 +1,158 @@
+package org.phrenic.simulation.live;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.file.UserCache;
+import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.Simulation;
+import org.phrenic.simulation.SimulationRun;
+import org.phrenic.simulation.observe.Frame;
+
+/** Errors of the virtual machine, such as full memory, while a scene runs or loads. */
+@Isolated("looks at the threads of the process")
+class ErrorsInARunTest {
+    private static final long PATIENCE_S = 120;
+    private static final Scenario SMALL =
+            Scenario.defaults().with("resolution=low", "lungs=embedded", "sternum=kinematic", "threads=1");
+
+    private final BlockingQueue<LiveScene> scenes = new LinkedBlockingQueue<>();
+    private final BlockingQueue<String> failures = new LinkedBlockingQueue<>();
+    private final AtomicReference<Error> ofNextBody = new AtomicReference<>();
+    private LiveRun run;
+
+    private void start() {
+        run = new LiveRun(SMALL, new LiveRun.Listener() {
+            @Override
+            public void loading(String what, double share) {}
+
+            @Override
+            public void body(LiveScene atRest) {
+                Error error = ofNextBody.getAndSet(null);
+                if (error != null) {
+                    throw error;
+                }
+            }
+
+            @Override
+            public void ready(LiveScene scene) {
+                scenes.add(scene);
+            }
+
+            @Override
+            public void failed(String sentence) {
+                failures.add(sentence);
+            }
+
+            @Override
+            public void diverged(String sentence) {}
+
+            @Override
+            public void changed() {}
+        });
+    }
+
+    @AfterEach
+    void end() {
+        if (run != null) {
+            run.close();
+        }
+    }
+
+    private static <T> T next(BlockingQueue<T> queue) throws InterruptedException {
+        T found = queue.poll(PATIENCE_S, TimeUnit.SECONDS);
+        assertThat(found).as("nothing came in %d s", PATIENCE_S).isNotNull();
+        return found;
+    }
+
+    /** A listener that runs out of memory at the first step, and where that is once more. */
+    private static StepListener fullMemory(boolean besideTheRun) {
+        return new StepListener() {
+            @Override
+            public void onStep(Frame frame, RespiratoryPhase label) {
+                throw new OutOfMemoryError("Java heap space");
+            }
+
+            @Override
+            public boolean maySeeFrameLater() {
+                return besideTheRun;
+            }
+        };
+    }
+
+    private void requireToldAndAlive() throws InterruptedException {
+        assertThat(next(failures)).startsWith("The simulation stopped").contains("not enough memory", "-Xmx");
+        assertThat(run.isPlaying()).isFalse();
+        assertThat(run.commandHash()).hasSize(64);
+        run.change(List.of(Assignment.parse("links_per_node=2")));
+        assertThat(next(scenes).id()).isEqualTo(2);
+        assertThat(failures).isEmpty();
+    }
+
+    @Test
+    void aRunThatHasNoMemorySaysSoAndAnotherSceneLoads() throws InterruptedException {
+        start();
+        next(scenes);
+        run.play();
+        run.listenToSteps(StepListener.Trigger.every(100), fullMemory(false));
+        requireToldAndAlive();
+    }
+
+    @Test
+    void aFrameThatHasNoMemoryIsToldLikewise() throws InterruptedException {
+        start();
+        next(scenes);
+        run.play();
+        run.restart(StepListener.Trigger.every(100), fullMemory(true));
+        requireToldAndAlive();
+    }
+
+    @Test
+    void aLoadThatEndsWithAnErrorIsToldAndIsOver() throws InterruptedException {
+        ofNextBody.set(new NoClassDefFoundError("org/phrenic/Missing"));
+        start();
+        assertThat(next(failures)).contains("cannot be loaded", "org/phrenic/Missing");
+        assertThat(run.isLoading()).isFalse();
+        run.load(SMALL);
+        assertThat(next(scenes).isAtRest()).isFalse();
+    }
+
+    @Test
+    void aSceneThatEndsWithAnErrorLeavesNoThreads() throws InterruptedException {
+        List<Thread> before = workers();
+        SimulationRun.Progress full = new SimulationRun.Progress() {
+            @Override
+            public void advanced(double simulatedS, double totalS, double stepsPerS) {}
+
+            @Override
+            public void settling(double doneS, double totalS) {
+                throw new OutOfMemoryError("Java heap space");
+            }
+        };
+        Scenario parallel = SMALL.with("threads=2", "time_step_s=0.001");
+        assertThatExceptionOfType(OutOfMemoryError.class)
+                .isThrownBy(() -> Simulation.of(parallel, SimulationRun.loadThorax(parallel), UserCache.off(), full));
+        for (Thread thread : workers()) {
+            if (!before.contains(thread)) {
+                thread.join(TimeUnit.SECONDS.toMillis(PATIENCE_S));
+                assertThat(thread.isAlive()).isFalse();
+            }
+        }
+    }
+
+    private static List<Thread> workers() {
+        return Thread.getAllStackTraces().keySet().stream()
+                .filter(thread -> thread.getName().startsWith("phrenic-worker"))
+                .toList();
+    }
+}
