@@ -41,10 +41,13 @@ import org.phrenic.ui.widget.ScrollablePanel;
 public final class AttemptsDock extends JPanel implements RehearsalController.Listener {
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("uuuu-MM-dd HH.mm", Locale.ROOT);
 
-    private record Column(String name, String tip, int width, Function<Rehearsal, String> text) {}
+    private record Column(String name, String tip, int width, Function<EndedAttempt, String> text) {}
 
-    /** @param date when it ended, as text */
-    private record Ended(Rehearsal attempt, String date) {}
+    /**
+     * Number of attempts, the last ones, of which the frames of the body are kept: of an attempt on a target of its own
+     * some 100 MB at high resolution.
+     */
+    static final int KEPT_WHOLE = 12;
 
     private static final List<Column> COLUMNS = List.of(
             new Column("", "Number of the attempt", 22, null),
@@ -62,7 +65,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
     private final transient AttemptReportWriter writer;
     private final transient Supplier<Optional<Path>> chooser;
     private transient Optional<AttemptHistory> history = Optional.empty();
-    private final transient List<Ended> attempts = new ArrayList<>();
+    private final transient List<EndedAttempt> attempts = new ArrayList<>();
     private final Model model = new Model();
     private final JTable table = new JTable(model) {
         @Override
@@ -128,8 +131,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
         for (int i = 0; i < COLUMNS.size(); i++) {
             table.getColumnModel().getColumn(i).setPreferredWidth(COLUMNS.get(i).width);
         }
-        table.getSelectionModel()
-                .addListSelectionListener(e -> selected().map(Ended::attempt).ifPresent(this::show));
+        table.getSelectionModel().addListSelectionListener(e -> selected().ifPresent(this::show));
         JScrollPane scroll = new JScrollPane(table);
         scroll.setPreferredSize(new Dimension(200, 160));
         return scroll;
@@ -147,12 +149,12 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
         return NumberFormats.text("%.1f", value);
     }
 
-    private Optional<Ended> selected() {
+    private Optional<EndedAttempt> selected() {
         int row = table.getSelectedRow();
         return row < 0 ? Optional.empty() : Optional.of(attempts.get(row));
     }
 
-    private void show(Rehearsal attempt) {
+    private void show(EndedAttempt attempt) {
         placeholder.setVisible(false);
         card.show(attempt);
         save.setEnabled(true);
@@ -202,16 +204,28 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
     @Override
     public void onAttemptEnded(Rehearsal attempt) {
         keep(attempt);
-        attempts.add(new Ended(attempt, RehearsalReport.dateNow()));
+        attempts.add(EndedAttempt.of(attempt, RehearsalReport.dateNow()));
+        int last = attempts.size() - 1 - KEPT_WHOLE;
+        if (last >= 0) {
+            attempts.set(last, attempts.get(last).withoutFrames());
+        }
         model.fireTableRowsInserted(attempts.size() - 1, attempts.size() - 1);
         table.setRowSelectionInterval(attempts.size() - 1, attempts.size() - 1);
     }
 
-    private void save(Ended ended) {
+    private void save(EndedAttempt ended) {
+        ended.whole()
+                .ifPresentOrElse(
+                        whole -> save(whole, ended.date()),
+                        () -> session.refuse("A report is written of the last " + KEPT_WHOLE
+                                + " attempts of the session; of this one table and card are kept."));
+    }
+
+    private void save(Rehearsal attempt, String date) {
         chooser.get().ifPresent(folder -> {
             save.setEnabled(false);
             session.note("Writing the report into " + folder + ".");
-            writer.save(ended.attempt, ended.date, folder, problem -> {
+            writer.save(attempt, date, folder, problem -> {
                 save.setEnabled(true);
                 if (problem.isEmpty()) {
                     session.note("Saved " + folder.resolve("report.html") + ".");
@@ -222,8 +236,8 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
         });
     }
 
-    List<Rehearsal> attempts() {
-        return attempts.stream().map(Ended::attempt).toList();
+    List<EndedAttempt> attempts() {
+        return List.copyOf(attempts);
     }
 
     ReportCard card() {
@@ -248,7 +262,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
 
         @Override
         public Object getValueAt(int row, int column) {
-            return column == 0 ? row + 1 : COLUMNS.get(column).text.apply(attempts.get(row).attempt);
+            return column == 0 ? row + 1 : COLUMNS.get(column).text.apply(attempts.get(row));
         }
     }
 }

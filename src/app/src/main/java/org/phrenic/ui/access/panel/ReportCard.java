@@ -12,7 +12,6 @@ import org.phrenic.access.attempt.ProbeUse;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.plan.Goals;
 import org.phrenic.access.plan.PathAdvice;
-import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.widget.Controls;
 
@@ -33,18 +32,18 @@ public final class ReportCard extends JPanel {
         setVisible(false);
     }
 
-    public void show(Rehearsal rehearsal) {
-        AttemptRecord record = rehearsal.record();
-        boolean asks = !rehearsal.plan().goals().evaluate(record).isEmpty();
-        boolean done = rehearsal.goalsReached() && (asks || record.hit());
+    void show(EndedAttempt attempt) {
+        AttemptRecord record = attempt.record();
+        boolean asks = !attempt.plan().goals().evaluate(record).isEmpty();
+        boolean done = attempt.goalsReached() && (asks || record.hit());
         verdict.setAdvice(
                 done ? PathAdvice.Level.FREE : record.hit() ? PathAdvice.Level.CAREFUL : PathAdvice.Level.BARRED,
-                headline(rehearsal, asks),
+                headline(attempt, asks),
                 sampleText(record));
-        goals.setTextIfChanged(String.join("\n", goals(rehearsal)));
+        goals.setTextIfChanged(String.join("\n", goals(attempt)));
         goals.setVisible(asks);
         List<String> lines = measures(record);
-        lines.addAll(0, guidance(rehearsal));
+        lines.addAll(0, guidance(attempt));
         measures.setTextIfChanged(String.join("\n", lines));
         setVisible(true);
         revalidate();
@@ -55,9 +54,9 @@ public final class ReportCard extends JPanel {
         return verdict.text() + "\n" + goals.getText() + "\n" + measures.getText();
     }
 
-    private static String headline(Rehearsal rehearsal, boolean asks) {
-        String hit = rehearsal.record().verdict();
-        return asks ? hit + (rehearsal.goalsReached() ? ", and done" : ", not done") : hit;
+    private static String headline(EndedAttempt attempt, boolean asks) {
+        String hit = attempt.record().verdict();
+        return asks ? hit + (attempt.goalsReached() ? ", and done" : ", not done") : hit;
     }
 
     static String sampleText(AttemptRecord record) {
@@ -85,9 +84,9 @@ public final class ReportCard extends JPanel {
                 sample.lateralMm());
     }
 
-    private static List<String> goals(Rehearsal rehearsal) {
+    private static List<String> goals(EndedAttempt attempt) {
         List<String> lines = new ArrayList<>();
-        for (Goals.GoalResult o : rehearsal.plan().goals().evaluate(rehearsal.record())) {
+        for (Goals.GoalResult o : attempt.plan().goals().evaluate(attempt.record())) {
             String value = Double.isFinite(o.value()) ? number(o.value()) : "no sample";
             String measure = o.measure() + ": " + value + " (at most " + number(o.limit()) + ")";
             lines.add((o.reached() ? "\u2713 " : "\u2717 ") + (o.goal().equals("hit") ? "target hit" : measure));
@@ -122,12 +121,12 @@ public final class ReportCard extends JPanel {
     }
 
     /** Who aimed, what was shown, and how the probe was used. */
-    private static List<String> guidance(Rehearsal rehearsal) {
+    private static List<String> guidance(EndedAttempt attempt) {
         List<String> lines = new ArrayList<>();
-        long aims = rehearsal.plan().aimsByProgram();
+        long aims = attempt.plan().aimsByProgram();
         String aimed = aims == 0 ? "Aimed by hand" : "Aimed by the program " + (aims == 1 ? "once" : aims + " times");
-        lines.add(aimed + "; help: " + rehearsal.plan().aids().label().toLowerCase(Locale.ROOT));
-        ProbeUse probe = rehearsal.probe();
+        lines.add(aimed + "; help: " + attempt.plan().aids().label().toLowerCase(Locale.ROOT));
+        ProbeUse probe = attempt.probe();
         if (probe.isUsed()) {
             lines.add("Probe " + number(probe.probeS()) + " s; tip in the body and out of the beam "
                     + number(probe.tipUnseenS()) + " s");

@@ -102,7 +102,8 @@ final class RehearsalHarness {
         int before = WindowHarness.onEdt(() -> attempts().attempts().size());
         window.key("O");
         until("a report", () -> attempts().attempts().size() > before);
-        return WindowHarness.onEdt(() -> attempts().attempts().get(before));
+        return WindowHarness.onEdt(
+                () -> attempts().attempts().get(before).whole().orElseThrow());
     }
 
     /** Lets the run stand still, which flat out would take the processor from what works on a finished attempt. */

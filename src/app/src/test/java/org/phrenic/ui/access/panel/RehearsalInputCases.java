@@ -296,7 +296,8 @@ abstract class RehearsalInputCases {
                 window.session(), rehearsal(), clinic.smallPictures(), () -> Optional.of(folder.resolve("kept"))));
         try {
             attempt(8);
-            Rehearsal missed = WindowHarness.onEdt(() -> dock.attempts().get(0));
+            Rehearsal missed =
+                    WindowHarness.onEdt(() -> dock.attempts().get(0).whole().orElseThrow());
             JTable table = table();
             int rows = WindowHarness.onEdt(table::getRowCount);
             assertThat(cell(table, rows - 1, 2)).isEqualTo("missed");
