@@ -101,12 +101,14 @@ public final class NeedlePictures implements AutoCloseable {
         String time = Annotations.timestamp(view.frame().timeS(), view.label().label());
         Series series = new Series(folder, new Renderer(all, List.of()), view.frame(), time);
         String cut = title + ", cut open along the needle";
-        List<String> names = List.of(
-                write(series, view.name() + "_anterior", AnatomicalView.ANTERIOR, whole, title),
-                write(series, view.name() + "_right", AnatomicalView.RIGHT, whole, title),
-                write(series, view.name() + "_section", AnatomicalView.INFERIOR, section, cut));
-        gl.release(series.renderer);
-        return names;
+        try {
+            return List.of(
+                    write(series, view.name() + "_anterior", AnatomicalView.ANTERIOR, whole, title),
+                    write(series, view.name() + "_right", AnatomicalView.RIGHT, whole, title),
+                    write(series, view.name() + "_section", AnatomicalView.INFERIOR, section, cut));
+        } finally {
+            gl.release(series.renderer);
+        }
     }
 
     private static SceneStyle style(List<Surface> all, BiFunction<Surface, Appearance, Appearance> change) {
@@ -146,10 +148,14 @@ public final class NeedlePictures implements AutoCloseable {
         Series series = new Series(folder, new Renderer(body, List.of()), first, "");
         series.renderer.setField(skin.name(), map.freePercent());
         List<String> names = new ArrayList<>();
-        for (AnatomicalView view : List.of(AnatomicalView.ANTERIOR, AnatomicalView.RIGHT, AnatomicalView.POSTERIOR)) {
-            names.add(write(series, "access_" + view.label(), view, style, title));
+        try {
+            for (AnatomicalView view :
+                    List.of(AnatomicalView.ANTERIOR, AnatomicalView.RIGHT, AnatomicalView.POSTERIOR)) {
+                names.add(write(series, "access_" + view.label(), view, style, title));
+            }
+        } finally {
+            gl.release(series.renderer);
         }
-        gl.release(series.renderer);
         return names;
     }
 

@@ -1,9 +1,11 @@
 package org.phrenic.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -15,10 +17,12 @@ import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.access.TargetLesion;
+import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.engine.parallel.Workers;
+import org.phrenic.file.OutputException;
 
 /** Pictures of the access map in a report. */
 class NeedlePicturesTest {
@@ -27,6 +31,8 @@ class NeedlePicturesTest {
     private static final int DISTINCT = 30;
 
     private static final long LEAST_PIXELS = 50;
+    /** More than the names of all buffers of a few renderers. */
+    private static final int NAMES = 20_000;
 
     @TempDir
     Path folder;
@@ -63,6 +69,37 @@ class NeedlePicturesTest {
             counts[1] += seen.getBlue() > seen.getGreen() + DISTINCT ? 1 : 0;
         }
         return counts;
+    }
+
+    /** Number of buffers that exist on the graphics card, of those with small names. */
+    private static int buffers(SceneFixture body) {
+        int[] count = {0};
+        body.offscreen.run(gl -> {
+            for (int name = 1; name < NAMES; name++) {
+                count[0] += gl.glIsBuffer(name) ? 1 : 0;
+            }
+        });
+        return count[0];
+    }
+
+    @Test
+    void picturesThatCannotBeWrittenLeaveNothingOnTheGraphicsCard() throws Exception {
+        Path file = Files.createFile(folder.resolve("a file"));
+        try (SceneFixture body = new SceneFixture();
+                NeedlePictures pictures = NeedlePictures.using(body.offscreen, body.surfaces, SIDE)) {
+            AccessMap map = map(body);
+            double[] tip = {0, 0, 0};
+            NeedleSnapshot moment = new NeedleSnapshot(
+                    "sample", body.rest, RespiratoryPhase.PAUSE, true, new double[] {-100, 0, 0}, tip, tip, 10);
+            pictures.writeAccessMap(folder, map, "Access");
+            pictures.writeNeedleViews(folder, moment, "Access");
+            int before = buffers(body);
+            assertThatExceptionOfType(OutputException.class)
+                    .isThrownBy(() -> pictures.writeAccessMap(file, map, "Access"));
+            assertThatExceptionOfType(OutputException.class)
+                    .isThrownBy(() -> pictures.writeNeedleViews(file, moment, "Access"));
+            assertThat(buffers(body)).isEqualTo(before);
+        }
     }
 
     @Test

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -80,11 +81,18 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize) {
         view.runTask(gl -> {
             try (NeedlePictures pictures = NeedlePictures.using(gl, rehearsal.surfaces(), pictureSize)) {
                 files.complete(what.apply(pictures));
-            } catch (RuntimeException e) {
+            } catch (RuntimeException | Error e) {
                 files.completeExceptionally(e);
             }
         });
-        // After the view has ended no task runs: the report is written without pictures.
-        return files.completeOnTimeout(List.of(), PICTURES_S, TimeUnit.SECONDS).join();
+        try {
+            // After the view has ended no task runs: the report is written without pictures.
+            return files.completeOnTimeout(List.of(), PICTURES_S, TimeUnit.SECONDS)
+                    .join();
+        } catch (CompletionException e) {
+            throw e.getCause() instanceof RuntimeException cause
+                    ? cause
+                    : new IllegalStateException("the pictures were not drawn (" + e.getCause() + ")", e.getCause());
+        }
     }
 }

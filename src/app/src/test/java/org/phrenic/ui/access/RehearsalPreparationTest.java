@@ -30,10 +30,13 @@ import org.phrenic.ui.view.SceneViewport;
 class RehearsalPreparationTest {
     private static final List<String> LOW = List.of("resolution=low");
 
-    private static AccessMapField map() {
-        List<Surface> surfaces = List.of(
+    static List<Surface> surfaces() {
+        return List.of(
                 UltrasoundUpdaterTest.box("skin", StructureKind.SKIN, 0, 200, Surface.Motion.STILL),
                 UltrasoundUpdaterTest.box("liver", StructureKind.LIVER, 5, 190, Surface.Motion.DEFORMING));
+    }
+
+    static AccessMap map(List<Surface> surfaces) {
         MovingAnatomy anatomy = new MovingAnatomy(surfaces);
         double[] liver = surfaces.get(1).rest().positions();
         Frame frame = new Frame(new Object(), new int[] {0, liver.length}, new boolean[2], 0);
@@ -44,14 +47,14 @@ class RehearsalPreparationTest {
         TargetLesion target = new TargetLesion(new double[] {40, 100, 100}, 20);
         List<BreathMoment> breath = List.of(new BreathMoment(frame, RespiratoryPhase.PAUSE));
         try (Workers workers = Workers.of(1)) {
-            return new AccessMapField(
-                    surfaces, AccessMap.of(anatomy, breath, target, Needle.standard(), NoGoZone.defaults(), workers));
+            return AccessMap.of(anatomy, breath, target, Needle.standard(), NoGoZone.defaults(), workers);
         }
     }
 
     @Test
     void anExerciseThatIsChosenTakesTheMapOfTheFormerTargetOffTheSkin() {
-        AccessMapField former = map();
+        List<Surface> box = surfaces();
+        AccessMapField former = new AccessMapField(box, map(box));
         RehearsalPlan exercise = RehearsalPlan.exercises().get(0).with(LOW);
         EventThread.run(() -> {
             Session session = new Session(Scenario.defaults().with("resolution=low"));
