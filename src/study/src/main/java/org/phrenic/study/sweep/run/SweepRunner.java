@@ -4,15 +4,19 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.file.OutputException;
 import org.phrenic.study.sweep.RunRow;
 import org.phrenic.study.sweep.SweepResults;
 
 /**
  * Runs what is left of a study. Each completed run is appended to the journal at once; the results are written anew now
- * and then, and at the end. A shard writes its journal only.
+ * and then, and at the end. A file of results that cannot be written before the end, such as one that another program
+ * holds open, does not stop the study. A shard writes its journal only.
  */
 public final class SweepRunner {
+    /** Least time between two files of results before the end, s. */
     private static final double LEAST_INTERVAL_S = 5;
+
     private static final double TELL_INTERVAL_S = 1;
     /** Writing the results takes at most this share of the time. */
     private static final double WRITING_SHARE = 0.01;
@@ -24,10 +28,15 @@ public final class SweepRunner {
     private final List<RunRow> rows = new ArrayList<>();
     private final long begun = System.nanoTime();
     private int computed;
-    private double renewAtS = LEAST_INTERVAL_S;
+    private final double leastIntervalS;
+    private double renewAtS;
     private double tellAtS;
+    private boolean isRefusalTold;
 
-    private SweepRunner(SweepFolder folder, Shard shard, SweepExecutor executor, ProgressListener progress) {
+    private SweepRunner(
+            SweepFolder folder, Shard shard, SweepExecutor executor, ProgressListener progress, double leastIntervalS) {
+        this.leastIntervalS = leastIntervalS;
+        renewAtS = leastIntervalS;
         this.folder = folder;
         this.shard = shard;
         this.executor = executor;
@@ -36,7 +45,17 @@ public final class SweepRunner {
 
     /** Runs what is left of a shard and returns all results in the folder. */
     public static SweepResults run(SweepFolder folder, Shard shard, SweepExecutor executor, ProgressListener progress) {
-        return new SweepRunner(folder, shard, executor, progress).run();
+        return run(folder, shard, executor, progress, LEAST_INTERVAL_S);
+    }
+
+    /**
+     * As {@link #run(SweepFolder, Shard, SweepExecutor, ProgressListener)}.
+     *
+     * @param leastIntervalS least time between two files of results before the end, s
+     */
+    static SweepResults run(
+            SweepFolder folder, Shard shard, SweepExecutor executor, ProgressListener progress, double leastIntervalS) {
+        return new SweepRunner(folder, shard, executor, progress, leastIntervalS).run();
     }
 
     private SweepResults run() {
@@ -70,8 +89,20 @@ public final class SweepRunner {
         tell(row, known, total);
         if (shard.count() == 1 && elapsedS() > renewAtS) {
             double start = elapsedS();
+            writeSoFar();
+            renewAtS = elapsedS() + Math.max(leastIntervalS, (elapsedS() - start) / WRITING_SHARE);
+        }
+    }
+
+    /** The runs are safe in the journal: a file that cannot be written is told once. */
+    private void writeSoFar() {
+        try {
             write(new SweepResults(folder.plan(), rows));
-            renewAtS = elapsedS() + Math.max(LEAST_INTERVAL_S, (elapsedS() - start) / WRITING_SHARE);
+        } catch (OutputException e) {
+            if (!isRefusalTold) {
+                isRefusalTold = true;
+                progress.note(e.getMessage() + "; the study goes on, and its results are written again later");
+            }
         }
     }
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -21,6 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.OutputException;
 import org.phrenic.study.sweep.RunRow;
 import org.phrenic.study.sweep.SweepOutcome;
 import org.phrenic.study.sweep.SweepPlan;
@@ -150,6 +152,55 @@ class SweepRunnerTest {
         CountingExecutor nothing = new CountingExecutor();
         run(plan, killed, nothing);
         assertThat(nothing.asked).isEmpty();
+    }
+
+    /** A table that another program holds open cannot be replaced; here a folder stands in its place until the end. */
+    @Test
+    void aTableThatCannotBeWrittenBeforeTheEndIsToldOnceAndTheStudyGoesOn() throws IOException {
+        SweepFolder study = SweepFolder.of(folder, plan(16));
+        Path table = folder.resolve("runs.csv");
+        Path inIt = Files.createDirectories(table).resolve("open");
+        Files.createFile(inIt);
+        List<String> notes = new ArrayList<>();
+        ProgressListener told = new ProgressListener() {
+            @Override
+            public void done(int count, int total, String what) {}
+
+            @Override
+            public void note(String sentence) {
+                notes.add(sentence);
+            }
+        };
+        SweepExecutor closingAtTheEnd = new SweepExecutor() {
+            @Override
+            public void run(SweepPlan plan, List<Integer> pending, Consumer<RunRow> done) {
+                new ThreadExecutor(1).run(plan, pending, done);
+                try {
+                    Files.delete(inIt);
+                    Files.delete(table);
+                } catch (IOException e) {
+                    throw new UncheckedIOException(e);
+                }
+            }
+
+            @Override
+            public int width() {
+                return 1;
+            }
+        };
+        SweepResults results = SweepRunner.run(study, Shard.WHOLE, closingAtTheEnd, told, 0);
+        assertThat(results.isComplete()).isTrue();
+        assertThat(notes).singleElement().asString().contains("runs.csv", "the study goes on");
+        assertThat(table).isRegularFile();
+    }
+
+    @Test
+    void aTableThatCannotBeWrittenAtTheEndIsRefused() throws IOException {
+        SweepFolder.of(folder, plan(4));
+        Files.createFile(Files.createDirectories(folder.resolve("runs.csv")).resolve("open"));
+        assertThatThrownBy(() -> run(plan(4), folder, new ThreadExecutor(1)))
+                .isInstanceOf(OutputException.class)
+                .hasMessageContaining("runs.csv");
     }
 
     @Test
