@@ -1,5 +1,6 @@
 package org.phrenic.ui.access;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -17,6 +18,7 @@ import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.simulation.live.StepListener;
 import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.BackgroundWorker;
+import org.phrenic.ui.session.FileWrites;
 import org.phrenic.ui.session.Session;
 
 /**
@@ -30,6 +32,8 @@ final class AttemptRunner implements Session.Listener, AutoCloseable {
     private final ExecutorService sectionThread = BackgroundWorker.daemonThread("phrenic-section");
     private final ExecutorService pictureThread = BackgroundWorker.daemonThread("phrenic-pictures");
     private volatile LiveRehearsal rehearsal;
+    /** Attempts whose reports are being composed. */
+    private final List<FileWrites> unpublished = new ArrayList<>();
     /** Whether the attempt is played, so that its needle takes no commands. */
     private boolean isPlayed;
 
@@ -163,9 +167,26 @@ final class AttemptRunner implements Session.Listener, AutoCloseable {
 
     /** Composes the report in the background; it is never discarded. */
     private void publishReport(RehearsalBody body, TargetAccess about, RehearsalPlan done, LiveAttempt attempt) {
-        Callable<Rehearsal> report =
-                () -> attempt.toRehearsal(done, body.scene().surfaces(), about, body.planningScene());
-        work.runAlways(report, controller::onReport, session::refuse);
+        publish(() -> attempt.toRehearsal(done, body.scene().surfaces(), about, body.planningScene()));
+    }
+
+    /** Hands on the report of a finished attempt once it is composed; a window that is closed meanwhile waits. */
+    void publish(Callable<Rehearsal> report) {
+        FileWrites composing = FileWrites.begin("the attempt");
+        unpublished.add(composing);
+        work.runAlways(
+                report,
+                composed -> endAfter(composing, () -> controller.onReport(composed)),
+                problem -> endAfter(composing, () -> session.refuse(problem)));
+    }
+
+    private void endAfter(FileWrites composing, Runnable handOn) {
+        try {
+            handOn.run();
+        } finally {
+            unpublished.remove(composing);
+            composing.end();
+        }
     }
 
     /** Forgets the needle; a sample whose needle is still in the body gives no report, and that is said. */
@@ -196,6 +217,8 @@ final class AttemptRunner implements Session.Listener, AutoCloseable {
 
     @Override
     public void close() {
+        unpublished.forEach(FileWrites::end);
+        unpublished.clear();
         sectionThread.shutdownNow();
         pictureThread.shutdownNow();
     }
