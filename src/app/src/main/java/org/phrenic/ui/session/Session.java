@@ -79,6 +79,7 @@ public final class Session implements AutoCloseable {
     private final FirstPicture picture;
     private final EditedScenario edited;
     private final LookingBack lookingBack;
+    private final LatestTask opening = new LatestTask();
     private double speed = 1;
     private UnaryOperator<Scenario> ofUser = UnaryOperator.identity();
 
@@ -175,8 +176,9 @@ public final class Session implements AutoCloseable {
         edits.endMerging();
     }
 
-    /** Loads another scenario; the change is forgotten if that fails or is cancelled. */
+    /** Loads another scenario, not a file that is being read; the change is forgotten if it fails or is cancelled. */
     public void open(EditName name, Scenario scenario) {
+        opening.drop();
         edited.open(name, scenario);
     }
 
@@ -190,7 +192,7 @@ public final class Session implements AutoCloseable {
     /** Opens a scenario, a thorax folder or a trace; reads it off the event dispatch thread. */
     public void openFile(Path file) {
         Scenario present = userScenario();
-        BackgroundWorker.execute(
+        opening.execute(
                 () -> FileOpener.readScenario(file, present),
                 scenario -> {
                     open(EditName.of("Open " + file.getFileName()), scenario);

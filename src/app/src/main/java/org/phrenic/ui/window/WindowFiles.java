@@ -12,9 +12,9 @@ import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.export.PngFile;
 import org.phrenic.ui.scan.ScanImporter;
-import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.FileOpener;
 import org.phrenic.ui.session.FileWrites;
+import org.phrenic.ui.session.LatestTask;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.WindowPreferences;
 import org.phrenic.ui.view.SceneViewport;
@@ -30,6 +30,7 @@ public final class WindowFiles {
     private final WindowPreferences preferences;
     private final Consumer<RehearsalPlan> openPlan;
     private final ScanImporter scans;
+    private final LatestTask opening = new LatestTask();
 
     /**
      * @param openPlan gets a rehearsal plan that is opened
@@ -52,10 +53,10 @@ public final class WindowFiles {
 
     /**
      * Opens a scenario, a rehearsal plan, a thorax folder or a trace, and imports a label volume or a folder of masks;
-     * anything else is refused with a message.
+     * anything else is refused with a message. Of files that are opened before the one before is read, the last counts.
      */
     public void open(Path file) {
-        BackgroundWorker.execute(
+        opening.execute(
                 () -> LabelVolumeFiles.isVolume(file),
                 isVolume -> {
                     if (isVolume) {
@@ -69,7 +70,7 @@ public final class WindowFiles {
 
     private void openOther(Path file) {
         preferences.addRecent(file);
-        BackgroundWorker.execute(
+        opening.execute(
                 () -> FileOpener.readPlan(file),
                 plan -> plan.ifPresentOrElse(openPlan, () -> session.openFile(file)),
                 session::refuse);

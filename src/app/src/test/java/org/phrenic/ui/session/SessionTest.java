@@ -2,7 +2,10 @@ package org.phrenic.ui.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -147,6 +150,27 @@ class SessionTest {
                 assertThat(session.edits().undoPresentationName()).hasValue("Undo resolution");
             });
             EventThread.until("the value", () -> "medium".equals(value(session, "resolution")));
+        }
+    }
+
+    @Test
+    void ofTwoFilesThatAreOpenedInSuccessionTheSecondCounts() throws IOException {
+        Path first = Files.writeString(folder.resolve("first.yaml"), "name: first\nresolution: low\n");
+        Path second = Files.writeString(folder.resolve("second.yaml"), "name: second\nresolution: low\n");
+        try (Session session = running()) {
+            List<Path> opened = new ArrayList<>();
+            EventThread.run(() -> {
+                session.addListener(new Session.Listener() {
+                    @Override
+                    public void onOpened(Path file, Scenario scenario) {
+                        opened.add(file);
+                    }
+                });
+                session.openFile(first);
+                session.openFile(second);
+            });
+            EventThread.until("the second file", () -> opened.contains(second));
+            EventThread.run(() -> assertThat(opened).containsExactly(second));
         }
     }
 
