@@ -10,6 +10,11 @@ import org.phrenic.cli.report.FailureHandler;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FileNames;
 import picocli.CommandLine;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.RunLast;
+import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.TypeConversionException;
 
 /**
@@ -47,12 +52,29 @@ final class SubCommands {
         CommandLine line = commandLine(phrenic, args).registerConverter(Path.class, SubCommands::path);
         FailureHandler failures = new FailureHandler(debug);
         line.setOut(out).setErr(err).setParameterExceptionHandler(failures).setExecutionExceptionHandler(failures);
+        line.setExecutionStrategy(SubCommands::executeLast);
         try {
             return line.execute(args);
         } catch (OutOfMemoryError full) {
             err.println("phrenic: not enough memory; give Java more, as in java -Xmx4g -jar phrenic.jar");
             return ExitCode.FAILURE;
         }
+    }
+
+    /** Runs the last command of the line, before whose name no option of the command above it may stand. */
+    private static int executeLast(ParseResult parsed) {
+        for (ParseResult above = parsed; above.hasSubcommand(); above = above.subcommand()) {
+            String name = above.subcommand().commandSpec().name();
+            for (OptionSpec option : above.matchedOptions()) {
+                if (option.scopeType() != ScopeType.INHERIT) {
+                    throw new ParameterException(
+                            above.commandSpec().commandLine(),
+                            option.longestName() + ": found it before '" + name + "', which does not read it, expected"
+                                    + " options of " + name + " after its name");
+                }
+            }
+        }
+        return new RunLast().execute(parsed);
     }
 
     private static Path path(String text) {

@@ -290,6 +290,14 @@ class BadInputTest {
                         "found no --loaded FILE (",
                         f -> List.of("bench", "--mesh", "a", "--fixed", "b")),
                 bad("no such door", "--door", f -> List.of("bench", "window", "--door", "front")),
+                bad(
+                        "option before a sub-command",
+                        "--threads: found it before 'window', which does not read it",
+                        f -> List.of("bench", "--threads", "2", "window", "--door", "front")),
+                bad(
+                        "JSON before a sub-command",
+                        "--json: found it before 'window'",
+                        f -> List.of("bench", "--json", "window", "--door", "front")),
                 bad("no whole interval", "--seconds", f -> List.of("bench", "window", "--seconds", "1")),
                 bad(
                         "missing index file",
