@@ -290,6 +290,8 @@ class BadInputTest {
                         "found no --loaded FILE (",
                         f -> List.of("bench", "--mesh", "a", "--fixed", "b")),
                 bad("no such door", "--door", f -> List.of("bench", "window", "--door", "front")),
+                bad("no width", "--width: found 0, expected 200 to", f -> List.of("bench", "window", "--width", "0")),
+                bad("no height", "--height: found -5", f -> List.of("bench", "window", "--height", "-5")),
                 bad(
                         "option before a sub-command",
                         "--threads: found it before 'window', which does not read it",

@@ -48,6 +48,10 @@ import picocli.CommandLine.Option;
 final class BenchWindowCommand extends ReportingCommand {
     private static final double MAX_SECONDS = 3600;
     private static final int BARE_STEPS = 400;
+    /** Least width and height of a window in which something can be seen, pixels. */
+    private static final int LEAST_PIXELS = 200;
+    /** Greatest width and height of a window, pixels; a screen of 8K is 7680 wide. */
+    private static final int MOST_PIXELS = 16_384;
 
     @Mixin
     private ScenarioOptions scenario;
@@ -64,10 +68,16 @@ final class BenchWindowCommand extends ReportingCommand {
     @Option(names = "--turn", description = "Turn the camera about the body all the time.")
     private boolean turn;
 
-    @Option(names = "--width", paramLabel = "PIXELS", description = "Window width (default ${DEFAULT-VALUE}).")
+    @Option(
+            names = "--width",
+            paramLabel = "PIXELS",
+            description = "Wanted width of the window (default ${DEFAULT-VALUE}).")
     private int width = 1280;
 
-    @Option(names = "--height", paramLabel = "PIXELS", description = "Window height (default ${DEFAULT-VALUE}).")
+    @Option(
+            names = "--height",
+            paramLabel = "PIXELS",
+            description = "Wanted height of the window (default ${DEFAULT-VALUE}).")
     private int height = 800;
 
     @Mixin
@@ -84,6 +94,8 @@ final class BenchWindowCommand extends ReportingCommand {
             throw new BadInputException(
                     "--seconds: found " + seconds + ", expected " + WindowBenchmark.INTERVAL_S + " to " + MAX_SECONDS);
         }
+        requirePixels("--width", width);
+        requirePixels("--height", height);
         Optional<String> obstacle = WindowStart.obstacle();
         if (obstacle.isPresent()) {
             err().println(obstacle.get() + ".");
@@ -96,7 +108,7 @@ final class BenchWindowCommand extends ReportingCommand {
         OrderedValues values = values(result);
         TextTable table = new TextTable(false, false);
         values.forEach((key, value) -> table.row(key, String.valueOf(value)));
-        out.write("window.md", MarkdownPage.format(page(values)));
+        out.write("window.md", MarkdownPage.format(page(result.frame(), values)));
         out.write("window.json", values);
         print(values, table::text);
         return ExitCode.SUCCESS;
@@ -110,10 +122,17 @@ final class BenchWindowCommand extends ReportingCommand {
         };
     }
 
-    private ReportDocument page(OrderedValues values) {
+    private static void requirePixels(String option, int pixels) {
+        if (pixels < LEAST_PIXELS || pixels > MOST_PIXELS) {
+            throw new BadInputException(
+                    option + ": found " + pixels + ", expected " + LEAST_PIXELS + " to " + MOST_PIXELS);
+        }
+    }
+
+    private ReportDocument page(String frame, OrderedValues values) {
         ReportDocument page = new ReportDocument(
                 "Pace of the window, " + door,
-                "A window of " + width + " x " + height + " pixels on "
+                "A window of " + frame + " pixels on "
                         + scenario.resolved().anatomy() + ", "
                         + ReportNumbers.label(scenario.resolved().resolution()) + " resolution, measured for " + seconds
                         + " s after a warm-up.");
@@ -151,6 +170,7 @@ final class BenchWindowCommand extends ReportingCommand {
                 .with("processors_used", rounded(result.meanProcessors()))
                 .with("processors", Runtime.getRuntime().availableProcessors())
                 .with("load_average", rounded(load))
+                .with("window", result.frame())
                 .with("view", result.view());
         List<Double> factors = new ArrayList<>();
         result.intervals().forEach(interval -> factors.add(rounded(interval.realtimeFactor())));

@@ -52,6 +52,8 @@ public final class WindowBenchmark {
      *
      * @param workspace arrangement of the window: the door
      * @param seconds duration of the measurement, at least one interval
+     * @param width wanted width of the window, pixels
+     * @param height wanted height of the window, pixels
      * @param turning whether the camera turns about the body all the time
      */
     public record Settings(Workspace workspace, double seconds, int width, int height, boolean turning) {}
@@ -71,6 +73,7 @@ public final class WindowBenchmark {
      *
      * @param firstPictureS time from the start of the process to the first frame in the window, s
      * @param readyS time from the start of the process until the door can be used, s
+     * @param frame width and height of the window as the desktop shows it, pixels
      * @param view width and height of the three-dimensional view, device pixels, and OpenGL driver
      * @param threadShares processor time of threads by name over wall time; empty where the system does not tell
      * @param sheet diaphragm of the scene at rest
@@ -78,6 +81,7 @@ public final class WindowBenchmark {
     public record Result(
             double firstPictureS,
             double readyS,
+            String frame,
             String view,
             List<Interval> intervals,
             Map<String, Double> threadShares,
@@ -195,7 +199,8 @@ public final class WindowBenchmark {
                 .rest();
         String view = window.view().getWidth() + " x " + window.view().getHeight() + ", "
                 + window.view().graphicsInfo().orElse("");
-        return new Result(firstPictureS, readyS, view, intervals, shares, sheet);
+        String frame = window.frame().getWidth() + " x " + window.frame().getHeight();
+        return new Result(firstPictureS, readyS, frame, view, intervals, shares, sheet);
     }
 
     private boolean isReady() {
