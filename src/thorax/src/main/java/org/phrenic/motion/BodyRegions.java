@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.DiaphragmSide;
@@ -11,6 +13,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.CappedSurface;
 import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.mesh.voxel.MeshVoxelizer;
 import org.phrenic.mesh.voxel.VoxelBox;
@@ -61,6 +64,8 @@ final class BodyRegions {
     private final int[] thoracicFace;
     /** Closed surfaces, in the order in which they are filled. */
     private final int[] order;
+    /** The skin, by its place among the surfaces, with its holes closed, so that it has an inside. */
+    private final Map<Integer, CappedSurface> skins = new TreeMap<>();
 
     BodyRegions(List<Surface> surfaces, Diaphragm sheet) {
         this.surfaces = surfaces;
@@ -87,6 +92,11 @@ final class BodyRegions {
                 .sorted(Comparator.comparing(i -> ORDER.indexOf(surfaces.get(i).kind())))
                 .mapToInt(Integer::intValue)
                 .toArray();
+        for (int i = 0; i < surfaces.size(); i++) {
+            if (surfaces.get(i).kind() == StructureKind.SKIN) {
+                skins.put(i, new CappedSurface(surfaces.get(i).rest()));
+            }
+        }
     }
 
     /** Whether a surface has an inside of its own: it is closed and neither skin nor pleura. */
@@ -172,11 +182,7 @@ final class BodyRegions {
         double[] toVoxel = box.toVoxel();
         byte[] labels = new byte[size[0] * size[1] * size[2]];
         MeshVoxelizer voxelizer = new MeshVoxelizer(size[0], size[1], size[2], toVoxel, labels);
-        for (int i = 0; i < surfaces.size(); i++) {
-            if (surfaces.get(i).kind() == StructureKind.SKIN) {
-                voxelizer.fill(surfaces.get(i).rest().withPositions(positions.get(i)), WALL);
-            }
-        }
+        skins.forEach((skin, closed) -> voxelizer.fill(closed.at(positions.get(skin)), WALL));
         fillAbdomen(box, positions.get(diaphragm), labels);
         for (int i : order) {
             voxelizer.fill(surfaces.get(i).rest().withPositions(positions.get(i)), FIRST + i);

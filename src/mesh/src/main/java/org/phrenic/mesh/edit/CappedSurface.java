@@ -1,4 +1,4 @@
-package org.phrenic.access.imaging;
+package org.phrenic.mesh.edit;
 
 import java.util.Arrays;
 import java.util.HashMap;
@@ -11,13 +11,13 @@ import org.phrenic.mesh.TriangleMesh;
  * A surface whose holes are closed by cones: each component of the boundary gets an apex at the mean of its vertices
  * and a triangle from each boundary edge to it. Every ray then enters as often as it leaves.
  */
-final class CappedSurface {
+public final class CappedSurface {
     private final int[] triangles;
     private final int vertices;
     /** Vertices of the boundary below each apex. */
     private final int[][] rims;
 
-    CappedSurface(TriangleMesh mesh) {
+    public CappedSurface(TriangleMesh mesh) {
         vertices = mesh.vertexCount();
         int[] edges = boundary(mesh.triangles());
         int[] components = DisjointSets.singletons(vertices);
@@ -80,7 +80,7 @@ final class CappedSurface {
     }
 
     /** The closed surface with its vertices at other positions. */
-    TriangleMesh at(double[] positions) {
+    public TriangleMesh at(double[] positions) {
         double[] p = Arrays.copyOf(positions, 3 * (vertices + rims.length));
         for (int i = 0; i < rims.length; i++) {
             for (int v : rims[i]) {
