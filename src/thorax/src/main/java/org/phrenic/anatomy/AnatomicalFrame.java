@@ -104,22 +104,28 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
             throw new IllegalArgumentException("axes: not stated, and the structures' places give '" + axes
                     + "', which is no frame; expected a line 'axes: ...' in thorax.yaml");
         }
+        requireNotMirrored(axes);
+        return new AnatomicalFrame(axes, detectUnit(structures, axes));
+    }
+
+    private static void requireNotMirrored(String axes) {
         if (determinant(axes) < 0) {
             throw new IllegalArgumentException("axes: the structures' names and places give '" + axes
                     + "', a mirrored body; left and right are exchanged somewhere");
         }
-        return new AnatomicalFrame(axes, detectUnit(structures, axes));
     }
 
     /**
-     * Detects axes and unit from any structures. Where they leave an axis open, the axes are LPS or RAS, the
-     * conventions of scans, as far as the sides in the names agree with one of them; LPS if with both.
+     * Detects axes from any structures. Where they leave an axis open, the axes are LPS or RAS, the conventions of
+     * scans, as far as the sides in the names agree with one of them; LPS if with both.
      *
-     * @throws IllegalArgumentException if the sides and levels in the names agree with neither
+     * @throws IllegalArgumentException if the sides and levels in the names agree with neither, or the sides are
+     *     mirrored
      */
-    static AnatomicalFrame detectOfPart(List<Structure> structures) {
+    static String axesOfPart(List<Structure> structures) {
         String seen = detectedAxes(structures);
-        String axes = determinant(seen) > 0
+        requireNotMirrored(seen);
+        return determinant(seen) > 0
                 ? seen
                 : Stream.of("LPS", "RAS")
                         .filter(known -> agrees(structures, known))
@@ -127,13 +133,21 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
                         .orElseThrow(() -> new IllegalArgumentException("axes: not stated, and the places of the"
                                 + " structures agree with neither LPS nor RAS; expected a line 'axes: ...' in"
                                 + " thorax.yaml"));
+    }
+
+    /**
+     * Detects the length of a unit, mm, from the extent of any structures.
+     *
+     * @throws IllegalArgumentException if they are too small or too large for a part of a trunk in any unit
+     */
+    static double unitOfPart(List<Structure> structures) {
         double extent = 0;
         for (int axis = 0; axis < 3; axis++) {
             extent = Math.max(extent, extent(structures, axis));
         }
         for (double unit : new double[] {1, 10, 1000}) {
             if (extent * unit >= MIN_PART_MM && extent * unit <= MAX_PART_MM) {
-                return new AnatomicalFrame(axes, unit);
+                return unit;
             }
         }
         throw new IllegalArgumentException(String.format(

@@ -169,11 +169,10 @@ public final class ThoraxFolder {
 
     private static AnatomicalFrame frame(Path folder, YamlMap yaml, List<Structure> raw, boolean whole) {
         try {
-            if (!whole && !(yaml.has("units") && yaml.has("axes"))) {
-                AnatomicalFrame seen = AnatomicalFrame.detectOfPart(raw);
+            if (!whole) {
                 return new AnatomicalFrame(
-                        yaml.has("axes") ? yaml.text("axes") : seen.axes(),
-                        yaml.has("units") ? unit(yaml) : seen.millimetresPerUnit());
+                        yaml.has("axes") ? yaml.text("axes") : AnatomicalFrame.axesOfPart(raw),
+                        yaml.has("units") ? unit(yaml) : AnatomicalFrame.unitOfPart(raw));
             }
             if (!yaml.has("units")) {
                 return yaml.has("axes")

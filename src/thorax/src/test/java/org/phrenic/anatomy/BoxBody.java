@@ -41,6 +41,15 @@ public final class BoxBody {
         return new TriangleMesh(positions, BOX);
     }
 
+    /** A structure on the other side of the midplane under the same name. */
+    static Structure mirrored(Structure s) {
+        double[] p = s.mesh().positions().clone();
+        for (int i = 0; i < p.length; i += 3) {
+            p[i] = -p[i];
+        }
+        return s.withMesh(s.mesh().withPositions(p));
+    }
+
     /** A body given in LPS as someone would give it who uses other axes and another unit. */
     static List<Structure> given(List<Structure> lps, String axes, double unitMm) {
         return lps.stream().map(s -> s.withMesh(given(s.mesh(), axes, unitMm))).toList();

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.file.BadInputException;
@@ -157,6 +158,48 @@ class ThoraxFolderTest {
         refused("RPS", "mirrored");
         Files.writeString(index, "structures:\n  hart: diaphragm.ply\n");
         refused("hart", "rib_05_R or diaphragm");
+    }
+
+    private Thorax part() {
+        return ThoraxFolder.loadPart(folder, name -> Optional.empty());
+    }
+
+    private void partRefused(String... parts) {
+        assertThatExceptionOfType(BadInputException.class)
+                .isThrownBy(this::part)
+                .satisfies(e -> assertThat(e.getMessage()).contains(parts));
+    }
+
+    /** Exchanged sides would agree with RAS, in which the body would lie with its back to the front. */
+    @Test
+    void aPartWhoseSidesAreExchangedIsRefused() {
+        write(BoxBody.structures().stream()
+                .filter(s -> s.kind() != StructureKind.DIAPHRAGM)
+                .map(BoxBody::mirrored)
+                .toList());
+        partRefused(folder.toString(), "'RPS'", "mirrored", "left and right are exchanged");
+    }
+
+    /** A piece of a vertebra of 4 mm is no part of a trunk in mm, cm or m, but where the unit is stated. */
+    @Test
+    void aPartWithAStatedUnitNeedsNoneReadOffItsExtent() throws IOException {
+        write(List.of(BoxBody.structures().get(2).withMesh(BoxBody.box(0, 90, 280, 2))));
+        partRefused("units", "expected 80 to 1200 mm");
+        Files.writeString(folder.resolve("thorax.yaml"), "units: mm\n");
+        assertThat(part().notes()).containsExactly("axes LPS, 1.0 mm a unit");
+    }
+
+    @Test
+    void aPartWithStatedAxesNeedsNoneReadOffItsNames() throws IOException {
+        List<Structure> ribs = BoxBody.structures().stream()
+                .filter(s -> s.kind() == StructureKind.RIB)
+                .toList();
+        write(BoxBody.given(ribs, "LSA", 10));
+        partRefused("axes", "agree with neither LPS nor RAS");
+        Files.writeString(folder.resolve("thorax.yaml"), "axes: LSA\n");
+        assertThat(part().notes()).containsExactly("axes LSA, 10.0 mm a unit");
+        assertThat(part().find("rib_03_L").orElseThrow().mesh().bounds())
+                .containsExactly(ribs.get(4).mesh().bounds(), within(FILE_MM));
     }
 
     @Test
