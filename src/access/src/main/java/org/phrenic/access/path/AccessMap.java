@@ -53,7 +53,7 @@ public final class AccessMap {
         NEVER
     }
 
-    /** Numbers of skin points: all, in reach of the needle at the first moment, and by accessibility. */
+    /** Numbers of skin points: all, in reach of the needle at the first moment, and of these by accessibility. */
     public record Counts(int points, int inReach, int free, int part, int never) {
         public OrderedValues toMap() {
             return new OrderedValues()
@@ -300,8 +300,10 @@ public final class AccessMap {
         int[] count = new int[Access.values().length];
         int reached = 0;
         for (int v = 0; v < size(); v++) {
-            count[access(v).ordinal()]++;
-            reached += isInReach(0, v) ? 1 : 0;
+            if (isInReach(0, v)) {
+                count[access(v).ordinal()]++;
+                reached++;
+            }
         }
         return new Counts(size(), reached, count[0], count[1], count[2]);
     }

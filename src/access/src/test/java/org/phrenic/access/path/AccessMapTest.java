@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -152,6 +153,19 @@ class AccessMapTest {
                 assertThat(seen).isEqualTo(brute.touched(from, map.target(m)));
             }
         }
+    }
+
+    /** The target comes nearer to some of the skin, of which the shares of the skin in reach say nothing. */
+    @Test
+    void freePartAndNeverAddUpToThePointsInReachAtTheFirstMoment() {
+        AccessMap map = map(RIGHT_LOBE, workers);
+        long later = IntStream.range(0, map.size())
+                .filter(v -> map.access(v) == AccessMap.Access.PART && !map.isInReach(0, v))
+                .count();
+        assertThat(later).isPositive();
+        AccessMap.Counts counts = map.counts();
+        assertThat(counts.inReach()).isLessThan(counts.points());
+        assertThat(counts.free() + counts.part() + counts.never()).isEqualTo(counts.inReach());
     }
 
     @Test
