@@ -60,7 +60,12 @@ final class BodyFactors {
         }
     }
 
-    /** The variation that the factors of a point state; empty if there are none. */
+    /**
+     * The variation that the factors of a point state; empty if there are none.
+     *
+     * @throws IllegalArgumentException with one sentence, if the size and that of an axis together are beyond the
+     *     limits
+     */
     static Optional<BodyVariation> variation(SweepPoint point) {
         Map<String, Double> stated = new LinkedHashMap<>();
         for (int i = 0; i < point.keys().size(); i++) {
@@ -73,13 +78,23 @@ final class BodyFactors {
         if (stated.isEmpty()) {
             return Optional.empty();
         }
-        double all = stated.getOrDefault(SCALE, 1.0);
         return Optional.of(new BodyVariation(
-                all * stated.getOrDefault(SCALE_X, 1.0),
-                all * stated.getOrDefault(SCALE_Y, 1.0),
-                all * stated.getOrDefault(SCALE_Z, 1.0),
+                scale(stated, SCALE_X),
+                scale(stated, SCALE_Y),
+                scale(stated, SCALE_Z),
                 stated.getOrDefault(KYPHOSIS, 0.0),
                 stated.getOrDefault(BARREL, 0.0),
                 stated.getOrDefault(DOMES, 0.0)));
+    }
+
+    private static double scale(Map<String, Double> stated, String axis) {
+        double all = stated.getOrDefault(SCALE, 1.0);
+        double one = stated.getOrDefault(axis, 1.0);
+        double scale = all * one;
+        if (!(scale >= LEAST_SCALE && scale <= MOST_SCALE)) {
+            throw new IllegalArgumentException("factors '" + SCALE + "' and '" + axis + "': found " + all + " times "
+                    + one + ", expected a product of " + LEAST_SCALE + " to " + MOST_SCALE);
+        }
+        return scale;
     }
 }

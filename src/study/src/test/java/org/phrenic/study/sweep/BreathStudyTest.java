@@ -127,6 +127,20 @@ class BreathStudyTest {
         assertThat(row.outcome().responses()).containsExactly(Double.NaN);
     }
 
+    /** Each factor is within its limits, the breadth of the body is not. */
+    @Test
+    void aSizeOfTheBodyBeyondItsLimitsIsAFailedRun() {
+        SweepPlan plan = SweepPlan.of(study(
+                "", "{kind: list, columns: [body.scale, body.scale_x], points: [[1.2, 1.1], [0.9, 0.8]]}", RESPONSE));
+        assertThat(plan.points())
+                .extracting(point -> RunRow.of(plan.model(), point).failure())
+                .containsExactly(
+                        "factors 'body.scale' and 'body.scale_x': found 1.2 times 1.1, expected a product of 0.8 to"
+                                + " 1.25",
+                        "factors 'body.scale' and 'body.scale_x': found 0.9 times 0.8, expected a product of 0.8 to"
+                                + " 1.25");
+    }
+
     /** A table with an empty cell and no reason would pass for a complete study. */
     @Test
     void aResponseThatABreathLacksIsARefusalOrAFailedRun() {
