@@ -61,6 +61,7 @@ public record BodyVariation(
     private static final Set<StructureKind> SOFT = EnumSet.of(
             StructureKind.DIAPHRAGM,
             StructureKind.LUNG,
+            StructureKind.PLEURA,
             StructureKind.LIVER,
             StructureKind.ORGAN,
             StructureKind.VESSEL,
@@ -113,31 +114,37 @@ public record BodyVariation(
     }
 
     /**
-     * The body of this size and shape.
+     * The body of this size and shape, with its further organs.
      *
      * @param body with a diaphragm, ribs and vertebrae, LPS, mm
      */
     public Thorax of(Thorax body, String name) {
         Landmarks at = Landmarks.of(body);
-        List<Structure> mapped = new ArrayList<>();
-        for (Structure s : body.structures()) {
-            double[] p = s.mesh().positions().clone();
-            boolean soft = SOFT.contains(s.kind());
-            for (int k = 0; k < p.length; k += 3) {
-                if (soft) {
-                    raise(p, k, at);
-                }
-                deepen(p, k, at);
-                bend(p, k, at);
-                p[k] *= scaleX;
-                p[k + 1] *= scaleY;
-                p[k + 2] *= scaleZ;
-            }
-            mapped.add(s.withMesh(s.mesh().withPositions(p)));
-        }
+        List<Structure> mapped = new ArrayList<>(mapped(body.structures(), at));
         Thorax thorax = new Thorax(name, mapped, body.notes());
         mapped.replaceAll(s -> s.kind() == StructureKind.DIAPHRAGM ? s.withMesh(withinCage(s.mesh(), thorax)) : s);
-        return new Thorax(name, mapped, body.notes());
+        return new Thorax(name, mapped, body.notes())
+                .withOrgans(() -> mapped(body.organs().get(), at));
+    }
+
+    private List<Structure> mapped(List<Structure> structures, Landmarks at) {
+        return structures.stream().map(s -> mapped(s, at)).toList();
+    }
+
+    private Structure mapped(Structure s, Landmarks at) {
+        double[] p = s.mesh().positions().clone();
+        boolean soft = SOFT.contains(s.kind());
+        for (int k = 0; k < p.length; k += 3) {
+            if (soft) {
+                raise(p, k, at);
+            }
+            deepen(p, k, at);
+            bend(p, k, at);
+            p[k] *= scaleX;
+            p[k + 1] *= scaleY;
+            p[k + 2] *= scaleZ;
+        }
+        return s.withMesh(s.mesh().withPositions(p));
     }
 
     /**

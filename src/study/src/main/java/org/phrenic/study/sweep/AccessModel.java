@@ -33,9 +33,12 @@ final class AccessModel implements SweepModel {
     private static final String DIAMETER = "target.diameter_mm";
     private static final String NEEDLE = "needle.length_mm";
     private static final Map<String, double[]> LIMITS = new LinkedHashMap<>();
-    /** Values of factors that a study does not state: a target of 20 mm in the right lobe, a needle of 150 mm. */
+    /**
+     * Values of factors that a study does not state: a target of 20 mm in the right lobe, clear of the vessels of the
+     * virtual bodies, and a needle of 150 mm.
+     */
     private static final Map<String, Double> USUAL =
-            Map.of(RIGHT, 0.3, FRONT, 0.5, BELOW, 0.5, DIAMETER, 20.0, NEEDLE, 150.0);
+            Map.of(RIGHT, 0.2, FRONT, 0.5, BELOW, 0.5, DIAMETER, 20.0, NEEDLE, 150.0);
 
     private static final double LONGEST_NEEDLE_MM = 250;
     private static final double SHORTEST_NEEDLE_MM = 50;
@@ -110,16 +113,8 @@ final class AccessModel implements SweepModel {
 
     @Override
     public SweepOutcome evaluate(SweepPoint point) {
-        Scenario run = factors.scenario(point);
-        try (Simulation simulation = Simulation.of(run, factors.body(point, run));
-                Workers workers = Workers.of(1)) {
-            SceneSurfaces surfaces = new SceneSurfaces(simulation);
-            MovingAnatomy anatomy = new MovingAnatomy(surfaces.surfaces());
-            anatomy.update(surfaces.newFrame());
-            TargetLesion target = target(anatomy, point);
-            List<BreathMoment> cycle = BreathCycle.record(simulation, surfaces, BreathCycle.PHASES);
-            Needle needle = new Needle(Needle.standard().gauge(), value(point, NEEDLE));
-            AccessMap map = AccessMap.of(anatomy, cycle, target, needle, NoGoZone.defaults(), workers);
+        try (Simulation simulation = simulation(point)) {
+            AccessMap map = map(simulation, point);
             AccessMap.Counts counts = map.counts();
             if (counts.inReach() == 0) {
                 throw new IllegalStateException("found no point of the skin in reach of the needle, expected some");
@@ -132,6 +127,25 @@ final class AccessModel implements SweepModel {
             double[] all = DoubleStream.concat(DoubleStream.of(main), DoubleStream.of(WaySectors.free(map)))
                     .toArray();
             return new SweepOutcome(all, simulation.stateHash(), motion(map));
+        }
+    }
+
+    /** The breath of a point, at rest. */
+    Simulation simulation(SweepPoint point) {
+        Scenario run = factors.scenario(point);
+        return Simulation.of(run, factors.body(point, run));
+    }
+
+    /** Runs the breath of a point and computes the ways past all structures and further organs of its body. */
+    static AccessMap map(Simulation simulation, SweepPoint point) {
+        try (Workers workers = Workers.of(1)) {
+            SceneSurfaces surfaces = SceneSurfaces.withOrgans(simulation);
+            MovingAnatomy anatomy = new MovingAnatomy(surfaces.surfaces());
+            anatomy.update(surfaces.newFrame());
+            TargetLesion target = target(anatomy, point);
+            List<BreathMoment> cycle = BreathCycle.record(simulation, surfaces, BreathCycle.PHASES);
+            Needle needle = new Needle(Needle.standard().gauge(), value(point, NEEDLE));
+            return AccessMap.of(anatomy, cycle, target, needle, NoGoZone.defaults(), workers);
         }
     }
 

@@ -3,6 +3,7 @@ package org.phrenic.study.body;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Structure;
@@ -10,6 +11,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
 
 class BodyVariationTest {
     private static final BodyVariation SAME = new BodyVariation(1, 1, 1, 0, 0, 0);
@@ -42,6 +44,53 @@ class BodyVariationTest {
         assertThat(box(lifted, "diaphragm")[5] - box(MAN, "diaphragm")[5]).isBetween(12.0, 20.0);
         assertThat(box(lifted, "diaphragm")[2]).isEqualTo(box(MAN, "diaphragm")[2]);
         assertThat(box(lifted, "rib_08_R")).isEqualTo(box(MAN, "rib_08_R"));
+    }
+
+    private static TriangleMesh organOf(Thorax body, String name) {
+        return body.organs().get().stream()
+                .filter(s -> s.name().equals(name))
+                .findFirst()
+                .orElseThrow()
+                .mesh();
+    }
+
+    private static double[] organBox(Thorax body, String name) {
+        return organOf(body, name).bounds();
+    }
+
+    private static double meanHeight(TriangleMesh mesh) {
+        return IntStream.range(0, mesh.vertexCount())
+                .mapToDouble(mesh::z)
+                .average()
+                .orElseThrow();
+    }
+
+    @Test
+    void furtherOrgansAreScaledAndBentWithTheBody() {
+        Thorax scaled = new BodyVariation(1.2, 0.9, 1.1, 0, 0, 0).of(MAN, "scaled");
+        assertThat(scaled.organs().get())
+                .extracting(Structure::name)
+                .isEqualTo(MAN.organs().get().stream().map(Structure::name).toList());
+        double[] given = organBox(MAN, "kidney_R");
+        double[] factors = {1.2, 0.9, 1.1};
+        double[] box = organBox(scaled, "kidney_R");
+        for (int side = 0; side < box.length; side++) {
+            assertThat(box[side]).isCloseTo(factors[side % 3] * given[side], within(1e-9));
+        }
+        Thorax bent = new BodyVariation(1, 1, 1, 20, 0, 0).of(MAN, "bent");
+        assertThat(organBox(bent, "heart")[1]).isLessThan(organBox(MAN, "heart")[1] - 5);
+    }
+
+    /** Heart and stomach go on lying beside the left dome, the pleura about the lungs. */
+    @Test
+    void liftRaisesTheOrgansBesideTheDomesAndThePleura() {
+        Thorax lifted = new BodyVariation(1, 1, 1, 0, 0, 20).of(MAN, "lifted");
+        assertThat(organBox(lifted, "stomach")[5] - organBox(MAN, "stomach")[5]).isBetween(8.0, 20.0);
+        assertThat(meanHeight(organOf(lifted, "heart")) - meanHeight(organOf(MAN, "heart")))
+                .isBetween(5.0, 20.0);
+        assertThat(organBox(lifted, "kidney_R")[2]).isEqualTo(organBox(MAN, "kidney_R")[2]);
+        assertThat(organOf(lifted, "pleura_R").positions())
+                .isNotEqualTo(organOf(MAN, "pleura_R").positions());
     }
 
     /** The front of the middle of the cage goes forward, the spine stays. */

@@ -7,7 +7,10 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.phrenic.access.NoGoZone;
+import org.phrenic.access.path.AccessMap;
 import org.phrenic.file.BadInputException;
+import org.phrenic.simulation.Simulation;
 
 /** Access to a target as a study: directions of ways, the motion of the target, its factors. */
 class AccessStudyTest {
@@ -40,7 +43,7 @@ class AccessStudyTest {
         SweepPlan plan = SweepPlan.of(SweepStudy.parse(
                 "study.yaml",
                 "model: access\nsettings: {resolution: low, rate_per_min: 60}\n"
-                        + "design: {kind: list, columns: [target.from_right], points: [[0.3]]}\n"));
+                        + "design: {kind: list, columns: [target.from_right], points: [[0.2]]}\n"));
         RunRow row = RunRow.of(plan.model(), plan.points().get(0));
         assertThat(row.failure()).isEmpty();
         double[] up = row.outcome().series()[2];
@@ -55,6 +58,21 @@ class AccessStudyTest {
                 .isBetween(2.0, 30.0);
         assertThat(values[0]).as("free, per cent").isBetween(1.0, 99.0);
         assertThat(IntStream.range(3, values.length).mapToObj(i -> values[i])).contains(1.0, 0.0);
+    }
+
+    /** A body in another size has kidneys, bowel and vessels as well, and some ways to the target pass through them. */
+    @Test
+    void organsOfABodyInAnotherSizeStandInTheWay() {
+        SweepPlan plan = SweepPlan.of(SweepStudy.parse(
+                "study.yaml",
+                "model: access\nsettings: {resolution: low, rate_per_min: 60}\n"
+                        + "design: {kind: list, columns: [body.scale], points: [[1.05]]}\n"));
+        SweepPoint point = plan.points().get(0);
+        try (Simulation simulation = ((AccessModel) plan.model()).simulation(point)) {
+            AccessMap map = AccessModel.map(simulation, point);
+            assertThat(IntStream.range(0, map.size()).filter(v -> map.isInReach(0, v)))
+                    .anyMatch(v -> map.touched(0, v).contains(NoGoZone.ORGAN));
+        }
     }
 
     @Test
