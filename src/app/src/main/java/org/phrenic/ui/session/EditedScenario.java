@@ -18,10 +18,19 @@ final class EditedScenario {
     private final Supplier<Scenario> present;
     private final Runnable onHold;
     private Scenario requested;
-    /** Changes made, undone or redone whose scene loads, the oldest first, and what takes each back in the history. */
-    private final Map<UndoableEdit, Runnable> loading = new LinkedHashMap<>();
+    /** Changes made, undone or redone whose scene loads, the oldest first. */
+    private final Map<UndoableEdit, Pending> loading = new LinkedHashMap<>();
     /** The values before these. */
     private Scenario before;
+
+    /**
+     * What is known of a change whose scene loads.
+     *
+     * @param previous the values before it
+     * @param takeBack takes it back in the history
+     * @param sceneId of the scene that was loaded for it
+     */
+    private record Pending(Scenario previous, Runnable takeBack, long sceneId) {}
 
     /**
      * @param present gives the present values
@@ -93,7 +102,7 @@ final class EditedScenario {
 
     private void awaitScene(UndoableEdit edit, Scenario previous, Runnable takeBack) {
         before = loading.isEmpty() ? previous : before;
-        loading.putIfAbsent(edit, takeBack);
+        loading.putIfAbsent(edit, new Pending(previous, takeBack, live.newestSceneId()));
     }
 
     /** Undoes or redoes a change; where its own scene still loads, the scene that runs goes on. */
@@ -110,19 +119,20 @@ final class EditedScenario {
         }
     }
 
-    /** The scene of the last changes runs. */
-    void endLoading() {
-        if (!loading.isEmpty()) {
-            loading.clear();
+    /** A scene runs: of the changes, those for which it was loaded, and those before. The scene of others may load. */
+    void endLoading(long sceneId) {
+        if (loading.values().removeIf(change -> change.sceneId <= sceneId)) {
             edits.endMerging();
+            before =
+                    loading.values().stream().findFirst().map(Pending::previous).orElse(before);
         }
     }
 
     /** Forgets the changes whose scene was to be loaded: that has failed, or is not wanted any more. */
     void forgetLoading() {
-        List<Runnable> latestFirst = new ArrayList<>(loading.values());
+        List<Pending> latestFirst = new ArrayList<>(loading.values());
         Collections.reverse(latestFirst);
         loading.clear();
-        latestFirst.forEach(Runnable::run);
+        latestFirst.forEach(change -> change.takeBack.run());
     }
 }

@@ -310,7 +310,7 @@ public final class Session implements AutoCloseable {
         public void ready(LiveScene ready) {
             SwingUtilities.invokeLater(() -> {
                 scene = ready;
-                edited.endLoading();
+                edited.endLoading(ready.id());
                 lookingBack.end();
                 fire(l -> l.onScene(ready));
                 fire(Listener::onScrub);

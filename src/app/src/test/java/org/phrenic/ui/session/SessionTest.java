@@ -95,6 +95,36 @@ class SessionTest {
         }
     }
 
+    /** The scene of a first change runs, which the window is yet to learn, when a second change is made. */
+    @Test
+    void aCancelledChangeIsForgottenThoughTheSceneOfAnEarlierOneCameMeanwhile() {
+        try (Session session = running()) {
+            EventThread.run(() -> {
+                change(session, "links_per_node", "2");
+                assertThat(session.live().isLoading()).isTrue();
+                waitWhileLoading(session);
+                change(session, "resolution", "medium");
+            });
+            // What was sent before the second change has come.
+            EventThread.run(() -> {
+                session.cancelLoading();
+                assertThat(session.edits().undoPresentationName()).hasValue("Undo links_per_node");
+                session.edits().undo();
+                assertThat(session.edits().undoPresentationName()).isEmpty();
+            });
+        }
+    }
+
+    private static void waitWhileLoading(Session session) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
+        while (session.live().isLoading()) {
+            assertThat(System.nanoTime()).as("patience").isLessThan(end);
+            Thread.onSpinWait();
+        }
+        // Answered when the scene runs and that is sent.
+        session.live().recordedScenario();
+    }
+
     @Test
     void anUndoWhileItsSceneLoadsLeavesTheRunAsItIs() {
         try (Session session = running()) {

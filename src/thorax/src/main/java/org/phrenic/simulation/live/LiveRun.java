@@ -74,13 +74,7 @@ public final class LiveRun implements AutoCloseable {
 
     private void setPlaying(boolean on) {
         loop.playing = on;
-        loop.commands.submit(() -> {
-            loop.startPacing();
-            if (loop.running != null) {
-                loop.running.publish();
-            }
-            loop.notifyListener();
-        });
+        loop.commands.submit(loop::playOrPause);
     }
 
     /** Performs one step if the run is paused. */
@@ -210,6 +204,11 @@ public final class LiveRun implements AutoCloseable {
             settings.endLoading();
         }
         return wanted;
+    }
+
+    /** {@link LiveScene#id} of the scene whose load began last. */
+    public synchronized long newestSceneId() {
+        return sceneCount;
     }
 
     /** Whether a scene is being loaded. */

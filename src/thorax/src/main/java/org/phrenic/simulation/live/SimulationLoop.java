@@ -218,6 +218,15 @@ final class SimulationLoop implements Runnable {
         }
     }
 
+    /** Takes up the pace where the run was paused, or shows the state at which it is paused. */
+    void playOrPause() {
+        startPacing();
+        if (running != null) {
+            running.publish();
+        }
+        notifyListener();
+    }
+
     /** Replaces the running scene and closes the previous one. */
     void replaceScene(RunningScene made) {
         RunningScene old = running;
