@@ -145,7 +145,7 @@ final class ReproduceCommand implements Callable<Integer> {
     private PatientResults patientResults(Optional<List<PatientScans>> scans, ProgressListener progress) {
         PatientStudy study = new PatientStudy(quick, progress);
         if (scans.isPresent()) {
-            int left = scans.get().size() - PatientStudy.MAX_PATIENTS;
+            int left = (int) scans.get().stream().filter(PatientScans::isPair).count() - PatientStudy.MAX_PATIENTS;
             String rest = left > 0 && !quick ? left + " more of the scans were left out for want of time." : "";
             Attempts<PatientCase> cases = study.of(scans.get(), Optional.ofNullable(axes));
             unusable = cases.failures().stream()

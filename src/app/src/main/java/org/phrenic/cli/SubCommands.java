@@ -66,7 +66,7 @@ final class SubCommands {
         for (ParseResult above = parsed; above.hasSubcommand(); above = above.subcommand()) {
             String name = above.subcommand().commandSpec().name();
             for (OptionSpec option : above.matchedOptions()) {
-                if (option.scopeType() != ScopeType.INHERIT) {
+                if (option.scopeType() != ScopeType.INHERIT && !option.usageHelp() && !option.versionHelp()) {
                     throw new ParameterException(
                             above.commandSpec().commandLine(),
                             option.longestName() + ": found it before '" + name + "', which does not read it, expected"

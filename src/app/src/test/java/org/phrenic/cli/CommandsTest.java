@@ -55,6 +55,13 @@ class CommandsTest {
     }
 
     @Test
+    void helpAndVersionMayStandBeforeACommand() {
+        assertThat(done("--help", "run").out()).contains("Usage: phrenic");
+        assertThat(done("bench", "--help", "speed").out()).contains("Usage: phrenic bench");
+        assertThat(done("--version", "run").out()).contains("Not for clinical use");
+    }
+
+    @Test
     void theVersionComesWithTheNotice() {
         assertThat(done("--version").out()).contains("phrenic").contains("Not for clinical use");
     }

@@ -117,11 +117,8 @@ public final class BreathDock extends SessionDock {
 
     /** Changes the breathing preset; rate, inspiratory fraction and chest share go to those of the preset. */
     public void selectPreset(String name) {
-        Scenario scenario = session.scenario();
-        if (scenario.preset().equals(name)
-                && !scenario.hold()
-                && scenario.trace().isEmpty()
-                && PRESET_PARAMETERS.stream().allMatch(p -> scenario.get(p).equals(scenario.defaultOf(p)))) {
+        Scenario scenario = session.userScenario();
+        if (isBreathOf(scenario, name) && !scenario.hold()) {
             return;
         }
         Scenario next = scenario.with("preset=" + name);
@@ -144,9 +141,17 @@ public final class BreathDock extends SessionDock {
         }
     }
 
+    /** Whether a body breathes by a preset as that is, held or not. */
+    public static boolean isBreathOf(Scenario scenario, String preset) {
+        return scenario.preset().equals(preset)
+                && scenario.trace().isEmpty()
+                && PRESET_PARAMETERS.stream().allMatch(p -> scenario.get(p).equals(scenario.defaultOf(p)));
+    }
+
     private void removeTrace() {
         session.open(
-                EditName.of("End of the recorded breath"), session.scenario().without(Breathing.TRACE));
+                EditName.of("End of the recorded breath"),
+                session.userScenario().without(Breathing.TRACE));
     }
 
     /** Breathes by a recorded trace; a file that is none is refused with a message. */

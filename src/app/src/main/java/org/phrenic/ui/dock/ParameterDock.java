@@ -73,7 +73,7 @@ public final class ParameterDock extends SessionDock {
                 Materials.MATERIAL.options(),
                 (from, to) -> session.open(
                         new EditName(Materials.MATERIAL.label(), from, to),
-                        session.scenario().withMaterial(Materials.MATERIAL.named(to)))));
+                        session.userScenario().withMaterial(Materials.MATERIAL.named(to)))));
         model.addRow(choice(RunSettings.ANATOMY, RunSettings.VIRTUAL_BODIES));
         model.addRow(choice(OrganSettings.RESOLUTION, OrganSettings.RESOLUTION.options()));
         CollapsibleGroup numerics = groups.get(Group.NUMERICS);

@@ -63,6 +63,9 @@ public final class BackgroundWorker implements AutoCloseable {
     }
 
     private static String message(Throwable failure) {
+        if (failure instanceof OutOfMemoryError) {
+            return "There is not enough memory; choose a lower resolution or start Java with a larger -Xmx.";
+        }
         return failure.getMessage() == null ? failure.toString() : failure.getMessage();
     }
 
@@ -99,7 +102,7 @@ public final class BackgroundWorker implements AutoCloseable {
                 try {
                     T result = task.call();
                     outcome = () -> onDone.accept(result);
-                } catch (Exception e) {
+                } catch (Exception | Error e) {
                     outcome = () -> onFailure.accept(message(e));
                 }
                 Runnable delivery = outcome;

@@ -48,23 +48,10 @@ public final class Session implements AutoCloseable {
         default void onHoldEdited() {}
 
         /** A message for the user. */
-        default void onMessage(Message message) {}
+        default void onMessage(SessionMessage message) {}
 
         /** Another recorded frame is shown, or the present. */
         default void onScrub() {}
-    }
-
-    /** A message for the user, one sentence. */
-    public record Message(Kind kind, String text) {
-        /** Severity. */
-        public enum Kind {
-            /** Information. */
-            NOTE,
-            /** A request is refused. */
-            REFUSED,
-            /** The simulation has diverged and is paused. */
-            DIVERGED
-        }
     }
 
     private static final int TICK_MS = 50;
@@ -189,6 +176,11 @@ public final class Session implements AutoCloseable {
         }
     }
 
+    /** The file that is being read; the one asked for last counts. */
+    public LatestTask opening() {
+        return opening;
+    }
+
     /** Opens a scenario, a thorax folder or a trace; reads it off the event dispatch thread. */
     public void openFile(Path file) {
         Scenario present = userScenario();
@@ -262,12 +254,12 @@ public final class Session implements AutoCloseable {
 
     /** Shows a sentence that is worth knowing. */
     public void note(String sentence) {
-        fire(l -> l.onMessage(new Message(Message.Kind.NOTE, sentence)));
+        fire(l -> l.onMessage(new SessionMessage(SessionMessage.Kind.NOTE, sentence)));
     }
 
     /** Shows a sentence on why something is not done. */
     public void refuse(String sentence) {
-        fire(l -> l.onMessage(new Message(Message.Kind.REFUSED, sentence)));
+        fire(l -> l.onMessage(new SessionMessage(SessionMessage.Kind.REFUSED, sentence)));
     }
 
     /** Controls that show a value which is not taken go back to the scenario's. */
@@ -330,7 +322,7 @@ public final class Session implements AutoCloseable {
 
         @Override
         public void diverged(String sentence) {
-            later(l -> l.onMessage(new Message(Message.Kind.DIVERGED, sentence)));
+            later(l -> l.onMessage(new SessionMessage(SessionMessage.Kind.DIVERGED, sentence)));
         }
 
         @Override

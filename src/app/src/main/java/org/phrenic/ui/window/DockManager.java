@@ -11,9 +11,11 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import org.phrenic.access.plan.Rehearsal;
+import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.access.AttemptHistory;
 import org.phrenic.ui.access.AttemptReportWriter;
 import org.phrenic.ui.access.RehearsalController;
+import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.access.panel.AttemptsDock;
 import org.phrenic.ui.access.panel.FluoroscopyDock;
 import org.phrenic.ui.access.panel.RehearsalDock;
@@ -141,12 +143,25 @@ public final class DockManager {
         left.addTab("Organs", null, ScrollablePanel.scrollPane(organs), "What is shown of the body, and how");
     }
 
+    /** Breathes by a preset. A breath of it that is held in a rehearsal goes on, as a step of the attempt. */
+    void selectPreset(String preset) {
+        Scenario scenario = session.scenario();
+        boolean goesOn = rehearsalController.stage() == RehearsalStage.READY
+                && scenario.hold()
+                && BreathDock.isBreathOf(scenario, preset);
+        if (goesOn) {
+            rehearsalController.needle().hold(Optional.empty());
+        } else {
+            breath.selectPreset(preset);
+        }
+    }
+
     /** Makes the clinician's docks at their first use. */
     private void createRehearsalDocks() {
         if (rehearsal != null) {
             return;
         }
-        rehearsal = new RehearsalDock(session, rehearsalController, breath::selectPreset);
+        rehearsal = new RehearsalDock(session, rehearsalController, this::selectPreset);
         attempts = new AttemptsDock(session, rehearsalController, new AttemptReportWriter(view), null);
         history.ifPresent(attempts::keepIn);
         sections = new SectionDock(rehearsalController);

@@ -276,7 +276,7 @@ final class MenuActions {
     }
 
     private void selectPreset(String preset) {
-        window.docks().breath().selectPreset(preset);
+        window.docks().selectPreset(preset);
     }
 
     private void restart() {

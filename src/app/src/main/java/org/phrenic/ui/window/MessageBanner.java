@@ -11,7 +11,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
-import org.phrenic.ui.session.Session;
+import org.phrenic.ui.session.SessionMessage;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Icons;
 import org.phrenic.ui.widget.Theme;
@@ -34,8 +34,8 @@ public final class MessageBanner extends JPanel {
     private final JButton actionButton = new JButton("Help");
     private final JButton close = Controls.iconButton(Icons.CLOSE, "Close this message", this::showNext);
     private final Timer hideTimer = new Timer(NOTE_DURATION_MS, e -> showNext());
-    private final transient Deque<Session.Message> waiting = new ArrayDeque<>();
-    private Session.Message.Kind kind = Session.Message.Kind.NOTE;
+    private final transient Deque<SessionMessage> waiting = new ArrayDeque<>();
+    private SessionMessage.Kind kind = SessionMessage.Kind.NOTE;
     private transient Runnable action = () -> {};
     private String sentence = "";
     private int textWidth;
@@ -60,13 +60,13 @@ public final class MessageBanner extends JPanel {
     }
 
     /** Shows a message without a button. */
-    void show(Session.Message message) {
+    void show(SessionMessage message) {
         show(message, Optional.empty(), () -> {});
     }
 
     /** Shows a message with a button of this text that does {@code whenPressed}. */
-    void show(Session.Message message, Optional<String> button, Runnable whenPressed) {
-        if (showsDivergence() && message.kind() != Session.Message.Kind.DIVERGED) {
+    void show(SessionMessage message, Optional<String> button, Runnable whenPressed) {
+        if (showsDivergence() && message.kind() != SessionMessage.Kind.DIVERGED) {
             waiting.add(message);
             return;
         }
@@ -81,8 +81,8 @@ public final class MessageBanner extends JPanel {
         fit(MAX_WIDTH);
         setVisible(true);
         hideTimer.stop();
-        if (kind != Session.Message.Kind.DIVERGED) {
-            hideTimer.setInitialDelay(kind == Session.Message.Kind.NOTE ? NOTE_DURATION_MS : REFUSED_DURATION_MS);
+        if (kind != SessionMessage.Kind.DIVERGED) {
+            hideTimer.setInitialDelay(kind == SessionMessage.Kind.NOTE ? NOTE_DURATION_MS : REFUSED_DURATION_MS);
             hideTimer.start();
         }
         revalidate();
@@ -90,7 +90,7 @@ public final class MessageBanner extends JPanel {
     }
 
     private boolean showsDivergence() {
-        return isVisible() && kind == Session.Message.Kind.DIVERGED;
+        return isVisible() && kind == SessionMessage.Kind.DIVERGED;
     }
 
     /** Hides the message of a divergence that is over, if it is shown. */

@@ -21,6 +21,7 @@ import org.phrenic.ui.session.FileOpener;
 import org.phrenic.ui.session.QuitAfterWrites;
 import org.phrenic.ui.session.ScenarioStore;
 import org.phrenic.ui.session.Session;
+import org.phrenic.ui.session.SessionMessage;
 import org.phrenic.ui.session.WindowPreferences;
 import org.phrenic.ui.session.Workspace;
 import org.phrenic.ui.view.AppearanceModel;
@@ -333,9 +334,9 @@ public final class PhrenicWindow {
         }
 
         @Override
-        public void onMessage(Session.Message message) {
+        public void onMessage(SessionMessage message) {
             LOG.log(System.Logger.Level.INFO, message.text());
-            if (message.kind() == Session.Message.Kind.DIVERGED) {
+            if (message.kind() == SessionMessage.Kind.DIVERGED) {
                 toolBar.refresh(session);
                 Runnable restore = session.live()::restoreLastGood;
                 banner.show(message, Optional.of("Back to the last good state"), restore);

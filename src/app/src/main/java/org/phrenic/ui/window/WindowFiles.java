@@ -14,7 +14,6 @@ import org.phrenic.scene.export.PngFile;
 import org.phrenic.ui.scan.ScanImporter;
 import org.phrenic.ui.session.FileOpener;
 import org.phrenic.ui.session.FileWrites;
-import org.phrenic.ui.session.LatestTask;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.WindowPreferences;
 import org.phrenic.ui.view.SceneViewport;
@@ -30,7 +29,6 @@ public final class WindowFiles {
     private final WindowPreferences preferences;
     private final Consumer<RehearsalPlan> openPlan;
     private final ScanImporter scans;
-    private final LatestTask opening = new LatestTask();
 
     /**
      * @param openPlan gets a rehearsal plan that is opened
@@ -56,24 +54,26 @@ public final class WindowFiles {
      * anything else is refused with a message. Of files that are opened before the one before is read, the last counts.
      */
     public void open(Path file) {
-        opening.execute(
-                () -> LabelVolumeFiles.isVolume(file),
-                isVolume -> {
-                    if (isVolume) {
-                        scans.begin(file);
-                    } else {
-                        openOther(file);
-                    }
-                },
-                session::refuse);
+        session.opening()
+                .execute(
+                        () -> LabelVolumeFiles.isVolume(file),
+                        isVolume -> {
+                            if (isVolume) {
+                                scans.begin(file);
+                            } else {
+                                openOther(file);
+                            }
+                        },
+                        session::refuse);
     }
 
     private void openOther(Path file) {
         preferences.addRecent(file);
-        opening.execute(
-                () -> FileOpener.readPlan(file),
-                plan -> plan.ifPresentOrElse(openPlan, () -> session.openFile(file)),
-                session::refuse);
+        session.opening()
+                .execute(
+                        () -> FileOpener.readPlan(file),
+                        plan -> plan.ifPresentOrElse(openPlan, () -> session.openFile(file)),
+                        session::refuse);
     }
 
     void chooseAndOpen() {

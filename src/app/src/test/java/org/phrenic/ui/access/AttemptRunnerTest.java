@@ -14,6 +14,7 @@ import org.phrenic.ui.session.EventThread;
 import org.phrenic.ui.session.FileWrites;
 import org.phrenic.ui.session.QuitAfterWrites;
 import org.phrenic.ui.session.Session;
+import org.phrenic.ui.session.SessionMessage;
 import org.phrenic.ui.view.AppearanceModel;
 import org.phrenic.ui.view.SceneViewport;
 
@@ -35,7 +36,7 @@ class AttemptRunnerTest {
             session = new Session(Scenario.defaults().with("resolution=low"));
             session.addListener(new Session.Listener() {
                 @Override
-                public void onMessage(Session.Message message) {
+                public void onMessage(SessionMessage message) {
                     refused.add(message.text());
                 }
             });

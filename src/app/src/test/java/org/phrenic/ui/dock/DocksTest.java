@@ -59,6 +59,7 @@ import org.phrenic.ui.chart.TimelineDock;
 import org.phrenic.ui.session.EventThread;
 import org.phrenic.ui.session.ScenarioStore;
 import org.phrenic.ui.session.Session;
+import org.phrenic.ui.session.SessionMessage;
 import org.phrenic.ui.view.AppearanceModel;
 import org.phrenic.ui.widget.SliderScale;
 import org.phrenic.ui.widget.Theme;
@@ -311,6 +312,17 @@ class DocksTest {
         assertThat(after).isCloseTo(before, withPercentage(5));
     }
 
+    /** Such a breath, if it is held in a rehearsal, goes on in place. */
+    @Test
+    void aBreathIsOfAPresetAsThatIsHeldOrNot() {
+        Scenario quiet = Scenario.defaults();
+        assertThat(BreathDock.isBreathOf(quiet, "quiet")).isTrue();
+        assertThat(BreathDock.isBreathOf(quiet.with("hold=true"), "quiet")).isTrue();
+        assertThat(BreathDock.isBreathOf(quiet, "deep")).isFalse();
+        assertThat(BreathDock.isBreathOf(quiet.with("rate_per_min=25"), "quiet"))
+                .isFalse();
+    }
+
     @Test
     void aPresetButtonBreathesByItAndHoldsStopTheBreath() {
         BreathDock dock = on(() -> new BreathDock(session));
@@ -356,7 +368,7 @@ class DocksTest {
         AtomicReference<String> said = new AtomicReference<>();
         Session.Listener ear = new Session.Listener() {
             @Override
-            public void onMessage(Session.Message message) {
+            public void onMessage(SessionMessage message) {
                 said.set(message.text());
             }
         };
@@ -604,7 +616,7 @@ class DocksTest {
         List<String> told = new ArrayList<>();
         Session.Listener listener = new Session.Listener() {
             @Override
-            public void onMessage(Session.Message message) {
+            public void onMessage(SessionMessage message) {
                 told.add(message.text());
             }
         };

@@ -43,7 +43,7 @@ class SessionTest {
             EventThread.run(() -> {
                 session.addListener(new Session.Listener() {
                     @Override
-                    public void onMessage(Session.Message message) {
+                    public void onMessage(SessionMessage message) {
                         refused.set(message.text());
                     }
                 });

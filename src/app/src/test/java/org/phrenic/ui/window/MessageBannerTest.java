@@ -10,13 +10,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.ui.session.EventThread;
-import org.phrenic.ui.session.Session;
+import org.phrenic.ui.session.SessionMessage;
 import org.phrenic.ui.widget.Theme;
 
 /** Messages are read whole in views of all widths. */
 class MessageBannerTest {
-    private static final Session.Message LONG = new Session.Message(
-            Session.Message.Kind.DIVERGED,
+    private static final SessionMessage LONG = new SessionMessage(
+            SessionMessage.Kind.DIVERGED,
             "the simulation diverged at node 4711 after 2.35 s and was restored; the last change was muscle_force_mn");
 
     @ParameterizedTest
@@ -46,8 +46,8 @@ class MessageBannerTest {
             Theme.install(false);
             MessageBanner banner = new MessageBanner();
             banner.show(LONG, Optional.of("Back to the last good state"), () -> {});
-            banner.show(new Session.Message(Session.Message.Kind.NOTE, "Saved a.png."));
-            banner.show(new Session.Message(Session.Message.Kind.REFUSED, "found 3, expected 1"));
+            banner.show(new SessionMessage(SessionMessage.Kind.NOTE, "Saved a.png."));
+            banner.show(new SessionMessage(SessionMessage.Kind.REFUSED, "found 3, expected 1"));
             assertThat(banner.message()).isEqualTo(LONG.text());
             assertThat(hasButton(banner)).isTrue();
             banner.endDivergence();
@@ -69,7 +69,7 @@ class MessageBannerTest {
             int[] pressed = new int[1];
             MessageBanner banner = new MessageBanner();
             banner.show(LONG, Optional.of("Back to the last good state"), () -> pressed[0]++);
-            banner.show(new Session.Message(Session.Message.Kind.NOTE, "Saved a.png."));
+            banner.show(new SessionMessage(SessionMessage.Kind.NOTE, "Saved a.png."));
             Arrays.stream(banner.getComponents())
                     .filter(part -> "banner.help".equals(part.getName()))
                     .forEach(part -> ((JButton) part).doClick());

@@ -6,7 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FileNames;
@@ -40,13 +42,17 @@ public record PatientScans(String name, Path expiration, Path inspiration) {
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
         }
-        List<PatientScans> patients = new ArrayList<>();
+        Map<String, PatientScans> expired = new LinkedHashMap<>();
         for (Path scan : scans) {
             if (isOf(scan, EXPIRATION)) {
-                patients.add(
-                        new PatientScans(name(scan, EXPIRATION), scan, partner(scan, EXPIRATION, INSPIRATION, scans)));
+                Path other = partner(scan, EXPIRATION, INSPIRATION, scans);
+                PatientScans patient = new PatientScans(name(scan, EXPIRATION), scan, other);
+                // Of one scan in two formats that counts whose partner has the same.
+                expired.merge(
+                        patient.name, patient, (first, next) -> !first.isAlike() && next.isAlike() ? next : first);
             }
         }
+        List<PatientScans> patients = new ArrayList<>(expired.values());
         for (Path scan : scans) {
             if (isOf(scan, INSPIRATION) && patients.stream().noneMatch(p -> p.name.equals(name(scan, INSPIRATION)))) {
                 patients.add(
@@ -82,8 +88,14 @@ public record PatientScans(String name, Path expiration, Path inspiration) {
                         .orElse(alike);
     }
 
-    private boolean isPair() {
+    /** Whether both scans are there. */
+    public boolean isPair() {
         return Files.exists(expiration) && Files.exists(inspiration);
+    }
+
+    private boolean isAlike() {
+        String alike = expiration.getFileName().toString().replace(EXPIRATION, INSPIRATION);
+        return isPair() && inspiration.getFileName().toString().equals(alike);
     }
 
     /** @throws BadInputException if one of the scans is missing */

@@ -76,20 +76,27 @@ public final class PatientStudy {
      * @param axes see {@link GeometryOverride#axes}; empty for the axes of the files
      */
     public Attempts<PatientCase> of(List<PatientScans> scans, Optional<String> axes) {
-        int count = Math.min(quick ? 1 : MAX_PATIENTS, scans.size());
+        List<PatientScans> pairs = scans.stream().filter(PatientScans::isPair).toList();
+        int count = Math.min(quick ? 1 : MAX_PATIENTS, pairs.size());
         List<BatchRunner.Job<Supplier<PatientImport>>> imports = new ArrayList<>();
-        for (PatientScans pair : scans.subList(0, count)) {
+        for (PatientScans pair : pairs.subList(0, count)) {
             imports.add(new BatchRunner.Job<>(pair.name(), () -> imported(pair, axes)));
         }
         List<Supplier<PatientImport>> imported = BatchRunner.run(imports, THREADS, (done, of, what) -> {});
         Attempts<PatientCase> cases = new Attempts<>();
         for (int i = 0; i < count; i++) {
             Supplier<PatientImport> patient = imported.get(i);
-            cases.add(scans.get(i).name(), () -> fitted(patient.get()));
-            progress.done(i + 1, count, scans.get(i).name());
+            cases.add(pairs.get(i).name(), () -> fitted(patient.get()));
+            progress.done(i + 1, count, pairs.get(i).name());
         }
+        scans.stream().filter(one -> !one.isPair()).forEach(one -> cases.add(one.name(), () -> unpaired(one)));
         cases.failures().forEach(progress::note);
         return cases;
+    }
+
+    private static PatientCase unpaired(PatientScans one) {
+        one.requireBoth();
+        throw new IllegalArgumentException(one.name() + ": found both scans, expected one of them to be missing");
     }
 
     private PatientCase fitted(PatientImport patient) {

@@ -10,6 +10,7 @@ import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.ScheduledChange;
 
 /** Whether a breath of a study has a hold, which creep needs. */
 final class HeldBreaths {
@@ -58,10 +59,17 @@ final class HeldBreaths {
         return Assignment.read("factor '" + factor.key() + "'", factor.key(), value);
     }
 
+    /** Whether a change on the way holds the breath, or sets a preset or a recording with a hold. */
+    private static boolean holds(Scenario scenario, ScheduledChange change) {
+        Assignment assignment = change.assignment();
+        return KEYS.contains(assignment.key())
+                && isHeld(scenario.withChanges(List.of()).with(List.of(assignment)));
+    }
+
     private static boolean isHeld(Scenario scenario) {
         BreathingPattern pattern = Breathing.patternOf(scenario);
         BreathState state = new BreathState();
-        boolean held = scenario.hold();
+        boolean held = scenario.hold() || scenario.changes().stream().anyMatch(change -> holds(scenario, change));
         for (double t = 0; !held && t < pattern.fullDurationS(); t += BreathModel.SAMPLE_S) {
             pattern.at(t, state);
             held = state.respiratoryPhase == RespiratoryPhase.HOLD;

@@ -8,9 +8,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.file.BadInputException;
+import org.phrenic.study.paper.PatientStudy;
 
 class PatientScansTest {
     @TempDir
@@ -43,6 +45,23 @@ class PatientScansTest {
                                 folder.resolve("berta_expiration.nrrd"),
                                 folder.resolve("berta_inspiration.nrrd")));
         assertThat(pairs).allSatisfy(pair -> assertThatCode(pair::requireBoth).doesNotThrowAnyException());
+    }
+
+    @Test
+    void aScanKeptInTwoFormatsIsOnePatient() throws IOException {
+        assertThat(found("p_expiration.mha", "p_expiration.nii.gz", "p_inspiration.nii.gz"))
+                .containsExactly(new PatientScans(
+                        "p", folder.resolve("p_expiration.nii.gz"), folder.resolve("p_inspiration.nii.gz")));
+    }
+
+    /** The second patient is tried though the first has one scan alone. */
+    @Test
+    void aPatientOfOneScanTakesNoPlaceInAReproduction() throws IOException {
+        List<PatientScans> patients = found("anna_expiration.mha", "berta_expiration.mha", "berta_inspiration.mha");
+        PatientStudy study = new PatientStudy(true, (done, total, what) -> {});
+        assertThat(study.of(patients, Optional.empty()).failures())
+                .anySatisfy(failure -> assertThat(failure).contains("anna", "found no anna_inspiration.*"))
+                .anySatisfy(failure -> assertThat(failure).contains("berta_expiration.mha"));
     }
 
     @Test

@@ -54,14 +54,15 @@ public final class LiveBreathing implements BreathingPattern {
         TimeWarpedPattern warped = new TimeWarpedPattern(next, clock, clock.warpedTime(nowS) - intoS);
         previous = from;
         changedAtStep = step;
-        boolean begins = anew && endBreath(from.pattern, nowS);
+        boolean begins = anew && endBreath(from, nowS);
         state = new State(next, warped, BlendedPattern.crossfade(from.pattern, warped, nowS, Ramp.DEFAULT_S, begins));
     }
 
     /** Notes where a breath is cut short; returns whether there is one that another pattern ends. */
-    private boolean endBreath(BreathingPattern pattern, double nowS) {
+    private boolean endBreath(State from, double nowS) {
         BreathState breath = new BreathState();
-        pattern.at(nowS, breath);
+        // The pattern itself: of a breath that is held, the phase in which it is held.
+        from.base.at(from.warped.patternTimeS(nowS), breath);
         // What a second change at one step, or a return to an earlier state, has replaced does not count.
         cutShortS.removeIf(timeS -> timeS >= nowS);
         boolean over = breath.respiratoryPhase == RespiratoryPhase.PAUSE;

@@ -44,6 +44,17 @@ class LiveBreathingTest {
         assertThat(quiet.cutShortS()).hasSize(cutShort ? 1 : 0);
     }
 
+    /** Held at 3.5 s, when the expiration of the breath of 4 s is over; held at 2 s, it is not. */
+    @ParameterizedTest
+    @CsvSource({"3.5, false", "2, true"})
+    void anotherPresetAfterAHoldCutsTheBreathShortThatWasHeldBeforeItsPause(double heldS, boolean cutShort) {
+        LiveBreathing quiet = breathing();
+        quiet.hold(true, heldS);
+        quiet.hold(false, 6);
+        quiet.change(pattern("preset=deep"), true, STEP, 6);
+        assertThat(quiet.cutShortS()).isEqualTo(cutShort ? List.of(6.0) : List.of());
+    }
+
     /** The last of 16 breaths ends after 40 s; the apnoea that follows counts as part of it. */
     @Test
     void anotherPresetInAnApnoeaCutsNoBreathShort() {

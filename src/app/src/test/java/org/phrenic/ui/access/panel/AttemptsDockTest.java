@@ -16,6 +16,7 @@ import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.access.SampledAttempts;
 import org.phrenic.ui.session.EventThread;
 import org.phrenic.ui.session.Session;
+import org.phrenic.ui.session.SessionMessage;
 import org.phrenic.ui.view.AppearanceModel;
 import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.window.WindowHarness;
@@ -37,7 +38,7 @@ class AttemptsDockTest {
             try {
                 session.addListener(new Session.Listener() {
                     @Override
-                    public void onMessage(Session.Message message) {
+                    public void onMessage(SessionMessage message) {
                         messages.add(message.text());
                     }
                 });

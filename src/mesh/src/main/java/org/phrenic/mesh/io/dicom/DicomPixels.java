@@ -56,8 +56,7 @@ public final class DicomPixels {
 
     private void checkPlain() {
         long whole = (framePixels() * frames * bits + Byte.SIZE - 1) / Byte.SIZE;
-        // A value has an even number of bytes.
-        long needed = whole + whole % 2;
+        long needed = isSwapped() ? whole + whole % 2 : whole;
         if (data.isUndefined() || needed > data.length()) {
             String found = data.isUndefined() ? "packed pixels" : data.length() + " bytes of pixels";
             throw image.badInput(
@@ -129,14 +128,18 @@ public final class DicomPixels {
         }
     }
 
+    /** Whether the first byte of a word of 16 bits holds the second half of its pixels (PS3.5, 8.1.1). */
+    private boolean isSwapped() {
+        return bits <= Byte.SIZE
+                && image.bytes().bytes().order() == ByteOrder.BIG_ENDIAN
+                && data.representation().equals("OW");
+    }
+
     private void readPlain(int frame, int[] pixels) {
         long first = frame * framePixels();
         ByteBuffer bytes = image.bytes().bytes();
         int at = data.offset();
-        // The first byte of a big-endian word of 16 bits holds the second half of its pixels (PS3.5, 8.1.1).
-        boolean isSwapped =
-                bytes.order() == ByteOrder.BIG_ENDIAN && data.representation().equals("OW");
-        int swap = isSwapped ? 1 : 0;
+        int swap = isSwapped() ? 1 : 0;
         for (int n = 0; n < pixels.length; n++) {
             long pixel = first + n;
             pixels[n] = switch (bits) {
