@@ -9,6 +9,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import javax.swing.SwingWorker;
+import org.phrenic.simulation.live.LiveRun;
 
 /**
  * One thread that runs tasks one after the other; their results are delivered on the event dispatch thread unless they
@@ -64,7 +65,7 @@ public final class BackgroundWorker implements AutoCloseable {
 
     private static String message(Throwable failure) {
         if (failure instanceof OutOfMemoryError) {
-            return "There is not enough memory; choose a lower resolution or start Java with a larger -Xmx.";
+            return "There is not enough memory; " + LiveRun.FREE_MEMORY + ".";
         }
         return failure.getMessage() == null ? failure.toString() : failure.getMessage();
     }

@@ -2,7 +2,6 @@ package org.phrenic.ui.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.io.File;
 import java.nio.file.Path;
@@ -18,22 +17,7 @@ class FileDropHandlerTest {
     private final List<String> refused = new ArrayList<>();
 
     private boolean drop(File... files) {
-        Transferable dropped = new Transferable() {
-            @Override
-            public DataFlavor[] getTransferDataFlavors() {
-                return new DataFlavor[] {DataFlavor.javaFileListFlavor};
-            }
-
-            @Override
-            public boolean isDataFlavorSupported(DataFlavor flavor) {
-                return flavor.equals(DataFlavor.javaFileListFlavor);
-            }
-
-            @Override
-            public Object getTransferData(DataFlavor flavor) {
-                return List.of(files);
-            }
-        };
+        Transferable dropped = new DroppedFiles(List.of(files));
         return new FileDropHandler(opened::add, refused::add).importData(new TransferSupport(new JPanel(), dropped));
     }
 

@@ -7,11 +7,9 @@ import static org.assertj.core.api.Assumptions.assumeThat;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Window;
-import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
-import java.io.File;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -282,22 +280,7 @@ class WindowTest {
     }
 
     private static boolean drop(Path file) {
-        Transferable files = new Transferable() {
-            @Override
-            public DataFlavor[] getTransferDataFlavors() {
-                return new DataFlavor[] {DataFlavor.javaFileListFlavor};
-            }
-
-            @Override
-            public boolean isDataFlavorSupported(DataFlavor flavor) {
-                return flavor.equals(DataFlavor.javaFileListFlavor);
-            }
-
-            @Override
-            public List<File> getTransferData(DataFlavor flavor) {
-                return List.of(file.toFile());
-            }
-        };
+        Transferable files = new DroppedFiles(List.of(file.toFile()));
         return WindowHarness.onEdt(() -> {
             JComponent root = window.window().frame().getRootPane();
             return root.getTransferHandler().importData(new TransferHandler.TransferSupport(root, files));

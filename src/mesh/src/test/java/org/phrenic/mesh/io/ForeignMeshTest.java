@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -105,12 +106,16 @@ class ForeignMeshTest {
                 "sphere_ascii.vtp"
             })
     void textFilesWithTheLineEndsOfWindowsAreReadAlike(String name) {
+        assertIsReadAlike(name, "crlf_", text -> text.replace("\n", "\r\n"));
+    }
+
+    private void assertIsReadAlike(String name, String prefix, UnaryOperator<String> change) {
         TriangleMesh mesh = MeshSamples.read(folder, name);
         String text = new String(MeshSamples.bytes(name), StandardCharsets.ISO_8859_1);
-        TriangleMesh windows = MeshFiles.read(MeshSamples.write(folder, "crlf_" + name, text.replace("\n", "\r\n")));
+        TriangleMesh changed = MeshFiles.read(MeshSamples.write(folder, prefix + name, change.apply(text)));
 
-        assertThat(windows.positions()).containsExactly(mesh.positions());
-        assertThat(windows.triangles()).containsExactly(mesh.triangles());
+        assertThat(changed.positions()).containsExactly(mesh.positions());
+        assertThat(changed.triangles()).containsExactly(mesh.triangles());
     }
 
     @ParameterizedTest
@@ -124,12 +129,7 @@ class ForeignMeshTest {
                 "sphere_ascii.vtp"
             })
     void filesThatBeginWithAByteOrderMarkAreReadAlike(String name) {
-        TriangleMesh mesh = MeshSamples.read(folder, name);
-        String text = new String(MeshSamples.bytes(name), StandardCharsets.ISO_8859_1);
-        TriangleMesh marked = MeshFiles.read(MeshSamples.write(folder, "marked_" + name, "\u00ef\u00bb\u00bf" + text));
-
-        assertThat(marked.positions()).containsExactly(mesh.positions());
-        assertThat(marked.triangles()).containsExactly(mesh.triangles());
+        assertIsReadAlike(name, "marked_", text -> "\u00ef\u00bb\u00bf" + text);
     }
 
     @Test

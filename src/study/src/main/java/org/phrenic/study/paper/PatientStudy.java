@@ -89,14 +89,11 @@ public final class PatientStudy {
             cases.add(pairs.get(i).name(), () -> fitted(patient.get()));
             progress.done(i + 1, count, pairs.get(i).name());
         }
-        scans.stream().filter(one -> !one.isPair()).forEach(one -> cases.add(one.name(), () -> unpaired(one)));
+        scans.stream()
+                .filter(one -> !one.isPair())
+                .forEach(one -> cases.add(one.name(), () -> fitted(PatientImport.of(one, axes))));
         cases.failures().forEach(progress::note);
         return cases;
-    }
-
-    private static PatientCase unpaired(PatientScans one) {
-        one.requireBoth();
-        throw new IllegalArgumentException(one.name() + ": found both scans, expected one of them to be missing");
     }
 
     private PatientCase fitted(PatientImport patient) {

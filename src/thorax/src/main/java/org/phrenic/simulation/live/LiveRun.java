@@ -14,6 +14,9 @@ import org.phrenic.simulation.observe.Frame;
  * current step, and {@link #close} waits for the threads to end. {@link #command} reproduces the run without a window.
  */
 public final class LiveRun implements AutoCloseable {
+    /** What to do where memory is full, as a part of a sentence. */
+    public static final String FREE_MEMORY = "choose a lower resolution or start Java with a larger -Xmx";
+
     /** Receives events on the simulation's or the loader's thread. Implementations should return quickly. */
     public interface Listener {
         /** Loading progress: the stage (body, scene, surfaces, done) and the completed share, 0 to 1. */

@@ -75,9 +75,7 @@ final class SceneLoader {
         } catch (RuntimeException e) {
             end.failed(e);
         } catch (OutOfMemoryError full) {
-            end.failed(new IllegalStateException(
-                    "not enough memory for this scene; choose a lower resolution or start Java with a larger -Xmx",
-                    full));
+            end.failed(new IllegalStateException("not enough memory for this scene; " + LiveRun.FREE_MEMORY, full));
         } catch (Error e) {
             end.failed(new IllegalStateException("this scene cannot be loaded (" + e + ")", e));
         } catch (InterruptedException e) {

@@ -82,7 +82,7 @@ final class SimulationLoop implements Runnable {
     private void tellError() {
         if (untold != null) {
             String why = untold instanceof OutOfMemoryError
-                    ? "there is not enough memory; choose a lower resolution or start Java with a larger -Xmx"
+                    ? "there is not enough memory; " + LiveRun.FREE_MEMORY
                     : untold.toString();
             listener.failed("The simulation stopped: " + why);
             untold = null;

@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.util.List;
-import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.AfterEach;
@@ -21,45 +19,23 @@ import org.phrenic.simulation.observe.Frame;
 
 /** Errors of the virtual machine, such as full memory, while a scene runs or loads. */
 @Isolated("looks at the threads of the process")
-class ErrorsInARunTest {
-    private static final long PATIENCE_S = 120;
+class ErrorsInARunTest extends LiveRunEvents {
     private static final Scenario SMALL =
             Scenario.defaults().with("resolution=low", "lungs=embedded", "sternum=kinematic", "threads=1");
 
-    private final BlockingQueue<LiveScene> scenes = new LinkedBlockingQueue<>();
-    private final BlockingQueue<String> failures = new LinkedBlockingQueue<>();
     private final AtomicReference<Error> ofNextBody = new AtomicReference<>();
     private LiveRun run;
 
     private void start() {
-        run = new LiveRun(SMALL, new LiveRun.Listener() {
-            @Override
-            public void loading(String what, double share) {}
+        run = new LiveRun(SMALL, this);
+    }
 
-            @Override
-            public void body(LiveScene atRest) {
-                Error error = ofNextBody.getAndSet(null);
-                if (error != null) {
-                    throw error;
-                }
-            }
-
-            @Override
-            public void ready(LiveScene scene) {
-                scenes.add(scene);
-            }
-
-            @Override
-            public void failed(String sentence) {
-                failures.add(sentence);
-            }
-
-            @Override
-            public void diverged(String sentence) {}
-
-            @Override
-            public void changed() {}
-        });
+    @Override
+    public void body(LiveScene atRest) {
+        Error error = ofNextBody.getAndSet(null);
+        if (error != null) {
+            throw error;
+        }
     }
 
     @AfterEach
@@ -67,12 +43,6 @@ class ErrorsInARunTest {
         if (run != null) {
             run.close();
         }
-    }
-
-    private static <T> T next(BlockingQueue<T> queue) throws InterruptedException {
-        T found = queue.poll(PATIENCE_S, TimeUnit.SECONDS);
-        assertThat(found).as("nothing came in %d s", PATIENCE_S).isNotNull();
-        return found;
     }
 
     /** A listener that runs out of memory at the first step, and where that is once more. */

@@ -3,10 +3,7 @@ package org.phrenic.simulation.live;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
-import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -30,71 +27,23 @@ import org.phrenic.simulation.observe.Surface;
 
 /** A run on a thread of its own, as a window drives it. The sheet alone is stepped, for it is quick. */
 @Isolated("measures the memory and the threads of the process")
-class LiveRunTest {
-    private static final long PATIENCE_S = 120;
+class LiveRunTest extends LiveRunEvents {
     private static final String[] SMALL = {"resolution=low", "lungs=embedded", "sternum=kinematic", "threads=1"};
     /** What no body bears: the lightest sheet under the greatest pressure, undamped. */
     private static final String[] UNBEARABLE = {
         "area_density_kg_per_m2=3", "greatest_pressure_kpa=20", "damping_rate_per_s=0", "muscle_stiffness_n_per_m=30"
     };
 
-    private final BlockingQueue<LiveScene> scenes = new LinkedBlockingQueue<>();
-    private final BlockingQueue<String> failures = new LinkedBlockingQueue<>();
-    private final BlockingQueue<String> divergences = new LinkedBlockingQueue<>();
-    private final BlockingQueue<Set<String>> undone = new LinkedBlockingQueue<>();
-    private final List<String> stages = Collections.synchronizedList(new ArrayList<>());
-    private final BlockingQueue<LiveScene> bodies = new LinkedBlockingQueue<>();
     private LiveRun run;
 
     private LiveRun start(String... more) {
-        run = new LiveRun(Scenario.defaults().with(SMALL).with(more), new LiveRun.Listener() {
-            @Override
-            public void loading(String what, double share) {
-                stages.add(what);
-            }
-
-            @Override
-            public void body(LiveScene atRest) {
-                bodies.add(atRest);
-            }
-
-            @Override
-            public void ready(LiveScene scene) {
-                scenes.add(scene);
-            }
-
-            @Override
-            public void failed(String sentence) {
-                failures.add(sentence);
-            }
-
-            @Override
-            public void diverged(String sentence) {
-                divergences.add(sentence);
-            }
-
-            @Override
-            public void restored(Set<String> keys) {
-                undone.add(keys);
-            }
-
-            @Override
-            public void changed() {
-                // Nothing shown here.
-            }
-        });
+        run = new LiveRun(Scenario.defaults().with(SMALL).with(more), this);
         return run;
     }
 
     @AfterEach
     void end() {
         run.close();
-    }
-
-    private static <T> T next(BlockingQueue<T> queue) throws InterruptedException {
-        T found = queue.poll(PATIENCE_S, TimeUnit.SECONDS);
-        assertThat(found).as("nothing came in %d s", PATIENCE_S).isNotNull();
-        return found;
     }
 
     private static void until(BooleanSupplier what) throws InterruptedException {
