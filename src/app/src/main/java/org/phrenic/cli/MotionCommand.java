@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.regex.Pattern;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.cli.option.MotionOptions;
 import org.phrenic.cli.option.ReportFolder;
@@ -15,6 +16,7 @@ import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.UserCache;
+import org.phrenic.mesh.io.raster.VolumeSource;
 import org.phrenic.motion.BodyMotion;
 import org.phrenic.motion.MotionExport;
 import org.phrenic.motion.MotionRequest;
@@ -43,6 +45,8 @@ import picocli.CommandLine.Option;
         })
 final class MotionCommand extends ReportingCommand {
     private static final String POINTS_OFF = "points_off_mean_mm";
+    /** Regular expression of the name, up to the extension, of a file that holds one time. */
+    private static final String FILE_OF_A_TIME = ".+_(at|to)_\\d+\\.\\d{3}s\\.";
 
     @Mixin
     private ScenarioOptions scenarioOptions;
@@ -57,8 +61,7 @@ final class MotionCommand extends ReportingCommand {
     public Integer call() {
         MotionRequest request = options.request();
         ReportFolder.requireWritable(out);
-        ReportFolder.requireNotRead("--out", out.resolve("trajectories.csv"), request.points());
-        ReportFolder.requireNotRead("--out", out.resolve("warped." + request.format()), request.image());
+        requireInputsKept(request);
         Scenario scenario = scenarioOptions.resolved();
         ConsoleProgress progress = progress();
         ScheduleCheck.requireWithinRun(scenario);
@@ -76,6 +79,20 @@ final class MotionCommand extends ReportingCommand {
         }
         print(report, () -> table(report));
         return ExitCode.SUCCESS;
+    }
+
+    /** Refuses to write over the points, the times or the image. */
+    private void requireInputsKept(MotionRequest request) {
+        ReportFolder.requireNotRead("--out", out.resolve("trajectories.csv"), request.points(), options.timesFile());
+        if (request.image() == null) {
+            return;
+        }
+        Path image = VolumeSource.of(request.image()).path();
+        ReportFolder.requireNotRead("--out", out.resolve("warped." + request.format()), image);
+        String name = String.valueOf(image.getFileName());
+        if (name.matches(FILE_OF_A_TIME + Pattern.quote(request.format()))) {
+            ReportFolder.requireNotRead("--out", out.resolve(name), image);
+        }
     }
 
     private static String table(OrderedValues report) {

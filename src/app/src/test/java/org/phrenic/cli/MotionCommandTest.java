@@ -47,6 +47,24 @@ class MotionCommandTest {
         assertThat(folder.resolve("out")).doesNotExist();
     }
 
+    /** A phase of a series, an image with the name of a written one, and the times count as read. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "warped.nii.gz | --at 0 --warp FILE#0",
+                "warped_at_0.000s.nrrd | --at 0 --format nrrd --warp FILE",
+                "trajectories.csv | --grid 50 --times FILE"
+            })
+    void refusesToWriteOverWhatItReads(String name, String options) throws IOException {
+        Path input = Files.createDirectory(folder.resolve("out")).resolve(name);
+        Files.writeString(input, "the user's");
+        CommandLineRun run = motion(options.replace("FILE", input.toString()).split(" ", -1));
+        assertThat(run.exitCode()).isEqualTo(2);
+        assertThat(run.err()).contains(name + ": found a file that the command reads, expected another");
+        assertThat(input).hasContent("the user's");
+    }
+
     @Test
     void refusesTimesThatGiveTheSameFiles() {
         CommandLineRun run = motion("--grid", "20mm", "--at", "0.5,0.5004,1");

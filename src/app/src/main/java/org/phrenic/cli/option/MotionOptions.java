@@ -78,6 +78,11 @@ public final class MotionOptions {
         return new MotionRequest(edge, points, warp, labels, jacobian, regions, format);
     }
 
+    /** The file of the times; null for none. */
+    public Path timesFile() {
+        return times;
+    }
+
     public LungInside lungs() {
         return OptionValues.choice("--lungs", lungs, List.of(LungInside.values()));
     }
