@@ -46,7 +46,7 @@ final class ThoraxCases {
 
     /**
      * The same in a deep breath, which folds the sheet. Where the wall and the order of the faces oppose each other in
-     * a fold, single pairs of vertices give way. The bound is chosen; it is twice what the virtual man shows.
+     * a fold, single pairs of vertices give way. The bound is chosen; it is twice what the virtual woman shows.
      */
     private static final StabilityBounds FOLDED = CONTACT.with(CROSSED_MM, 8);
 
