@@ -47,6 +47,8 @@ final class RehearseCommand extends ReportingCommand {
     @Parameters(paramLabel = "PLAN", description = "YAML file: body and breathing, target, needle, steps.")
     private Path planFile;
 
+    private static final String REPORT = "report.json";
+
     @Option(names = "--out", paramLabel = "DIR", required = true, description = "Folder for the report.")
     private Path out;
 
@@ -62,6 +64,7 @@ final class RehearseCommand extends ReportingCommand {
         progress.end();
         RehearsalReport report = new RehearsalReport(rehearsal);
         Map<String, Object> values = report.values();
+        AtomicFile.delete(out.resolve(REPORT));
         List<Picture> needle = new ArrayList<>();
         List<Picture> map = new ArrayList<>();
         if (!noPictures) {
@@ -70,7 +73,7 @@ final class RehearseCommand extends ReportingCommand {
         report.images().forEach(image -> UltrasoundPicture.write(out.resolve(image.file()), image.image()));
         String html = HtmlPage.format(report.document(needle, map, RehearsalReport.dateNow()));
         AtomicFile.write(out.resolve("report.html"), html);
-        JsonWriter.write(out.resolve("report.json"), values);
+        JsonWriter.write(out.resolve(REPORT), values);
         print(values, () -> text(rehearsal));
         return rehearsal.goalsReached() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }

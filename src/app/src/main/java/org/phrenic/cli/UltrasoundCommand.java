@@ -22,6 +22,7 @@ import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.AtomicFile;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.ScenePlayer;
 import org.phrenic.scene.UltrasoundPicture;
@@ -46,6 +47,8 @@ import picocli.CommandLine.Option;
             Disclaimer.TEXT
         })
 final class UltrasoundCommand extends ReportingCommand {
+    private static final String REPORT = "ultrasound.json";
+
     @Mixin
     private ScenarioOptions scenarioOptions;
 
@@ -74,6 +77,7 @@ final class UltrasoundCommand extends ReportingCommand {
             for (String name : ultrasound.leftOut()) {
                 progress.note(name + " is open and is not in the images.");
             }
+            AtomicFile.delete(out.resolve(REPORT));
             for (double time : times) {
                 Frame frame = player.advanceTo(time);
                 BModeImage image = ultrasound.take(
@@ -89,7 +93,7 @@ final class UltrasoundCommand extends ReportingCommand {
             progress.end();
         }
         OrderedValues report = report(scenario);
-        JsonWriter.write(out.resolve("ultrasound.json"), report);
+        JsonWriter.write(out.resolve(REPORT), report);
         print(report, this::table);
         return ExitCode.SUCCESS;
     }

@@ -84,6 +84,22 @@ class MotionCommandTest {
                 .startsWith("name,structure,time_s,x_mm,y_mm,z_mm,distance_mm\n");
     }
 
+    /** Files of two motions do not stand under the list of one. */
+    @Test
+    void aMotionThatFailsLeavesNoListOfAnEarlierOne() throws IOException {
+        Path out = Files.createDirectory(folder.resolve("out"));
+        Files.createDirectory(out.resolve("trajectories.csv"));
+        Path list = Files.writeString(out.resolve("motion.json"), "{}");
+        Path points = Files.writeString(folder.resolve("points.csv"), "x_mm,y_mm,z_mm\n-60,0,0\n");
+        CommandLineRun late = motion("--points", points.toString(), "--duration", "0.05", "--at", "1");
+        assertThat(late.exitCode()).isEqualTo(2);
+        assertThat(list).as("what is refused changes nothing").exists();
+        CommandLineRun run = motion("--points", points.toString(), "--at", "0");
+        assertThat(run.exitCode()).isNotZero();
+        assertThat(run.err()).contains("trajectories.csv");
+        assertThat(list).doesNotExist();
+    }
+
     @Test
     void refusesAnImageBesideTheBodyAndStructuresThatAreNotThere() throws IOException {
         Path image = folder.resolve("far.nii.gz");

@@ -12,6 +12,7 @@ import java.util.Optional;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.OutputException;
 import org.phrenic.file.ScalarType;
@@ -26,6 +27,10 @@ import org.phrenic.simulation.SimulationRun;
  * images, Jacobian and ventilation. {@code motion.json} is written last and lists the files.
  */
 public final class MotionExport {
+    private static final String REPORT = "motion.json";
+    /** How far the grid reaches beyond the body at rest, so that it covers the inspired body too, mm. */
+    private static final double MARGIN_MM = 40;
+
     private static final double SHARE_OF_MEMORY = 0.7;
     /**
      * Bytes a voxel of the grid: two fields, of which one is written while the other is made, labels at rest and now,
@@ -71,20 +76,28 @@ public final class MotionExport {
         image = Optional.ofNullable(request.image()).map(file -> new MovingImage(file, request.labels(), motion));
         image.ifPresent(i -> i.notes().forEach(progress::note));
         if (request.gridMm() > 0) {
-            double[] b = motion.bounds();
+            double[][] corners = corners(motion.bounds());
+            double[] low = corners[0];
+            double[] high = corners[1];
             double edge = request.gridMm();
             long voxels = 1;
             for (int axis = 0; axis < 3; axis++) {
-                voxels *= (long) ((b[3 + axis] - b[axis]) / edge) + 2;
+                voxels *= (long) ((high[axis] - low[axis]) / edge) + 2;
             }
             checkMemory(voxels, image.map(i -> i.sampler().box().voxels()).orElse(0));
-            double[] low = {b[0], b[1], b[2]};
-            double[] high = {b[3], b[4], b[5]};
             grid = Optional.of(new MotionSampler(motion, VoxelBox.covering(low, high, edge)));
         } else {
             grid = Optional.empty();
         }
         points = Optional.ofNullable(request.points()).map(file -> new MotionPoints(file, motion));
+    }
+
+    /** Least and greatest corner of the grid about the box {@code b} of the body at rest, mm. */
+    static double[][] corners(double[] b) {
+        return new double[][] {
+            {b[0] - MARGIN_MM, b[1] - MARGIN_MM, b[2] - MARGIN_MM},
+            {b[3] + MARGIN_MM, b[4] + MARGIN_MM, b[5] + MARGIN_MM}
+        };
     }
 
     private static void checkMemory(long voxels, int ofImage) {
@@ -156,6 +169,8 @@ public final class MotionExport {
     public OrderedValues write(double[] times) {
         requireApart(times);
         checkSpace(times.length);
+        // That of an earlier motion would describe other files.
+        AtomicFile.delete(out.resolve(REPORT));
         boolean series = image.isPresent() && request.format().startsWith("nii");
         if (series) {
             VoxelSeries warped = image.get().series(times, n -> {
@@ -181,7 +196,7 @@ public final class MotionExport {
                 .with("regions", request.regions() ? motion.regionNames() : List.of())
                 .with("files", files)
                 .with("notice", Disclaimer.TEXT);
-        JsonWriter.write(out.resolve("motion.json"), report);
+        JsonWriter.write(out.resolve(REPORT), report);
         return report;
     }
 

@@ -5,10 +5,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.regex.Pattern;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -88,8 +90,7 @@ final class RunRecorder {
     /** Puts the meshes of this run in place of the results of an earlier one, which would not match the new files. */
     private void replaceEarlierResults() throws IOException {
         Files.deleteIfExists(out.resolve(SUMMARY));
-        Files.deleteIfExists(out.resolve(SERIES));
-        delete(out.resolve(MESHES));
+        deleteSeries();
         if (series == null) {
             return;
         }
@@ -100,17 +101,24 @@ final class RunRecorder {
         deleteUnfinished();
     }
 
-    /** Deletes the meshes of a run that did not end, and their folder if nothing else is in it. */
-    private void deleteUnfinished() throws IOException {
-        delete(unfinished());
-        if (Files.isDirectory(unfinished()) && InputBytes.list(unfinished()).isEmpty()) {
-            Files.delete(unfinished());
+    /** Deletes the meshes that an earlier run has listed, then the list. */
+    private void deleteSeries() throws IOException {
+        Set<Path> listed = new HashSet<>(PvdSeries.files(out.resolve(SERIES)));
+        for (Path mesh : frames(out.resolve(MESHES))) {
+            if (listed.contains(mesh)) {
+                Files.delete(mesh);
+            }
         }
+        Files.deleteIfExists(out.resolve(SERIES));
     }
 
-    private static void delete(Path folder) throws IOException {
-        for (Path mesh : frames(folder)) {
+    /** Deletes the meshes of a run that did not end, and their folder if nothing else is in it. */
+    private void deleteUnfinished() throws IOException {
+        for (Path mesh : frames(unfinished())) {
             Files.delete(mesh);
+        }
+        if (Files.isDirectory(unfinished()) && InputBytes.list(unfinished()).isEmpty()) {
+            Files.delete(unfinished());
         }
     }
 

@@ -65,6 +65,22 @@ class BodyMotionTest {
         return Math.sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
     }
 
+    /** The skin of an inspired body lies before that of the body at rest. */
+    @Test
+    void theGridOfAnExportCoversTheInspiredBody() {
+        double[] rest = motion.bounds();
+        double[][] corners = MotionExport.corners(rest);
+        double foremost = rest[1];
+        for (int s = 0; s < motion.surfaces().size(); s++) {
+            double[] now = motion.positions(s);
+            for (int i = 0; i < now.length; i++) {
+                assertThat(now[i]).isBetween(corners[0][i % 3], corners[1][i % 3]);
+                foremost = i % 3 == 1 ? Math.min(foremost, now[i]) : foremost;
+            }
+        }
+        assertThat(foremost).as("y of the foremost point, mm").isLessThan(rest[1] - 1);
+    }
+
     @Test
     void verticesOfEverySurfaceGoWhereTheSimulationPutsThem() {
         for (int s = 0; s < motion.surfaces().size(); s++) {

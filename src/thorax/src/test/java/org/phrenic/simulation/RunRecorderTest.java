@@ -18,6 +18,7 @@ import org.phrenic.file.Hashes;
 import org.phrenic.file.OutputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
+import org.phrenic.mesh.io.PvdSeries;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
@@ -165,12 +166,16 @@ class RunRecorderTest {
     void meshesOfAnEarlierRunDoNotStayBesideANewSummary() throws IOException {
         Path out = Files.createDirectory(folder.resolve("again"));
         Path meshes = Files.createDirectory(out.resolve("meshes"));
-        Files.writeString(meshes.resolve("lung_L_00007.vtp"), "of a longer run");
+        Path longer = Files.writeString(meshes.resolve("lung_L_00007.vtp"), "of a longer run");
+        Path scan = Files.writeString(meshes.resolve("liver_20240115.vtp"), "the user's");
         Path own = Files.writeString(meshes.resolve("notes.txt"), "the user's");
         Path body = Files.writeString(meshes.resolve("costal_cartilage_03_L.vtp"), "of the user's body");
-        Files.writeString(out.resolve("scene.pvd"), "of a longer run");
+        PvdSeries series = new PvdSeries(out.resolve("scene.pvd"));
+        series.add(7, longer);
+        series.write();
         execute(scenario(), out);
-        assertThat(meshes.resolve("lung_L_00007.vtp")).doesNotExist();
+        assertThat(longer).doesNotExist();
+        assertThat(scan).exists();
         assertThat(out.resolve("scene.pvd")).doesNotExist();
         assertThat(own).exists();
         assertThat(body).exists();

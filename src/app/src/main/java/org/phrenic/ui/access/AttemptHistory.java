@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
-import java.time.temporal.ChronoUnit;
+import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -35,6 +35,8 @@ public record AttemptHistory(Path file, String session) {
                     + "probe_s,tip_out_of_beam_s,needle_in_beam_mm,needle_in_beam_share,aims_by_program,"
                     + "greatest_force_n,capsule_push_mm,side_load_n,bending_mm";
 
+    private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH:mm:ss", Locale.ROOT);
+
     /** Attempts at either end of a learning curve whose mean is taken. */
     private static final int ENDS = 5;
 
@@ -43,10 +45,13 @@ public record AttemptHistory(Path file, String session) {
         return new AttemptHistory(folder.resolve("attempts.csv"), now());
     }
 
+    /** A time in whole seconds; each has as many characters. */
+    static String text(LocalDateTime time) {
+        return TIME.format(time);
+    }
+
     private static String now() {
-        return LocalDateTime.now(ZoneId.systemDefault())
-                .truncatedTo(ChronoUnit.SECONDS)
-                .toString();
+        return text(LocalDateTime.now(ZoneId.systemDefault()));
     }
 
     /**

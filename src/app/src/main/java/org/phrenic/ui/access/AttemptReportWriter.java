@@ -32,6 +32,7 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize) {
     /** Names of the files that hold an attempt; one of another attempt, or of one's own, may have the same name. */
     public static final List<String> FILES = List.of("report.json", "report.html", "plan.yaml", "scenario.yaml");
 
+    private static final String REPORT = "report.json";
     /** Longest time for the pictures of one kind, s. */
     private static final long PICTURES_S = 120;
 
@@ -52,6 +53,8 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize) {
     }
 
     private void write(Rehearsal rehearsal, String date, Path folder) {
+        // That of an earlier attempt would describe other pictures.
+        AtomicFile.delete(folder.resolve(REPORT));
         List<Picture> needle = new ArrayList<>();
         List<Picture> map = new ArrayList<>();
         String title = rehearsal.plan().title();
@@ -73,7 +76,7 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize) {
         YamlWriter.write(folder.resolve("plan.yaml"), plan.toMap("scenario.yaml"));
         String html = HtmlPage.format(report.document(needle, map, date));
         AtomicFile.write(folder.resolve("report.html"), html);
-        JsonWriter.write(folder.resolve("report.json"), report.values());
+        JsonWriter.write(folder.resolve(REPORT), report.values());
     }
 
     private List<String> render(Rehearsal rehearsal, Function<NeedlePictures, List<String>> what) {

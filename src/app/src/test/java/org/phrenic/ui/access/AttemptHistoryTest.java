@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDateTime;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -80,5 +81,12 @@ class AttemptHistoryTest {
         assertThatExceptionOfType(BadInputException.class)
                 .isThrownBy(() -> edited.learningCurve("Dome"))
                 .withMessage(edited.file() + ": line 3, column 'distance_mm': found 'two', expected a number");
+    }
+
+    /** A table's reader takes the form of all times from the first. */
+    @Test
+    void aTimeOfNoSecondsIsWrittenWithThem() {
+        assertThat(AttemptHistory.text(LocalDateTime.of(2026, 11, 29, 6, 5, 0, 999)))
+                .isEqualTo("2026-11-29T06:05:00");
     }
 }

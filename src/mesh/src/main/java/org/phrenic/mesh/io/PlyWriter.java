@@ -21,7 +21,7 @@ public final class PlyWriter {
      */
     public static void write(Path file, TriangleMesh mesh, Map<String, double[]> scalars) {
         LittleEndianOutput.requireFinite(mesh.positions());
-        StringBuilder header = new StringBuilder("ply\nformat binary_little_endian 1.0\ncomment mm, LPS axes\n");
+        StringBuilder header = new StringBuilder("ply\nformat binary_little_endian 1.0\ncomment mm\n");
         header.append("element vertex ").append(mesh.vertexCount()).append('\n');
         header.append("property double x\nproperty double y\nproperty double z\n");
         scalars.forEach((name, values) -> {

@@ -1,15 +1,22 @@
 package org.phrenic.mesh.io;
 
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.phrenic.file.AtomicFile;
+import org.phrenic.file.InputBytes;
 
 /**
  * The index of a time series of mesh files for ParaView (.pvd, a VTK XML Collection). File names are relative to the
  * folder of the index, so the folder can be moved as a whole.
  */
 public final class PvdSeries {
+    private static final Pattern FILE = Pattern.compile("<DataSet [^>]*file=\"([^\"]*)\"");
+
     private final Path index;
     private final List<String> entries = new ArrayList<>();
 
@@ -20,6 +27,22 @@ public final class PvdSeries {
      */
     public PvdSeries(Path index) {
         this.index = index;
+    }
+
+    /**
+     * The mesh files that an index names, with the folder of the index before their names; none where there is no
+     * index, or another file has its name.
+     */
+    public static List<Path> files(Path index) {
+        if (!Files.isRegularFile(index)) {
+            return List.of();
+        }
+        List<Path> files = new ArrayList<>();
+        Matcher names = FILE.matcher(new String(InputBytes.read(index), StandardCharsets.UTF_8));
+        while (names.find()) {
+            files.add(index.resolveSibling(VtpWriter.unescape(names.group(1))));
+        }
+        return files;
     }
 
     /** Adds one mesh at one time. */

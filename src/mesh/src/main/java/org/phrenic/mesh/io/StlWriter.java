@@ -9,7 +9,7 @@ import org.phrenic.mesh.TriangleMesh;
 
 /** Writer of binary STL. The format has single-precision coordinates; the normal of a degenerate triangle is 0. */
 public final class StlWriter {
-    private static final String HEADER = "binary STL, mm, LPS axes; written by Phrenic";
+    private static final String HEADER = "binary STL, mm; written by Phrenic";
     private static final int HEADER_BYTES = 80;
 
     private StlWriter() {}

@@ -80,4 +80,12 @@ public final class VtpWriter {
                 .replace(">", "&gt;")
                 .replace("\"", "&quot;");
     }
+
+    /** The text that {@link #escape} was given. */
+    static String unescape(String escaped) {
+        return escaped.replace("&quot;", "\"")
+                .replace("&gt;", ">")
+                .replace("&lt;", "<")
+                .replace("&amp;", "&");
+    }
 }
