@@ -12,7 +12,6 @@ import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.HeadlessRun;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.StandardOutput;
-import org.phrenic.ui.window.PhrenicWindow;
 import org.phrenic.ui.window.WindowStart;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -135,7 +134,7 @@ public final class Phrenic implements Callable<Integer> {
     public Integer call() throws InterruptedException {
         Optional<String> obstacle = WindowStart.obstacle();
         if (obstacle.isEmpty()) {
-            PhrenicWindow.open(Optional.empty());
+            WindowStart.open(Optional.empty());
         } else {
             PrintWriter err = spec.commandLine().getErr();
             err.println(obstacle.get() + ". Running the default quiet breath without one, into " + DEFAULT_OUT

@@ -6,7 +6,6 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.document.report.Disclaimer;
-import org.phrenic.ui.window.PhrenicWindow;
 import org.phrenic.ui.window.WindowStart;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -38,7 +37,7 @@ final class WindowCommand implements Callable<Integer> {
             err.println(obstacle.get() + " (phrenic run and phrenic render need no window).");
             return ExitCode.NO_GRAPHICS;
         }
-        PhrenicWindow.open(Optional.ofNullable(file));
+        WindowStart.open(Optional.ofNullable(file));
         return ExitCode.SUCCESS;
     }
 }

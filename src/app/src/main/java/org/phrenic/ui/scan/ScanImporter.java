@@ -97,9 +97,11 @@ public final class ScanImporter {
         return running.filter(progress::equals).isPresent();
     }
 
-    private void run(Path file, ScanImportDialog dialog, ScanImportDialog.Choice choice) {
+    void run(Path file, ScanImportDialog dialog, ScanImportDialog.Choice choice) {
         if (running.isPresent()) {
             session.refuse("An import is running; cancel it first.");
+            // Its answers are still there, for when the other import has ended.
+            ask(file, dialog);
             return;
         }
         CancellableProgress progress = new CancellableProgress(display::showProgress);
@@ -158,12 +160,12 @@ public final class ScanImporter {
         return SimulationRun.loadThorax(Scenario.defaults().with(List.of(anatomy)));
     }
 
-    private void finish(Path folder, ImportResult result) {
+    void finish(Path folder, ImportResult result) {
         running = Optional.empty();
         display.showProgress("", 1);
         boolean waits = display.isAttemptUnderWay();
         ImportSummaryDialog.show(owner, result, () -> {
-            if (waits) {
+            if (waits || !isPresent(folder)) {
                 open.accept(folder);
             }
             display.rehearse();
@@ -175,6 +177,12 @@ public final class ScanImporter {
         } else {
             open.accept(folder);
         }
+    }
+
+    /** Whether the body in a folder is the present one, or loads. */
+    private boolean isPresent(Path folder) {
+        String place = folder.toAbsolutePath().normalize().toString();
+        return session.scenario().get(RunSettings.ANATOMY).equals(place);
     }
 
     private void fail(String sentence) {

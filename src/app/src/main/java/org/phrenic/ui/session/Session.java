@@ -69,6 +69,7 @@ public final class Session implements AutoCloseable {
     private final LatestTask opening = new LatestTask();
     private double speed = 1;
     private UnaryOperator<Scenario> ofUser = UnaryOperator.identity();
+    private Optional<SessionMessage> firstFailure = Optional.empty();
 
     public Session(Scenario first) {
         this(first, false);
@@ -90,7 +91,7 @@ public final class Session implements AutoCloseable {
         picture.endWait();
     }
 
-    /** Adds a listener; it gets the present scene, or the body of the one that loads first, at once. */
+    /** Adds a listener; it gets the present scene, the body of the first, or why there is none, at once. */
     public void addListener(Listener listener) {
         listeners.add(listener);
         if (scene != null) {
@@ -98,6 +99,7 @@ public final class Session implements AutoCloseable {
         } else if (bodyAtRest != null) {
             listener.onBody(bodyAtRest);
         }
+        firstFailure.filter(f -> scene == null && !live.isLoading()).ifPresent(listener::onMessage);
     }
 
     public void removeListener(Listener listener) {
@@ -316,6 +318,7 @@ public final class Session implements AutoCloseable {
                 if (!live.isLoading()) {
                     edited.forgetLoading();
                 }
+                firstFailure = Optional.of(new SessionMessage(SessionMessage.Kind.REFUSED, sentence));
                 reportRefusal(sentence);
             });
         }

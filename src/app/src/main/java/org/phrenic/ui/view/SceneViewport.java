@@ -281,6 +281,11 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         }
     }
 
+    /** What is written where there is no picture. */
+    public String placeholder() {
+        return placeholder;
+    }
+
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = (Graphics2D) graphics.create();

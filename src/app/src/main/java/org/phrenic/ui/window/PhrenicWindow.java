@@ -10,16 +10,13 @@ import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.scene.style.SceneBackground;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunStatus;
-import org.phrenic.ui.access.AttemptHistory;
 import org.phrenic.ui.dock.ParameterDock;
 import org.phrenic.ui.scan.ScanImporter;
 import org.phrenic.ui.session.FileOpener;
 import org.phrenic.ui.session.QuitAfterWrites;
-import org.phrenic.ui.session.ScenarioStore;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.SessionMessage;
 import org.phrenic.ui.session.WindowPreferences;
@@ -54,37 +51,6 @@ public final class PhrenicWindow {
     private final MainToolBar toolBar;
     private final CountDownLatch closed = new CountDownLatch(1);
     private final QuitAfterWrites quit;
-
-    /**
-     * Opens the window and returns when it is closed.
-     *
-     * @param file scenario, rehearsal plan, thorax folder or trace to open, or label volume to import; empty for quiet
-     *     breathing of the virtual adult male
-     * @throws org.phrenic.file.BadInputException if the file is none of these
-     */
-    public static void open(Optional<Path> file) throws InterruptedException {
-        WindowStart.Content content = WindowStart.content(file);
-        CountDownLatch[] closed = new CountDownLatch[1];
-        Session session = WindowStart.session(content.scenario());
-        OffscreenContext.awaitToolkit();
-        try {
-            SwingUtilities.invokeAndWait(() -> {
-                WindowPreferences preferences = WindowPreferences.ofUser();
-                file.ifPresent(preferences::addRecent);
-                PhrenicWindow window = new PhrenicWindow(preferences, session);
-                window.docks.keepAttempts(
-                        AttemptHistory.in(ScenarioStore.ofUser().dataFolder()));
-                window.show();
-                content.scan().ifPresent(window.files::open);
-                content.plan().ifPresent(window::openExercise);
-                closed[0] = window.closed;
-            });
-        } catch (java.lang.reflect.InvocationTargetException e) {
-            throw new IllegalStateException(
-                    "the window could not be opened: " + e.getCause().getMessage(), e);
-        }
-        closed[0].await();
-    }
 
     public PhrenicWindow(WindowPreferences preferences, Session session) {
         this.preferences = preferences;
@@ -151,9 +117,8 @@ public final class PhrenicWindow {
 
     /** Saves the present values as a scenario. */
     void saveScenario() {
-        Scenario present = session.userScenario();
-        files.saveScenario(present, () -> {
-            title.saved(present);
+        files.saveScenario(saved -> {
+            title.saved(saved);
             frame.setTitle(title.text(session.scenario()));
         });
     }
@@ -209,6 +174,11 @@ public final class PhrenicWindow {
         // Closing waits for the end of a step.
         new Thread(session::close, "phrenic-end").start();
         closed.countDown();
+    }
+
+    /** Counted down when the window is closed. */
+    CountDownLatch closed() {
+        return closed;
     }
 
     public JFrame frame() {
@@ -338,12 +308,24 @@ public final class PhrenicWindow {
             LOG.log(System.Logger.Level.INFO, message.text());
             if (message.kind() == SessionMessage.Kind.DIVERGED) {
                 toolBar.refresh(session);
-                Runnable restore = session.live()::restoreLastGood;
+                Runnable restore = () -> {
+                    session.returnToLive();
+                    session.live().restoreLastGood();
+                };
                 banner.show(message, Optional.of("Back to the last good state"), restore);
             } else {
                 banner.show(message);
             }
+            if (message.kind() == SessionMessage.Kind.REFUSED && isWithoutBody()) {
+                view.setPlaceholder(message.text());
+            }
             loading.setVisible(loading.isVisible() && session.live().isLoading());
+        }
+
+        /** Whether there is nothing to show and nothing loads, as after a first body that cannot be loaded. */
+        private boolean isWithoutBody() {
+            boolean waits = session.scene().isPresent() || session.live().isLoading();
+            return !waits && view.frame().isEmpty() && !view.isUnavailable();
         }
     }
 }

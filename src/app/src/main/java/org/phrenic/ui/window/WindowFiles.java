@@ -91,10 +91,13 @@ public final class WindowFiles {
         return scans;
     }
 
-    /** Saves a scenario; {@code saved} runs once it is. */
-    void saveScenario(Scenario scenario, Runnable saved) {
-        FileDialogs.save(frame, "Save scenario", scenario.name() + ".yaml")
-                .ifPresent(file -> save(file, () -> YamlWriter.write(file, scenario.toMap()), saved));
+    /** Saves the values that are present when the file is chosen; {@code saved} gets them once they are saved. */
+    void saveScenario(Consumer<Scenario> saved) {
+        FileDialogs.save(frame, "Save scenario", session.scenario().name() + ".yaml")
+                .ifPresent(file -> {
+                    Scenario present = session.userScenario();
+                    save(file, () -> YamlWriter.write(file, present.toMap()), () -> saved.accept(present));
+                });
     }
 
     /** Saves the view at twice its size. */

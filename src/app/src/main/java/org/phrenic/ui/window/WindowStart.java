@@ -7,14 +7,19 @@ import java.awt.HeadlessException;
 import java.awt.desktop.QuitStrategy;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import javax.swing.SwingUtilities;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.gl.OffscreenContext;
+import org.phrenic.ui.access.AttemptHistory;
 import org.phrenic.ui.session.FileOpener;
+import org.phrenic.ui.session.ScenarioStore;
 import org.phrenic.ui.session.Session;
+import org.phrenic.ui.session.WindowPreferences;
 
-/** What comes before the window is made: whether one can be opened, and what goes on beside it. */
+/** Opens the window; what comes before it is made: whether one can be opened, and what goes on beside it. */
 public final class WindowStart {
     /** Number of processors from which window, picture and scene do not hold each other up while they are made. */
     private static final int PROCESSORS_FOR_ALL = 4;
@@ -44,6 +49,37 @@ public final class WindowStart {
                 .map(path -> FileOpener.readScenario(path, Scenario.defaults()))
                 .orElse(Scenario.defaults());
         return new Content(scenario, scan, plan);
+    }
+
+    /**
+     * Opens the window and returns when it is closed.
+     *
+     * @param file scenario, rehearsal plan, thorax folder or trace to open, or label volume to import; empty for quiet
+     *     breathing of the virtual adult male
+     * @throws org.phrenic.file.BadInputException if the file is none of these
+     */
+    public static void open(Optional<Path> file) throws InterruptedException {
+        Content content = content(file);
+        CountDownLatch[] closed = new CountDownLatch[1];
+        Session session = session(content.scenario());
+        OffscreenContext.awaitToolkit();
+        try {
+            SwingUtilities.invokeAndWait(() -> {
+                WindowPreferences preferences = WindowPreferences.ofUser();
+                file.ifPresent(preferences::addRecent);
+                PhrenicWindow window = new PhrenicWindow(preferences, session);
+                window.docks()
+                        .keepAttempts(AttemptHistory.in(ScenarioStore.ofUser().dataFolder()));
+                window.show();
+                content.scan().ifPresent(window.files()::open);
+                content.plan().ifPresent(window::openExercise);
+                closed[0] = window.closed();
+            });
+        } catch (java.lang.reflect.InvocationTargetException e) {
+            throw new IllegalStateException(
+                    "the window could not be opened: " + e.getCause().getMessage(), e);
+        }
+        closed[0].await();
     }
 
     /** Why no window can be opened here, one sentence without a full stop; empty if one can. */

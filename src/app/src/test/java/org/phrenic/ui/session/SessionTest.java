@@ -56,6 +56,22 @@ class SessionTest {
         }
     }
 
+    @Test
+    void whyTheFirstBodyCannotBeLoadedIsSaidToThoseWhoListenLater() {
+        AtomicReference<String> refused = new AtomicReference<>("");
+        try (Session session = EventThread.get(() -> new Session(SMALL.with("anatomy=" + folder)))) {
+            EventThread.until("the end of loading", () -> !session.live().isLoading());
+            // What the loading has sent comes before this.
+            EventThread.run(() -> session.addListener(new Session.Listener() {
+                @Override
+                public void onMessage(SessionMessage message) {
+                    refused.set(message.text());
+                }
+            }));
+            EventThread.until("a refusal", () -> refused.get().contains(folder.toString()));
+        }
+    }
+
     /** The scene that runs, and how far it is. */
     private record Run(long scene, double timeS) {
         static Run of(Session session) {

@@ -2,13 +2,21 @@ package org.phrenic.ui.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Window;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.swing.JDialog;
+import javax.swing.JFileChooser;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.session.EventThread;
 import org.phrenic.ui.session.Session;
@@ -42,5 +50,41 @@ class WindowFilesTest {
             EventThread.run(() -> assertThat(opened).containsExactly(second));
             assertThat(preferences.recent()).as("what was read").containsExactly(second);
         }
+    }
+
+    /** A number that is still being typed is taken when the dialog gets the focus. */
+    @Test
+    void whatIsChangedWhileTheFileIsChosenIsSaved() throws IOException {
+        WindowHarness.assumeDisplay();
+        Path saved = folder.resolve("saved.yaml");
+        Path before = WindowPreferences.ofUser().folder();
+        Scenario small = Scenario.defaults().with("resolution=low", "threads=1");
+        try (Session session = EventThread.get(() -> new Session(small))) {
+            EventThread.until("a scene", () -> session.scene().isPresent());
+            List<Scenario> done = new ArrayList<>();
+            EventThread.run(() -> {
+                WindowFiles files = new WindowFiles(null, session, null, WindowPreferences.unsaved(), plan -> {}, null);
+                SwingUtilities.invokeLater(() -> files.saveScenario(done::add));
+            });
+            EventThread.until("the dialog", () -> chooser().isPresent());
+            EventThread.run(() -> {
+                session.change("Depth", Assignment.read("test", "depth", "1.3"));
+                chooser().orElseThrow().setSelectedFile(saved.toFile());
+                chooser().orElseThrow().approveSelection();
+            });
+            EventThread.until("the file", () -> !done.isEmpty());
+            assertThat(Scenario.read(saved).get(Breathing.DEPTH)).isEqualTo(1.3);
+        } finally {
+            WindowPreferences.ofUser().setFolder(before);
+        }
+    }
+
+    private static Optional<JFileChooser> chooser() {
+        return Stream.of(Window.getWindows())
+                .filter(window -> window.isShowing() && window instanceof JDialog)
+                .flatMap(window -> Stream.of(((JDialog) window).getContentPane().getComponents()))
+                .filter(JFileChooser.class::isInstance)
+                .map(JFileChooser.class::cast)
+                .findFirst();
     }
 }

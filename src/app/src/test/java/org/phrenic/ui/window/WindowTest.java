@@ -505,8 +505,12 @@ class WindowTest {
         window.session().live().copyNewestFrame(shown);
         assertThat(shown.isFinite()).as("what the view draws is a number").isTrue();
         window.screenshot("diverged");
+        WindowHarness.doOnEdt(() -> window.session().showHistoryFrame(0));
         JButton back = window.control(JButton.class, "Back to the last good state");
         WindowHarness.doOnEdt(back::doClick);
+        assertThat(WindowHarness.onEdt(() -> window.session().historyFrame()))
+                .as("a recorded frame that hides what goes on")
+                .isEmpty();
         WindowHarness.await(
                 "the force before", () -> window.set("muscle_force_mn").equals(1.0));
         assertThat(WindowHarness.onEdt(() -> window.window().banner().isVisible()))

@@ -1,0 +1,134 @@
+package org.phrenic.ui.scan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Window;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.swing.JButton;
+import javax.swing.JDialog;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.PatientStructure;
+import org.phrenic.patient.ScanSamples;
+import org.phrenic.patient.pipeline.ImportResult;
+import org.phrenic.scenario.Scenario;
+import org.phrenic.ui.session.EventThread;
+import org.phrenic.ui.session.Session;
+import org.phrenic.ui.window.WindowHarness;
+
+/** Which body an import opens. */
+class ScanImporterTest {
+    private static final Scenario SMALL = Scenario.defaults().with("resolution=low", "threads=1");
+
+    private final List<Path> opened = new ArrayList<>();
+
+    @TempDir
+    private Path folder;
+
+    @BeforeAll
+    static void display() {
+        WindowHarness.assumeDisplay();
+    }
+
+    private static final class Shown implements ScanImporter.Display {
+        @Override
+        public void showProgress(String stage, double share) {}
+
+        @Override
+        public void rehearse() {}
+
+        @Override
+        public boolean isAttemptUnderWay() {
+            return false;
+        }
+    }
+
+    private static ImportResult result() {
+        PatientBody body = new PatientBody(
+                "scanned",
+                List.of(structure(StructureKind.DIAPHRAGM, "diaphragm"), structure(StructureKind.RIB, "rib_07_R")),
+                List.of("sternum"),
+                List.of());
+        return new ImportResult(
+                "scan.mha", Optional.empty(), body, Optional.empty(), Optional.empty(), Optional.empty(), List.of());
+    }
+
+    private static PatientStructure structure(StructureKind kind, String name) {
+        TriangleMesh mesh = new TriangleMesh(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2});
+        return new PatientStructure(
+                new Structure(name, kind, 0, Side.MIDLINE, mesh),
+                PatientStructure.Source.VIRTUAL,
+                Optional.empty(),
+                Optional.empty());
+    }
+
+    /** Ends an import beside a session, and presses Rehearse in its summary. */
+    private void rehearse(Session session) {
+        EventThread.run(() -> {
+            new ScanImporter(null, session, new Shown(), opened::add).finish(folder, result());
+            WindowHarness.find(dialog("import.summary").getRootPane(), JButton.class, "Rehearse")
+                    .orElseThrow()
+                    .doClick();
+        });
+    }
+
+    private static JDialog dialog(String name) {
+        return Stream.of(Window.getWindows())
+                .filter(w -> w.isVisible() && name.equals(w.getName()))
+                .map(JDialog.class::cast)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** Its loading may have been cancelled, and another body opened, since the import. */
+    @Test
+    void theBodyOfTheSummaryIsRehearsedThoughAnotherIsPresent() {
+        try (Session session = EventThread.get(() -> new Session(SMALL))) {
+            rehearse(session);
+            assertThat(opened).containsExactly(folder, folder);
+        }
+    }
+
+    @Test
+    void theBodyOfTheSummaryIsNotLoadedAnewWhereItIsPresent() {
+        try (Session session = EventThread.get(() -> new Session(SMALL.with("anatomy=" + folder)))) {
+            rehearse(session);
+            assertThat(opened).containsExactly(folder);
+        }
+    }
+
+    @Test
+    void theAnswersForAnImportThatHasToWaitAreShownAgain() throws IOException {
+        Path scan = folder.resolve("scan.mha");
+        String header = "ObjectType = Image\nNDims = 3\nDimSize = " + ScanSamples.COLUMNS + " " + ScanSamples.ROWS + " "
+                + ScanSamples.SLICES + "\nElementSpacing = 4 4 4\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
+        Files.write(scan, header.getBytes(StandardCharsets.US_ASCII));
+        Files.write(scan, ScanSamples.voxels(), StandardOpenOption.APPEND);
+        ScanLabels labels = ScanLabels.read(scan, VirtualThorax.ofPreset("adult-male", Resolution.LOW));
+        try (Session session = EventThread.get(() -> new Session(SMALL))) {
+            EventThread.run(() -> {
+                ScanImporter importer = new ScanImporter(null, session, new Shown(), opened::add);
+                importer.begin(scan);
+                importer.run(scan, new ScanImportDialog(scan, labels), null);
+                importer.cancel();
+                dialog("import").dispose();
+            });
+        }
+    }
+}
