@@ -15,6 +15,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.file.BadInputException;
 import org.phrenic.model.material.Materials;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.model.organ.OrganSettings;
@@ -90,12 +91,18 @@ public final class ParameterDock extends SessionDock {
     }
 
     private ChoiceRow choice(Setting<?> choice, List<String> options) {
-        return new ChoiceRow(
-                choice,
-                options,
-                (from, to) -> session.change(
-                        new EditName(choice.label(), ChoiceRow.displayName(from), ChoiceRow.displayName(to)),
-                        Assignment.read("window", choice.key(), to)));
+        return new ChoiceRow(choice, options, (from, to) -> choose(choice, from, to));
+    }
+
+    private void choose(Setting<?> choice, String from, String to) {
+        EditName change = new EditName(choice.label(), ChoiceRow.displayName(from), ChoiceRow.displayName(to));
+        try {
+            session.change(change, Assignment.read("window", choice.key(), to));
+        } catch (BadInputException e) {
+            // The folder of a body may be gone.
+            session.refuse(e.getMessage());
+            onChange();
+        }
     }
 
     private JComponent toolBar() {

@@ -54,6 +54,8 @@ public final class SettingsDock extends JPanel implements Session.Listener {
     private boolean secondIsNext;
     /** Settings that the last press went to; empty before the first. */
     private String present = "";
+    /** Their values; null before the first. */
+    private transient Scenario wentTo;
 
     /** @param plots where the breath of the settings that are left stays as an overlay */
     public SettingsDock(Session session, PlotDock plots) {
@@ -156,15 +158,33 @@ public final class SettingsDock extends JPanel implements Session.Listener {
     }
 
     private void swapTo(String name, Scenario stored) {
-        String left = present.isEmpty() ? "the settings before" : present;
+        String left = isAsSwitched() ? present : "the settings before";
         boolean kept = overlay.isSelected() && plots.keepBreath(left);
         boolean none = overlay.isSelected() && !kept;
         apply(name, stored);
         present = (secondIsNext ? "B: " : "A: ") + name;
+        wentTo = stored;
         String sentence = "Now " + present + (none ? "; no whole breath of " + left + " to keep" : "");
         comparisonLabel.setText("<html>" + Controls.escapeHtml(sentence) + "</html>");
         secondIsNext = !secondIsNext;
         showTable();
+    }
+
+    /** Whether the present values are those that the last press went to. */
+    private boolean isAsSwitched() {
+        return wentTo != null
+                && session.userScenario()
+                        .liveChangesTo(wentTo, "window")
+                        .filter(List::isEmpty)
+                        .isPresent();
+    }
+
+    @Override
+    public void onChange() {
+        if (wentTo != null && !isAsSwitched()) {
+            wentTo = null;
+            comparisonLabel.setText(" ");
+        }
     }
 
     private void onOverlay() {

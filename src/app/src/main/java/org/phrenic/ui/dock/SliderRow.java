@@ -89,6 +89,8 @@ final class SliderRow extends SettingRow {
         rateLimiter.request();
         if (!slider.getValueIsAdjusting()) {
             rateLimiter.flush();
+            // The value may have been refused or undone while the slider was held.
+            show(session.scenario());
         }
     }
 

@@ -51,11 +51,14 @@ final class EditedScenario {
     }
 
     /**
-     * Changes values.
+     * Changes values; without any, there is nothing to undo.
      *
      * @throws IllegalArgumentException if one is wrong; then nothing is changed
      */
     void change(EditName name, List<Assignment> assignments) {
+        if (assignments.isEmpty()) {
+            return;
+        }
         Scenario now = present.get();
         setValues(assignments);
         List<Assignment> inverse = assignments.stream()

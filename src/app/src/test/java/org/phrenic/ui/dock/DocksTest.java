@@ -552,6 +552,77 @@ class DocksTest {
     }
 
     @Test
+    void theBreathThatIsLeftHasNoNameOfSettingsThatWereLeftBefore(@TempDir Path folder) {
+        ScenarioStore store = new ScenarioStore(folder);
+        String[] name = {"shallow"};
+        PlotDock plots = on(() -> new PlotDock(session));
+        SettingsDock dock = on(() -> settings(store, name, question -> false, plots));
+        EventThread.run(dock::save);
+        EventThread.run(() -> session.change("Depth", Assignment.read("test", "depth", "1.3")));
+        name[0] = "deeper";
+        EventThread.run(dock::save);
+        EventThread.run(dock::swap);
+        EventThread.run(() -> session.change("Depth", Assignment.read("test", "depth", "1.2")));
+        EventThread.until(
+                "what is said of the settings is gone", () -> !dock.comparison().contains("shallow"));
+        breathe(4);
+        EventThread.run(() -> plots.onTick(session.live().status()));
+        EventThread.run(dock::swap);
+        breathe(4);
+        EventThread.run(() -> plots.onTick(session.live().status()));
+        assertThat(on(() -> plots.comparison().orElseThrow().keptName())).isEqualTo("the settings before");
+    }
+
+    @Test
+    void settingsThatArePresentAlreadyLeaveNothingToUndo(@TempDir Path folder) {
+        SettingsDock dock = on(() ->
+                settings(new ScenarioStore(folder), new String[] {"mine"}, question -> false, new PlotDock(session)));
+        EventThread.run(dock::save);
+        EventThread.run(dock::restore);
+        assertThat(on(() -> session.edits().undoPresentationName())).isEmpty();
+    }
+
+    @Test
+    void aSliderShowsTheValueOfTheScenarioWhenItIsReleased() {
+        ParameterDock dock = on(() -> new ParameterDock(session));
+        SliderRow row = row(dock, "depth");
+        EventThread.run(() -> {
+            row.slider().setValueIsAdjusting(true);
+            row.slider().setValue(SliderScale.POSITIONS);
+        });
+        EventThread.until("the value is sent", () -> session.scenario().get(Breathing.DEPTH) == 2);
+        EventThread.run(session.edits()::undo);
+        EventThread.run(() -> {});
+        EventThread.run(() -> {
+            row.slider().setValueIsAdjusting(false);
+            assertThat(row.field().getText()).isEqualTo("1");
+        });
+    }
+
+    @Test
+    void aBodyWhoseFolderIsGoneIsRefused(@TempDir Path folder) {
+        String gone = folder.resolve("gone").toString();
+        List<String> said = new ArrayList<>();
+        Session.Listener ear = new Session.Listener() {
+            @Override
+            public void onMessage(SessionMessage message) {
+                said.add(message.text());
+            }
+        };
+        ParameterDock dock = on(() -> new ParameterDock(session));
+        ChoiceRow body = (ChoiceRow)
+                dock.rows().stream().filter(r -> r.isFor("anatomy")).findFirst().orElseThrow();
+        EventThread.run(() -> {
+            session.addListener(ear);
+            body.comboBox().addItem(gone);
+            body.comboBox().setSelectedItem(gone);
+            session.removeListener(ear);
+        });
+        assertThat(said).singleElement().asString().contains(gone);
+        assertThat(on(() -> body.comboBox().getSelectedItem())).isEqualTo("virtual/adult-male");
+    }
+
+    @Test
     void aTraceSaysWhatWasReadAndDisablesTheRate(@TempDir Path folder) throws Exception {
         StringBuilder csv = new StringBuilder("time_s,amplitude\n");
         for (int i = 0; i <= 200; i++) {
