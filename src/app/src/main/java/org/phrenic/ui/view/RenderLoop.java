@@ -137,11 +137,6 @@ public final class RenderLoop implements AutoCloseable {
         update(() -> tasks.add(what));
     }
 
-    /** Gets a picture of the frame that is shown, with its time and its needle. */
-    interface SnapshotListener {
-        void drawn(BufferedImage image, String timeText, Optional<NeedleMarkers> marks);
-    }
-
     /** Draws the present frame at any size; {@code done} gets it on the render thread. */
     void snapshot(Camera camera, SceneStyle style, int width, int height, SnapshotListener done) {
         runTask(gl -> {
@@ -153,16 +148,23 @@ public final class RenderLoop implements AutoCloseable {
         });
     }
 
-    /** Picks the surface under a pixel; {@code done} gets it on the render thread, or nothing in another scene. */
+    /**
+     * Picks the surface under a pixel; {@code done} gets it on the render thread, nothing in another scene or on
+     * failure.
+     */
     void pick(
             double px, double py, Request at, ToDoubleFunction<Surface> opacity, Consumer<Optional<PickResult>> done) {
         runTask(gl -> {
-            boolean same = scene != null && scene.id() == at.scene().id();
-            if (same && picker == null) {
-                picker = new Picker(scene.surfaces());
+            Optional<PickResult> found = Optional.empty();
+            try {
+                if (scene != null && scene.id() == at.scene().id()) {
+                    picker = picker == null ? new Picker(scene.surfaces()) : picker;
+                    double[] ray = at.camera().ray(px, py, at.width(), at.height());
+                    found = picker.pick(frame, ray, at.style().clip(), opacity);
+                }
+            } finally {
+                done.accept(found);
             }
-            double[] ray = same ? at.camera().ray(px, py, at.width(), at.height()) : new double[0];
-            done.accept(same ? picker.pick(frame, ray, at.style().clip(), opacity) : Optional.empty());
         });
     }
 

@@ -3,6 +3,7 @@ package org.phrenic.ui.window;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.concurrent.Executors;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
@@ -109,11 +110,20 @@ public final class WindowFiles {
         FileDialogs.save(frame, "Save picture", "phrenic.png").ifPresent(this::savePicture);
     }
 
-    private void savePicture(Path file) {
+    void savePicture(Path file) {
         FileWrites drawing = FileWrites.begin(file.toString());
-        view.snapshot(PICTURE_SCALE, image -> SwingUtilities.invokeLater(() -> savePicture(file, image)));
+        AtomicBoolean drawn = new AtomicBoolean();
+        view.snapshot(PICTURE_SCALE, image -> {
+            drawn.set(true);
+            SwingUtilities.invokeLater(() -> savePicture(file, image));
+        });
         // Comes after the picture, whatever becomes of that.
-        view.runTask(gl -> SwingUtilities.invokeLater(drawing::end));
+        view.runTask(gl -> SwingUtilities.invokeLater(() -> {
+            drawing.end();
+            if (!drawn.get()) {
+                session.refuse("The picture could not be drawn; " + file + " is not written.");
+            }
+        }));
     }
 
     private void savePicture(Path file, BufferedImage image) {

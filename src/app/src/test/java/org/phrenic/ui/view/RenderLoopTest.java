@@ -21,6 +21,7 @@ import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.live.LiveScene;
+import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.Session;
 
 @Timeout(120)
@@ -120,10 +121,19 @@ class RenderLoopTest {
                 assertThat(ofWoman.cost().triangles()).isNotEqualTo(ofMan.cost().triangles());
                 assertThat(pick(loop, first)).as("in the body before").isEmpty();
                 assertThat(pick(loop, request(woman))).isPresent();
+                CompletableFuture<Optional<PickResult>> answer = new CompletableFuture<>();
+                loop.pick(SIDE / 2.0, SIDE / 2.0, request(woman), RenderLoopTest::lost, answer::complete);
+                assertThat(answer.get(100, TimeUnit.SECONDS))
+                        .as("the answer to a pick that fails")
+                        .isEmpty();
             } finally {
                 loop.close();
             }
         }
+    }
+
+    private static double lost(Surface surface) {
+        throw new IllegalStateException("lost " + surface.name());
     }
 
     private static LiveScene atRest(Scenario scenario) {

@@ -23,7 +23,7 @@ class WindowFirstBodyTest {
     }
 
     @Test
-    void theViewSaysWhyThereIsNoBody() {
+    void theViewSaysWhyThereIsNoBodyAndAPictureOfItIsRefused() {
         Session session = EventThread.get(() -> new Session(Scenario.defaults().with("anatomy=" + folder)));
         EventThread.until("the end of loading", () -> !session.live().isLoading());
         PhrenicWindow window = EventThread.get(() -> new PhrenicWindow(WindowPreferences.unsaved(), session));
@@ -31,6 +31,10 @@ class WindowFirstBodyTest {
             assumeThat(window.view().isUnavailable()).isFalse();
             EventThread.until("the reason", () -> window.view().placeholder().contains(folder.toString()));
             assertThat(window.banner().message()).contains(folder.toString());
+            Path picture = folder.resolve("none.png");
+            EventThread.run(() -> window.files().savePicture(picture));
+            EventThread.until(
+                    "why no picture is written", () -> window.banner().message().contains(picture.toString()));
         } finally {
             EventThread.run(window::close);
         }
