@@ -54,6 +54,8 @@ final class RehearsalPreparation {
         rehearsal.detachRun();
         rehearsal.stage = stage;
         rehearsal.pickMode().cancel();
+        // The recording of a breath may have been flat out.
+        session.restoreSpeed();
     }
 
     void setBody(LiveScene scene) {
@@ -179,7 +181,6 @@ final class RehearsalPreparation {
 
     private void computeMap(Callable<TargetLesion> target) {
         enter(RehearsalStage.MAPPING);
-        session.restoreSpeed();
         rehearsal.fireState();
         RehearsalBody body = rehearsal.body.orElseThrow();
         Scenario scenario = session.scenario().with("hold=false");

@@ -79,4 +79,25 @@ class RehearsalPreparationTest {
             }
         });
     }
+
+    /** A breath is recorded flat out until another body is asked for. */
+    @Test
+    void theSpeedIsThatOfTheUserWhileABodyIsWaitedFor() {
+        RehearsalPlan exercise = RehearsalPlan.exercises().get(0).with(LOW);
+        EventThread.run(() -> {
+            Session session = new Session(Scenario.defaults().with("resolution=low"));
+            AppearanceModel appearance = new AppearanceModel();
+            SceneViewport view = new SceneViewport(session, appearance);
+            RehearsalController rehearsal = new RehearsalController(session, appearance, view);
+            try {
+                session.live().setSpeed(Double.POSITIVE_INFINITY);
+                rehearsal.open(exercise);
+                assertThat(session.live().isFlatOut()).isFalse();
+            } finally {
+                rehearsal.shutdown();
+                view.close();
+                session.close();
+            }
+        });
+    }
 }
