@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import org.phrenic.mesh.IntList;
 import org.phrenic.patient.label.LabelTable;
@@ -25,6 +26,11 @@ final class RibComponents {
     private static final double SUBSTANTIAL = 0.15;
     /** Share of the shorter part's range of angle that two parts of one rib may have in common. */
     private static final double MAX_COMMON_ANGLE = 0.3;
+
+    /** The same of two pieces of a broken rib that override, with less than {@link #OVERRIDING_MM} between. */
+    private static final double MAX_OVERRIDING_ANGLE = 0.6;
+    /** Gap between pieces that override, mm: less than a space between two ribs. */
+    private static final double OVERRIDING_MM = 8;
 
     private static final int ANGLES = 72;
     /**
@@ -150,10 +156,8 @@ final class RibComponents {
      * about the axis itself.
      */
     private void joinPieces(double middle) {
-        boolean joined = true;
-        while (joined) {
+        while (joinTwo(middle)) {
             // A part that has grown may lie in line with what its pieces did not.
-            joined = joinTwo(middle);
         }
     }
 
@@ -172,23 +176,22 @@ final class RibComponents {
     private boolean isOneRib(Rib a, Rib b, double middle) {
         int label = a.dominantSegment();
         boolean pure = a.share(label) > 1 - SUBSTANTIAL && b.share(label) > 1 - SUBSTANTIAL;
-        if (!pure || a.centre[0] < middle != b.centre[0] < middle) {
+        double angle = commonAngle(a, b);
+        boolean apart = angle <= MAX_COMMON_ANGLE;
+        boolean common = label == s.find(LabelTable.RIBS);
+        // Under one label for all, other ribs lie in the same directions.
+        if (!pure || a.centre[0] < middle != b.centre[0] < middle || (!apart && common)) {
             return false;
         }
-        boolean apart = commonAngle(a, b) <= MAX_COMMON_ANGLE;
-        boolean common = label == s.find(LabelTable.RIBS);
         // Under one label for all, the front of a rib and the back of another end at the top of a scan.
         int ends = a.ends & b.ends & (common ? ~(s.endsToward(true) | s.endsToward(false)) : -1);
         if (apart && (ends != 0 || (!common && isInLine(a, b)))) {
             return true;
         }
-        // Other ribs lie in the same directions.
-        if (!apart && common) {
-            return false;
-        }
         double[] distances = a.voxels.size() > b.voxels.size() ? distances(a, b) : distances(b, a);
         double gap = Arrays.stream(distances).min().orElseThrow();
-        return gap < NEAR_MM && (apart || shareBelow(distances, gap + BESIDE_MM) <= MAX_BESIDE);
+        boolean overriding = angle <= MAX_OVERRIDING_ANGLE && gap < OVERRIDING_MM;
+        return gap < NEAR_MM && (apart || overriding || shareBelow(distances, gap + BESIDE_MM) <= MAX_BESIDE);
     }
 
     /** Whether the heights of two parts, continued toward each other, meet half way. */
@@ -231,9 +234,7 @@ final class RibComponents {
         int stride = Math.max(1, shorter.voxels.size() / SAMPLES);
         return IntStream.iterate(0, i -> i < shorter.voxels.size(), i -> i + stride)
                 .map(shorter.voxels::get)
-                .mapToDouble(v -> {
-                    return distance(s.point(v), longer.voxels);
-                })
+                .mapToDouble(v -> distance(s.point(v), longer.voxels))
                 .toArray();
     }
 
@@ -275,12 +276,13 @@ final class RibComponents {
         return ribs;
     }
 
-    /** Adds each fragment to the nearest rib; returns the fragments that are not near any. */
-    List<Rib> attachFragments() {
+    /** Adds each fragment to the nearest of the ribs that it may go to; returns those that are near none. */
+    List<Rib> attachFragments(Predicate<Rib> to) {
         List<Rib> left = new ArrayList<>();
         for (Rib fragment : fragments) {
-            Optional<Rib> nearest =
-                    ribs.stream().min(Comparator.comparingDouble(rib -> distance(fragment.centre, rib.voxels)));
+            Optional<Rib> nearest = ribs.stream()
+                    .filter(to)
+                    .min(Comparator.comparingDouble(rib -> distance(fragment.centre, rib.voxels)));
             if (nearest.isPresent() && distance(fragment.centre, nearest.get().voxels) < NEAR_MM) {
                 append(nearest.get(), fragment);
             } else {
@@ -320,10 +322,11 @@ final class RibComponents {
         }
     }
 
-    /** Whether no other part holds more voxels of a segment. */
-    boolean holdsMostOf(int segment, Rib part) {
-        int held = part.segments.getOrDefault(segment, 0);
-        return ribs.stream().noneMatch(rib -> rib.segments.getOrDefault(segment, 0) > held);
+    /** Whether another part holds more voxels of the label of most of a part; not so under one label for all ribs. */
+    boolean isStray(Rib part) {
+        int label = part.dominantSegment();
+        return label != s.find(LabelTable.RIBS)
+                && ribs.stream().anyMatch(rib -> rib.segments.getOrDefault(label, 0) > part.segments.get(label));
     }
 
     private Map<Integer, Integer> totals() {

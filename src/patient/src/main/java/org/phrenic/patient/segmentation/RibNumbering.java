@@ -184,14 +184,14 @@ final class RibNumbering {
 
     /**
      * Leaves out parts of a side that has more than twelve, the smallest first, as long as another part holds more of
-     * their label; returns how many.
+     * their label, which is not the common one; returns how many.
      */
     private int dropStrays(List<Integer> onSide) {
         List<RibComponents.Rib> ribs = components.ribs();
         int before = onSide.size();
         while (onSide.size() > RIBS) {
             Optional<Integer> stray = onSide.stream()
-                    .filter(i -> !components.holdsMostOf(ribs.get(i).dominantSegment(), ribs.get(i)))
+                    .filter(i -> components.isStray(ribs.get(i)))
                     .min(Comparator.comparingInt(i -> ribs.get(i).voxels.size()));
             if (stray.isEmpty()) {
                 return before - onSide.size();
@@ -322,11 +322,12 @@ final class RibNumbering {
     }
 
     /**
-     * Writes the numbers to the voxels; a part without a number stays left out. A fragment goes to the nearest rib, or
-     * is left out if none is near.
+     * Writes the numbers to the voxels; a part without a number stays left out. A fragment goes to the nearest numbered
+     * rib, or is left out if none is near.
      */
     private void apply(List<RibComponents.Rib> ribs, String[] nameOf) {
-        components.attachFragments().forEach(fragment -> s.write(fragment.voxels, 0));
+        List<RibComponents.Rib> left = components.attachFragments(rib -> nameOf[ribs.indexOf(rib)] != null);
+        left.forEach(fragment -> s.write(fragment.voxels, 0));
         TreeMap<String, List<Integer>> labels = new TreeMap<>();
         for (int i = 0; i < nameOf.length; i++) {
             if (nameOf[i] == null) {

@@ -302,6 +302,50 @@ class SegmentationRepairTest {
                 .hasMessageContaining("8 connected ribs on the right and no vertebrae");
     }
 
+    /** An arc as long as half a rib below the last right one. */
+    @Test
+    void moreThanTwelveRibsUnderOneLabelAreRefused() {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        for (int step = 0; step <= 100; step++) {
+            double angle = Math.PI * step / 200;
+            double x = 44.5 - 36 * StrictMath.sin(angle) - 6;
+            cage.ball(x, 30 + 22 * StrictMath.cos(angle), 16, 1.6, CageVoxels.rib(12, true));
+        }
+        Segmentation s = cage.segmentation(CageVoxels.table(true));
+        assertThatThrownBy(() -> SegmentationRepair.numberRibs(s))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found 13 connected ribs on the right, expected at most 12");
+    }
+
+    /** Eleven ribs on the right, the third broken in front: its front piece lies along the back one for 40 of 90 mm. */
+    @Test
+    void aBrokenRibWhosePiecesOverrideKeepsItsNumberAndSoDoTheOthers() {
+        CageVoxels cage = new CageVoxels().withRibs(4).withVertebrae(2);
+        for (int step = 0; step <= 400; step++) {
+            double angle = Math.PI * step / 400;
+            for (int number = 2; number <= 3; number++) {
+                double radius = number == 3 && step > 270 ? 29.5 : 36;
+                double x = 44.5 - radius * StrictMath.sin(angle) - 6;
+                double y = 30 + 22 * StrictMath.cos(angle) * radius / 36;
+                double z = 124 - 8 * number - 12 * angle / Math.PI;
+                cage.ball(x, y, z, 1.6, CageVoxels.rib(number, true));
+                if (number == 3 && step > 270 && step < 330) {
+                    cage.ball(
+                            44.5 - 36 * StrictMath.sin(angle) - 6,
+                            30 + 22 * StrictMath.cos(angle),
+                            z,
+                            1.6,
+                            CageVoxels.rib(number, true));
+                }
+            }
+        }
+        Segmentation s = cage.segmentation(CageVoxels.table(false));
+        assertThat(pieces(s).get("rib_03_R")).isEqualTo(2);
+        TreeMap<String, Integer> truth = counts(s);
+        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(counts(s)).isEqualTo(truth);
+    }
+
     @Test
     void ribsThatTouchKeepTheirNumbers() {
         CageVoxels cage = new CageVoxels().withRibs(1);
