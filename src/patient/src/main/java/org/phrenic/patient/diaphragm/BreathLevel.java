@@ -32,6 +32,13 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
          * Domes of the lungs' bases: T8 and T9 at end-expiration, T11/T12 and T12 at full inspiration (physiology C2).
          */
         DOMES("the domes", "T8 and T9", new double[] {8, 9}, new double[] {11.5, 12}, 0.2),
+        /** The same, with the upper surface of the organs below a lung whose base lies far above them. */
+        ORGANS(
+                "the domes, by the organs below a lung that ends far above them,",
+                "T8 and T9",
+                new double[] {8, 9},
+                new double[] {11.5, 12},
+                0.2),
         /** The same in a scan without bones, against the spine that the costal surfaces of the lungs imply. */
         SHAPE(
                 "the domes, by the shape of the lungs alone,",
@@ -102,7 +109,10 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
         }
         double[] borders = {border(scanned, Side.RIGHT), border(scanned, Side.LEFT)};
         double[] ends = {lowerEnd(scanned, Side.RIGHT), lowerEnd(scanned, Side.LEFT)};
-        return measured(Mark.DOMES, domes, spine)
+        boolean parted = Stream.of(Side.RIGHT, Side.LEFT)
+                .flatMap(side -> bases(scanned, completed, side).stream())
+                .anyMatch(base -> !base.liesOnDiaphragm());
+        return measured(parted ? Mark.ORGANS : Mark.DOMES, domes, spine)
                 .or(() -> measured(Mark.LOWER_BORDERS, borders, spine))
                 .or(() -> measured(Mark.DOMES, new double[] {topOfLiver(scanned), Double.NaN}, spine))
                 .or(() -> measured(Mark.LOWER_BORDERS, ends, spine).filter(BreathLevel::isInspired));
@@ -161,22 +171,27 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
      * shows it; one that ends in the lung leaves a flat face there.
      */
     private static double dome(PatientBody scanned, PatientBody completed, Side side, List<double[]> spine) {
-        List<Structure> lobes = lobes(scanned, side);
-        if (lobes.isEmpty()) {
-            return Double.NaN;
-        }
-        double upperEnd =
-                lobes.stream().mapToDouble(s -> s.mesh().bounds()[5]).max().orElseThrow();
+        double upperEnd = lobes(scanned, side).stream()
+                .mapToDouble(s -> s.mesh().bounds()[5])
+                .max()
+                .orElse(Double.NEGATIVE_INFINITY);
         boolean cut = isCutBelow(scanned, side);
-        List<Structure> around = new ArrayList<>(cut ? lobes : lobes(completed, side));
-        around.addAll(ContactingOrgans.abdominal(scanned.thorax()));
-        return LungBase.of(new Thorax(completed.name(), around, List.of())).stream()
+        return bases(scanned, completed, side).stream()
                 .mapToDouble(LungBase::dome)
                 .filter(top -> top < upperEnd - ABOVE_DOMES_MM)
                 .filter(top ->
                         !cut || (top > lowerEnd(scanned, side) + SHOWN_DOME_MM && levelAt(spine, top) < LOWEST_DOME))
                 .findFirst()
                 .orElse(Double.NaN);
+    }
+
+    /** The base of a lung of the scan, completed where the scan does not cut it off; empty without that lung. */
+    private static List<LungBase> bases(PatientBody scanned, PatientBody completed, Side side) {
+        List<Structure> lobes = lobes(scanned, side);
+        List<Structure> around = new ArrayList<>(isCutBelow(scanned, side) ? lobes : lobes(completed, side));
+        around.addAll(ContactingOrgans.abdominal(scanned.thorax()));
+        around.addAll(ContactingOrgans.between(scanned.thorax()));
+        return lobes.isEmpty() ? List.of() : LungBase.of(new Thorax(completed.name(), around, List.of()));
     }
 
     /** Top of a liver that the scan shows below the right lung, else NaN: there the right dome lies. */

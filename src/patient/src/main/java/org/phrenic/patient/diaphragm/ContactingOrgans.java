@@ -12,6 +12,11 @@ final class ContactingOrgans {
     private static final Set<String> ABOVE = Set.of("heart");
     private static final Set<String> BELOW = Set.of("spleen", "stomach", "kidney_r", "kidney_l");
 
+    /** Bowel, which lies below the diaphragm where it is between a lung and the liver. */
+    private static final Set<String> BOWEL = Set.of("colon", "small_bowel", "organ_bowel");
+    /** Word in the names of labels of fluid below the diaphragm. */
+    private static final String ASCITES = "ascites";
+
     private ContactingOrgans() {}
 
     /** Lungs and heart, as far as the body has them. */
@@ -31,6 +36,14 @@ final class ContactingOrgans {
     static List<Structure> abdominal(Thorax body) {
         return body.structures().stream()
                 .filter(s -> (s.kind() == StructureKind.LIVER || BELOW.contains(lower(s)))
+                        && s.mesh().triangleCount() > 0)
+                .toList();
+    }
+
+    /** Bowel and ascites, as far as the body has them: they may lie between the diaphragm and the organs below. */
+    static List<Structure> between(Thorax body) {
+        return body.structures().stream()
+                .filter(s -> (BOWEL.contains(lower(s)) || lower(s).contains(ASCITES))
                         && s.mesh().triangleCount() > 0)
                 .toList();
     }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -66,8 +67,12 @@ final class LungBase {
     /** Height of the base above organs, mm, if it does not lie on the diaphragm; else 0. */
     private double partedMm;
 
-    /** @param organs the organs below, if there are any */
-    private LungBase(Side side, TriangleMesh lung, boolean inScan, Optional<TriangleTree> organs) {
+    /**
+     * @param organs the organs below, if there are any
+     * @param all these with bowel and ascites, if there are any
+     */
+    private LungBase(
+            Side side, TriangleMesh lung, boolean inScan, Optional<TriangleTree> organs, Optional<TriangleTree> all) {
         this.side = side;
         this.inScan = inScan;
         tree = new TriangleTree(lung);
@@ -112,14 +117,21 @@ final class LungBase {
         if (top < middle) {
             top = dome;
         }
-        organs.ifPresent(below -> compare(lung, below));
+        organs.flatMap(below -> roofIfParted(lung, below))
+                .filter(roof ->
+                        all.filter(with -> roofIfParted(lung, with).isEmpty()).isEmpty())
+                .ifPresent(roof -> {
+                    partedMm = top - roof;
+                    top = roof;
+                    dome = roof;
+                });
     }
 
     /**
-     * Compares the base with the upper surfaces of the organs below. If the lung does not lie on the diaphragm,
-     * {@link #top} is set to the top of those surfaces.
+     * Compares the base with the upper surfaces of the organs below. Returns the top of those surfaces if the lung does
+     * not lie on the diaphragm, in mm.
      */
-    private void compare(TriangleMesh lung, TriangleTree below) {
+    private Optional<Double> roofIfParted(TriangleMesh lung, TriangleTree below) {
         double[] roofs = MeshMeasure.triangleNormals(below.mesh());
         TriangleTree.Hit hit = new TriangleTree.Hit();
         double[] area = new double[lung.triangleCount()];
@@ -148,12 +160,9 @@ final class LungBase {
         if (hasRoof && Arrays.stream(area).sum() > LEAST_ABOVE * base) {
             double roofTop = quantile(sorted(roof), level, roof, TOP_SHARE, Double.POSITIVE_INFINITY);
             boolean above = quantile(sorted(gap), area, gap, 0.25, Double.POSITIVE_INFINITY) > PARTED_MM;
-            if (above || top > roofTop + PARTED_TOP_MM) {
-                partedMm = top - roofTop;
-                top = roofTop;
-                dome = roofTop;
-            }
+            return above || top > roofTop + PARTED_TOP_MM ? Optional.of(roofTop) : Optional.empty();
         }
+        return Optional.empty();
     }
 
     private static int[] sorted(double[] keys) {
@@ -181,18 +190,26 @@ final class LungBase {
 
     /** The bases of the right and the left lung, as far as the body has them. */
     static List<LungBase> of(Thorax body) {
-        List<TriangleMesh> organs = ContactingOrgans.abdominal(body).stream()
-                .filter(body::isInScan)
-                .map(Structure::mesh)
-                .toList();
-        Optional<TriangleTree> below =
-                organs.isEmpty() ? Optional.empty() : Optional.of(new TriangleTree(MeshMerge.merge(organs)));
+        List<Structure> organs = ContactingOrgans.abdominal(body);
+        List<Structure> between = ContactingOrgans.between(body);
+        Optional<TriangleTree> below = inScan(body, organs);
+        Optional<TriangleTree> all = between.isEmpty()
+                ? Optional.empty()
+                : inScan(body, Stream.concat(organs.stream(), between.stream()).toList());
         return Arrays.stream(new Side[] {Side.RIGHT, Side.LEFT})
-                .flatMap(side -> of(body, side, below).stream())
+                .flatMap(side -> of(body, side, below, all).stream())
                 .toList();
     }
 
-    private static Optional<LungBase> of(Thorax body, Side side, Optional<TriangleTree> below) {
+    /** Those of some organs that the scan shows, as one surface. */
+    private static Optional<TriangleTree> inScan(Thorax body, List<Structure> organs) {
+        List<TriangleMesh> shown =
+                organs.stream().filter(body::isInScan).map(Structure::mesh).toList();
+        return shown.isEmpty() ? Optional.empty() : Optional.of(new TriangleTree(MeshMerge.merge(shown)));
+    }
+
+    private static Optional<LungBase> of(
+            Thorax body, Side side, Optional<TriangleTree> below, Optional<TriangleTree> all) {
         List<Structure> lobes = body.structuresOf(StructureKind.LUNG).stream()
                 .filter(s -> s.side() == side && s.mesh().triangleCount() > 0)
                 .toList();
@@ -200,7 +217,7 @@ final class LungBase {
             return Optional.empty();
         }
         TriangleMesh lung = MeshMerge.merge(lobes.stream().map(Structure::mesh).toList());
-        return Optional.of(new LungBase(side, lung, lobes.stream().anyMatch(body::isInScan), below));
+        return Optional.of(new LungBase(side, lung, lobes.stream().anyMatch(body::isInScan), below, all));
     }
 
     /** Whether the scan shows the lung. */
@@ -220,7 +237,8 @@ final class LungBase {
                 : Optional.of(String.format(
                         Locale.ROOT,
                         "the base of the %s lung reaches %.0f mm above the organs below the diaphragm: the diaphragm is"
-                                + " laid on these, and fluid or lung without a label is between",
+                                + " laid on these, as with fluid in the chest or lung without a label between; with"
+                                + " ascites without a label, or after resection of the liver, it lies higher",
                         side == Side.RIGHT ? "right" : "left",
                         partedMm));
     }

@@ -201,6 +201,28 @@ class DiaphragmBuilderTest {
         assertThat(off.byArea().percentile95()).as("95 %%, mm").isLessThan(10);
     }
 
+    /** Ascites or bowel between the diaphragm and a liver that lies 60 mm lower. */
+    @ParameterizedTest
+    @ValueSource(strings = {"other_ascites", "colon"})
+    void aLungOnAscitesOrBowelFarAboveTheLiverLiesOnTheDiaphragm(String between) {
+        List<Structure> low = new ArrayList<>();
+        for (Structure s : without(StructureKind.DIAPHRAGM).structures()) {
+            low.add(s.kind() == StructureKind.LIVER ? s.withMesh(Shapes.moved(s.mesh(), 0, 0, -60)) : s);
+            if (s.kind() == StructureKind.LIVER) {
+                low.add(new Structure(between, StructureKind.OTHER, 0, Side.MIDLINE, s.mesh()));
+            }
+        }
+        List<Structure> unlabelled =
+                low.stream().filter(s -> !s.name().equals(between)).toList();
+        LungBase parted = LungBase.of(new Thorax("gap", unlabelled, List.of())).get(0);
+        assertThat(parted.liesOnDiaphragm()).isFalse();
+        assertThat(parted.note())
+                .hasValueSatisfying(note -> assertThat(note).contains("fluid in the chest", "ascites", "resection"));
+        LungBase base = LungBase.of(new Thorax("ascites", low, List.of())).get(0);
+        assertThat(base.liesOnDiaphragm()).isTrue();
+        assertThat(base.top()).isEqualTo(LungBase.of(FEMALE).get(0).top());
+    }
+
     @Test
     void aSheetBesideItsPlaceIsToldApart() {
         double[] shifted = TRUE_SHEET.positions().clone();

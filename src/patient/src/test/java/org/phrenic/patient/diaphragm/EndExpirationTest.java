@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.LungAboveFluid;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
@@ -216,6 +217,23 @@ class EndExpirationTest {
         PatientBody one = body(true, s -> s.name().equals("lung_R"));
         assertThat(BreathLevel.of(one, completed(true))).isEmpty();
         assertThat(BreathLevel.of(cutOff(lungs, 25), completed(true))).isEmpty();
+    }
+
+    /** The right lung of a body with fluid ends far above the liver, whose roof tells the dome. */
+    @Test
+    void aLevelThatIsReadOffTheOrgansBelowALungSaysSo() {
+        PatientBody fluid = new PatientBody(
+                "patient",
+                LungAboveFluid.in(body(false, s -> true).thorax()).structures().stream()
+                        .map(s -> new PatientStructure(
+                                s, PatientStructure.Source.SCAN, Optional.empty(), Optional.empty()))
+                        .toList(),
+                List.of(),
+                List.of());
+        BreathLevel level = level(fluid).orElseThrow();
+        assertThat(level.mark()).isEqualTo(BreathLevel.Mark.ORGANS);
+        assertThat(level.right()).isCloseTo(8, within(0.7));
+        assertThat(level.stated()).startsWith("the domes, by the organs below a lung that ends far above them, at T");
     }
 
     @Test
