@@ -2,7 +2,6 @@ package org.phrenic.patient.diaphragm;
 
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
@@ -92,6 +91,9 @@ public final class EndExpiration {
     /** Rise d of the highest part of the domes, mm. */
     private double rise;
 
+    /** Rise of the top of the domes, mm. */
+    private final double domesMm;
+
     private final double domes;
     private final double apex;
     /** Height of a vertebra with its disc, mm. */
@@ -122,6 +124,10 @@ public final class EndExpiration {
             double risen = top(base.stream().map(this::raised).toList()) - top;
             rise = Math.min(greatest, rise * Math.min(FASTEST, level.descentMm() / Math.max(risen, 1)));
         }
+        domesMm = rise < greatest
+                ? level.descentMm()
+                : Math.min(
+                        level.descentMm(), top(base.stream().map(this::raised).toList()) - top);
         lesionBones = new LesionBones(completed);
         Optional<Structure> liver =
                 scanned.stream().filter(s -> s.kind() == StructureKind.LIVER).findFirst();
@@ -163,7 +169,7 @@ public final class EndExpiration {
      * @param level breath level of the scan
      * @throws IllegalArgumentException if the completed body has no cage
      */
-    public static PatientBody of(PatientBody scanned, PatientBody completed, BreathLevel level) {
+    public static RaisedBody of(PatientBody scanned, PatientBody completed, BreathLevel level) {
         List<Structure> structures =
                 scanned.structures().stream().map(PatientStructure::structure).toList();
         EndExpiration expiration = new EndExpiration(structures, completed.thorax(), level);
@@ -172,29 +178,7 @@ public final class EndExpiration {
                 .map(s -> s.withStructure(expiration.moved(s.structure())))
                 .toList();
         PatientBody body = new PatientBody(scanned.name(), moved, scanned.missing(), scanned.notes());
-        return body.withNotes(List.of(expiration.note(level, lungMl(scanned), lungMl(body))));
-    }
-
-    private String note(BreathLevel level, double scannedMl, double ml) {
-        return String.format(
-                Locale.ROOT,
-                "the scan is one at inspiration, %s: the domes are raised by"
-                        + " %.0f mm, up to %.0f mm at the back, with the organs about them, the lungs deflated from"
-                        + " %.1f to %.1f l, the ribs turned back by %.0f %% of a full inspiration",
-                level.stated(),
-                level.descentMm(),
-                rise,
-                scannedMl / 1000,
-                ml / 1000,
-                100 * share);
-    }
-
-    private static double lungMl(PatientBody body) {
-        return body.structures().stream()
-                .map(PatientStructure::structure)
-                .filter(s -> s.kind() == StructureKind.LUNG)
-                .mapToDouble(s -> MeshMeasure.signedVolumeMl(s.mesh()))
-                .sum();
+        return new RaisedBody(body, expiration.domesMm).withNote(scanned, level, expiration.rise, expiration.share);
     }
 
     private static boolean isCage(StructureKind kind) {

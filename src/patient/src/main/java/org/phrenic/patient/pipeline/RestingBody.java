@@ -9,20 +9,25 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.diaphragm.BreathLevel;
 import org.phrenic.patient.diaphragm.EndExpiration;
+import org.phrenic.patient.diaphragm.RaisedBody;
 import org.phrenic.patient.registration.BodyCompletion;
 
 /**
  * A completed body and the breath level of its scan. A body breathes from end-expiration.
  *
  * @param level breath level of the scan; empty if the scan shows too little of it
- * @param moved whether the body was brought from that level to end-expiration
+ * @param moved whether the body was brought from that level to end-expiration, or as near to it as domes may rise
+ * @param raisedMm rise of the domes, mm
  */
-public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean moved) {
+public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean moved, double raisedMm) {
     /** A completed body at the breath level of its scan, with a note if that is one at inspiration. */
     static RestingBody asScanned(PatientBody scanned, PatientBody completed) {
         MedianFrame frame = MedianFrame.of(completed.thorax());
         return new RestingBody(
-                completed, BreathLevel.of(scanned.withEach(frame::toFrame), completed.withEach(frame::toFrame)), false);
+                completed,
+                BreathLevel.of(scanned.withEach(frame::toFrame), completed.withEach(frame::toFrame)),
+                false,
+                0);
     }
 
     /** Whether the scan is clearly one at inspiration. */
@@ -38,12 +43,12 @@ public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean
         MedianFrame frame = MedianFrame.of(body.thorax());
         PatientBody straight = body.withEach(frame::toFrame);
         if (level.orElseThrow().mark() == BreathLevel.Mark.SHAPE) {
-            return new RestingBody(
-                    EndExpiration.of(straight, straight, level.orElseThrow()).withEach(frame::toScan), level, true);
+            RaisedBody raised = EndExpiration.of(straight, straight, level.orElseThrow());
+            return new RestingBody(raised.body().withEach(frame::toScan), level, true, raised.domesMm());
         }
-        PatientBody rest = EndExpiration.of(scanned.withEach(frame::toFrame), straight, level.orElseThrow())
-                .withEach(frame::toScan);
-        return new RestingBody(BodyCompletion.complete(rest, template), level, true);
+        RaisedBody raised = EndExpiration.of(scanned.withEach(frame::toFrame), straight, level.orElseThrow());
+        PatientBody rest = raised.body().withEach(frame::toScan);
+        return new RestingBody(BodyCompletion.complete(rest, template), level, true, raised.domesMm());
     }
 
     /** The same with its diaphragm and skin. A body left at inspiration gets a note. */
@@ -56,16 +61,14 @@ public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean
                                 + " end-expiration"))
                         : whole,
                 level,
-                moved);
+                moved,
+                raisedMm);
     }
 
     /** What a view of the body states, such as "end-expiration (domes raised by 41 mm)". */
     public List<String> statements() {
         return moved
-                ? List.of(String.format(
-                        Locale.ROOT,
-                        "end-expiration (domes raised by %.0f mm)",
-                        level.orElseThrow().descentMm()))
+                ? List.of(String.format(Locale.ROOT, "end-expiration (domes raised by %.0f mm)", raisedMm))
                 : List.of();
     }
 

@@ -23,8 +23,9 @@ class EndExpirationContentsTest {
     private static final int ON_RIB = 200;
 
     private static final PatientBody SCANNED = scanned();
-    private static final PatientBody RESTING =
-            EndExpiration.of(SCANNED, EndExpirationTest.INSPIRED, EndExpirationTest.LEVEL);
+    private static final PatientBody RESTING = EndExpiration.of(
+                    SCANNED, EndExpirationTest.INSPIRED, EndExpirationTest.LEVEL)
+            .body();
 
     private static PatientBody scanned() {
         double[] liver = mesh(EndExpirationTest.INSPIRED, "liver").centre();
@@ -84,7 +85,8 @@ class EndExpirationContentsTest {
                         .toList(),
                 List.of(),
                 List.of());
-        PatientBody resting = EndExpiration.of(noLiver, EndExpirationTest.INSPIRED, EndExpirationTest.LEVEL);
+        PatientBody resting = EndExpiration.of(noLiver, EndExpirationTest.INSPIRED, EndExpirationTest.LEVEL)
+                .body();
         double rise = mesh(resting, "hepatic_vein").bounds()[2]
                 - mesh(SCANNED, "hepatic_vein").bounds()[2];
         assertThat(rise).isGreaterThan(0.5 * EndExpirationTest.LEVEL.descentMm());

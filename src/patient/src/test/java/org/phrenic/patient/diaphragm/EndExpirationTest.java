@@ -33,7 +33,8 @@ class EndExpirationTest {
 
     static final PatientBody INSPIRED = body(true, s -> true);
     static final BreathLevel LEVEL = level(INSPIRED).orElseThrow();
-    private static final PatientBody RESTING = EndExpiration.of(INSPIRED, INSPIRED, LEVEL);
+    private static final PatientBody RESTING =
+            EndExpiration.of(INSPIRED, INSPIRED, LEVEL).body();
 
     private static PatientBody body(boolean inspired, Predicate<Structure> kept) {
         double apex = MAN.structuresOf(StructureKind.LUNG).stream()
@@ -254,6 +255,22 @@ class EndExpirationTest {
         }
     }
 
+    /** Domes at the middle of the second lumbar vertebra, as flat ones of emphysema, would rise by more than 100 mm. */
+    @Test
+    void whatDomesThatStayBelowEndExpirationHaveRisenIsStated() {
+        double perVertebra = LEVEL.descentMm() / LEVEL.descent();
+        BreathLevel flat = new BreathLevel(BreathLevel.Mark.DOMES, 14, 14, 5.5, 1, 5.5 * perVertebra);
+        RaisedBody raised = EndExpiration.of(INSPIRED, INSPIRED, flat);
+        double left = level(raised.body()).orElseThrow().descentMm();
+        assertThat(raised.domesMm()).isBetween(50.0, 100.0).isCloseTo(LEVEL.descentMm() - left, within(25.0));
+        assertThat(raised.body().notes()).singleElement().satisfies(note -> assertThat(note)
+                .contains(
+                        String.format(Locale.ROOT, "the domes are raised by %.0f mm", raised.domesMm()),
+                        String.format(Locale.ROOT, "stay %.0f mm below", flat.descentMm() - raised.domesMm())));
+        assertThat(EndExpiration.of(INSPIRED, INSPIRED, LEVEL).domesMm()).isEqualTo(LEVEL.descentMm());
+        assertThat(RESTING.notes()).noneMatch(note -> note.contains("below end-expiration"));
+    }
+
     /** A small organ at a place. */
     private static PatientStructure marker(String name, double x, double y, double z) {
         double[] p = {x, y, z, x + 1, y, z, x, y + 1, z, x, y, z + 1};
@@ -273,7 +290,8 @@ class EndExpirationTest {
         marked.add(marker("front", 0, cage[1] + 10, z));
         double perVertebra = LEVEL.descentMm() / LEVEL.descent();
         BreathLevel full = new BreathLevel(BreathLevel.Mark.DOMES, 11.5, 12, 3.25, 1, 3.25 * perVertebra);
-        PatientBody raised = EndExpiration.of(new PatientBody("patient", marked, List.of(), List.of()), INSPIRED, full);
+        PatientBody raised = EndExpiration.of(new PatientBody("patient", marked, List.of(), List.of()), INSPIRED, full)
+                .body();
         double dome = mesh(raised, "dome").bounds()[2] - z;
         assertThat(dome).isGreaterThan(2 * perVertebra);
         for (String place : List.of("midline", "front")) {
