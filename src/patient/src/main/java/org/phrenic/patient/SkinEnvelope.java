@@ -16,8 +16,9 @@ import org.phrenic.mesh.TriangleMesh;
  *
  * <p>The structures are dilated by {@value #RADIUS_MM} mm and eroded by {@value #RADIUS_MM} - {@value #WALL_MM} mm
  * ({@link SurfaceEnvelope}, with distances in a grid of {@value #CELL_MM} mm). The result contains every structure of
- * the trunk with a margin, bridges gaps such as intercostal spaces, and has no fold. Where a body has no structures, in
- * the neck and in an abdomen without bowel, elliptic sections of its own proportions take their place.
+ * the trunk with a margin, bridges gaps such as intercostal spaces, and has no fold. Where a body has no structures,
+ * elliptic sections take their place: of an adult's size in the neck, as broad as the lower rib cage in an abdomen
+ * without bowel.
  */
 public final class SkinEnvelope {
     /** Name of the structure. */
