@@ -46,14 +46,16 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
                     "labels are taken by their names in the file, of which " + known.size() + " of " + present.size()
                             + " are known");
         }
-        NumberMatch numbers = NumberMatch.best(NumberMatch.positions(volume.grid()), NumberTable.ALL);
+        LabelPositions positions = NumberMatch.positions(volume.grid());
+        NumberMatch numbers = NumberMatch.best(positions, NumberTable.ALL);
         if (numbers.fits()) {
             return ofNumbers(volume, numbers, BodyAxes.STATED, "");
         }
-        Optional<BodyAxes> other = StatedAxes.ofNumbers(numbers.places());
-        if (other.isPresent()) {
-            String letters = other.get().letters(volume.grid());
-            return ofNumbers(volume, numbers, other.get(), " if the axes are " + letters);
+        Optional<NumberMatch> turned =
+                numbers.isPossible() ? Optional.empty() : NumberMatch.inOtherAxes(positions, NumberTable.ALL);
+        if (turned.isPresent()) {
+            BodyAxes axes = turned.get().otherAxes().orElseThrow();
+            return ofNumbers(volume, turned.get(), axes, " if the axes are " + axes.letters(volume.grid()));
         }
         return new LabelGuess(
                 Source.NONE, Optional.empty(), numbers.share(BodyAxes.STATED), problem(volume, counts, numbers));

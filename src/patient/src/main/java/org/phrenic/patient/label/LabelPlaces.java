@@ -26,6 +26,10 @@ import org.phrenic.mesh.voxel.LabelGrid;
 final class LabelPlaces {
     /** Least number of voxels of a sector that counts, over that of the fullest one: the rest may be specks. */
     private static final double LEAST_SECTOR = 0.2;
+    /** Least mean distance (mm) from right ribs to left ones of their levels; vertebrae stand in one column. */
+    private static final double LEAST_BETWEEN_SIDES = 50;
+    /** Greatest mean distance (mm) of vertebrae from their middle to a side; ribs of two sides lie farther off. */
+    private static final double MOST_BESIDE_SPINE = 50;
     /** Share of the comparisons along a coordinate that have to hold. */
     private static final double MOST = 0.8;
 
@@ -37,6 +41,8 @@ final class LabelPlaces {
     private final Map<String, double[][]> ribs = new TreeMap<>();
 
     private final List<Relation> relations = new ArrayList<>();
+    /** Vectors from right ribs to left ones. */
+    private final List<double[]> acrossCage = new ArrayList<>();
 
     /** A vector between two structures of which one coordinate is positive in people. */
     private record Relation(int axis, double[] apart) {
@@ -154,6 +160,9 @@ final class LabelPlaces {
                 && name.level() == otherName.level()
                 && !name.kind().isNamed()) {
             relations.add(new Relation(0, apart));
+            if (name.kind() == StructureKind.RIB) {
+                acrossCage.add(apart);
+            }
         }
         boolean next = name.kind() == otherName.kind()
                 && name.side() == otherName.side()
@@ -166,12 +175,31 @@ final class LabelPlaces {
         }
     }
 
-    /** Mean of the centres of the vertebrae. */
-    private Optional<double[]> spine() {
-        List<double[]> spine = centres.entrySet().stream()
+    private List<double[]> vertebrae() {
+        return centres.entrySet().stream()
                 .filter(entry -> isOf(entry.getKey(), StructureKind.VERTEBRA))
                 .map(Map.Entry::getValue)
                 .toList();
+    }
+
+    /** Whether ribs of two sides lie as far apart as in people, and vertebrae in one column. */
+    boolean areBones(BodyAxes axes) {
+        boolean cage = acrossCage.stream()
+                        .mapToDouble(apart -> axes.coordinate(apart, 0))
+                        .average()
+                        .orElse(Double.POSITIVE_INFINITY)
+                > LEAST_BETWEEN_SIDES;
+        double beside = spine().map(middle -> vertebrae().stream()
+                        .mapToDouble(centre -> Math.abs(axes.coordinate(Vectors.subtract(centre, middle), 0)))
+                        .average()
+                        .orElseThrow())
+                .orElse(0.0);
+        return cage && beside < MOST_BESIDE_SPINE;
+    }
+
+    /** Mean of the centres of the vertebrae. */
+    private Optional<double[]> spine() {
+        List<double[]> spine = vertebrae();
         return spine.isEmpty()
                 ? Optional.empty()
                 : Optional.of(IntStream.range(0, 3)

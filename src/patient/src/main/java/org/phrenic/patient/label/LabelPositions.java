@@ -16,8 +16,11 @@ final class LabelPositions {
     private final double[][][] sectors = new double[LabelGrid.MAX_LABEL + 1][][];
     private final boolean[] atEnd = new boolean[LabelGrid.MAX_LABEL + 1];
 
+    private final double voxelVolume;
+
     /** @param inSectors labels whose heights are measured */
     LabelPositions(LabelGrid grid, Set<Integer> inSectors) {
+        voxelVolume = grid.voxelVolume();
         findCentres(grid);
         boolean[] wanted = new boolean[LabelGrid.MAX_LABEL + 1];
         inSectors.forEach(label -> wanted[label] = counts[label] > 0);
@@ -99,6 +102,11 @@ final class LabelPositions {
     /** Number of voxels of a label. */
     int count(int label) {
         return label <= LabelGrid.MAX_LABEL ? counts[label] : 0;
+    }
+
+    /** Volume of a voxel, mm3. */
+    double voxelVolume() {
+        return voxelVolume;
     }
 
     /** Centre of a label of which there are voxels. */

@@ -27,12 +27,16 @@ record NumberMatch(
         LabelVolumes volumes,
         int unknown,
         double lead) {
-    /** Least number of comparisons, if the volume does not have exactly the labels of the table. */
+    /** Least number of comparisons, if the volume does not have exactly the labels of the table nor labels from 1. */
     private static final int ENOUGH = 3;
     /** Least lead before other tables in this case. */
     private static final double CLEAR = 2;
     /** Least number of comparisons otherwise: two lungs give one of places and one of volumes. */
     private static final int ENOUGH_OF_ALL = 2;
+    /** Share of its labels from which a table is hardly longer than the volume's own numbers. */
+    private static final double MOST_OF_TABLE = 0.65;
+    /** Least share of the comparisons of places and volumes that hold in other axes than the stated ones, of many. */
+    private static final double LEAST_IN_OTHER_AXES = 0.97;
     /** Least share of the comparisons of places that hold. */
     private static final double LEAST_OF_PLACES = 0.85;
     /** Number of comparisons of places that decide without volumes: organs of patients have other sizes. */
@@ -54,6 +58,22 @@ record NumberMatch(
         Function<LabelPlaces, Optional<BodyAxes>> stated = places -> Optional.of(BodyAxes.STATED);
         NumberMatch best = first(all, stated);
         return best.score(stated) > 0 ? best : first(all, StatedAxes::ofNumbers);
+    }
+
+    /** The table that fits a volume best in axes that the file does not state; empty if none does so clearly. */
+    static Optional<NumberMatch> inOtherAxes(LabelPositions positions, List<NumberTable> tables) {
+        NumberMatch best =
+                first(tables.stream().map(table -> of(table, positions)).toList(), StatedAxes::ofNumbers);
+        return Optional.of(best)
+                .filter(match -> match.otherAxes().isPresent()
+                        && match.lead >= CLEAR
+                        && match.unknown <= match.structures.size()
+                        && match.share(match.otherAxes().orElseThrow()) >= LEAST_IN_OTHER_AXES);
+    }
+
+    /** Axes, other than the stated ones, in which the labels lie as their structures. */
+    Optional<BodyAxes> otherAxes() {
+        return StatedAxes.ofNumbers(places);
     }
 
     private static NumberMatch of(NumberTable table, LabelPositions positions) {
@@ -88,6 +108,7 @@ record NumberMatch(
     /** Comparisons that hold in some axes without those that fail and without unknown labels; negative without axes. */
     private double score(Function<LabelPlaces, Optional<BodyAxes>> axesOf) {
         return axesOf.apply(places)
+                .filter(places::areBones)
                 .map(axes -> places.compared() * (2 * places.share(axes) - 1)
                         + 2 * volumes.holding()
                         - volumes.compared()
@@ -103,15 +124,26 @@ record NumberMatch(
     /** Whether the labels are taken for the tool's in the axes that the file states. */
     boolean fits() {
         boolean whole = unknown == 0 && structures.size() == table.structures().size();
-        return isPossible() && (whole ? compared() >= ENOUGH_OF_ALL : compared() >= ENOUGH && lead >= CLEAR);
+        boolean clear = compared() >= ENOUGH && lead >= CLEAR && !isFromOne();
+        return isPossible() && (whole ? compared() >= ENOUGH_OF_ALL : clear);
+    }
+
+    /** Whether the labels are 1, 2 and so on without a gap, as anybody numbers a few structures, of a longer table. */
+    private boolean isFromOne() {
+        int last = structures.keySet().stream().mapToInt(label -> label).max().orElse(0);
+        return places.compared() < DECISIVE
+                && last <= structures.size() + unknown
+                && structures.size() < MOST_OF_TABLE * table.structures().size();
     }
 
     /** Whether the labels may be the tool's in the axes that the file states. */
     boolean isPossible() {
         return places.compared() > 0
                 && unknown <= structures.size()
+                && places.areBones(BodyAxes.STATED)
                 && places.share() >= LEAST_OF_PLACES
-                && (places.compared() >= DECISIVE || share(BodyAxes.STATED) >= LEAST_OF_ALL);
+                && (places.compared() >= DECISIVE
+                        || (share(BodyAxes.STATED) >= LEAST_OF_ALL && volumes.ofPeople() >= LEAST_OF_ALL));
     }
 
     /** Share of the comparisons of places and volumes that hold in some axes. */

@@ -85,8 +85,11 @@ public record StatedAxes(String stated, String seen, boolean sidesAlone) {
 
     /** Axes in which labels would lie as the structures of a tool's numbers do, if they lie so in no stated ones. */
     static Optional<BodyAxes> ofNumbers(LabelPlaces places) {
+        if (places.compared() < ENOUGH || places.fit(BodyAxes.STATED)) {
+            return Optional.empty();
+        }
         return BodyAxes.all().stream()
-                .filter(axes -> places.compared() >= ENOUGH && places.fit(axes))
+                .filter(axes -> places.fit(axes) && places.areBones(axes))
                 .max(Comparator.comparingDouble(places::alignment));
     }
 

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
@@ -178,7 +179,7 @@ class LabelGuessTest {
         double[][] centres = {{60, 30, 90}, {60, 40, 60}, {25, 30, 90}, {25, 20, 70}, {25, 40, 60}};
         CageVoxels lungs = new CageVoxels();
         for (int lobe = 0; lobe < centres.length; lobe++) {
-            lungs.ball(centres[lobe][0], centres[lobe][1], centres[lobe][2], 9, 10 + lobe);
+            lungs.ball(centres[lobe][0], centres[lobe][1], centres[lobe][2], 16, 10 + lobe);
         }
         LabelGuess guess = LabelGuess.of(lungs.volume());
         assertThat(guess.source()).isEqualTo(LabelGuess.Source.NUMBERS);
@@ -226,6 +227,51 @@ class LabelGuessTest {
         LabelVolume trunk = TrunkVoxels.labelled(NumberTable.named("ct-org").get(0));
         LabelVolume liver = relabelled(trunk, label -> label == 1 ? 1 : 0);
         assertThat(LabelGuess.of(liver).source()).isEqualTo(LabelGuess.Source.NONE);
+    }
+
+    /** A trunk whose labels are these structures from 1 on. */
+    private static LabelVolume numbered(String structures) {
+        Map<Integer, String> byLabel = new TreeMap<>();
+        for (String structure : structures.split(" ", -1)) {
+            byLabel.put(byLabel.size() + 1, structure);
+        }
+        return TrunkVoxels.labelled(new NumberTable("own", "own", byLabel, Map.of(), Map.of()));
+    }
+
+    /** Structures that somebody numbered from 1 are of no tool, though some lie and compare as a tool's do. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "oesophagus heart trachea aorta",
+                "oesophagus heart lung_L lung_R",
+                "lung_L lung_R heart",
+                "kidney_R kidney_L",
+                "vertebra_L01 vertebra_L02 vertebra_L03 vertebra_L04 vertebra_L05",
+                "vertebra_T01 vertebra_T02 vertebra_T03 vertebra_T04 vertebra_T05 vertebra_T06 vertebra_T07"
+                        + " vertebra_T08 vertebra_T09 vertebra_T10 vertebra_T11 vertebra_T12",
+            })
+    void aFewStructuresNumberedByAnybodyAreOfNoTool(String structures) {
+        assertThat(LabelGuess.of(numbered(structures)).source()).isEqualTo(LabelGuess.Source.NONE);
+    }
+
+    /** The same numbers are ribs in another table: a spine that leans to a side is a spine. */
+    @ParameterizedTest
+    @ValueSource(doubles = {-0.1, 0.1})
+    void aLeaningSpineIsNotTakenForRibs(double lean) {
+        LabelVolume spine = TrunkVoxels.labelled(NumberTable.named("verse").get(0));
+        double[] toMm = spine.grid().toMm();
+        toMm[2] = lean * toMm[10];
+        LabelGuess guess = LabelGuess.of(new LabelVolume(spine.grid().withAffine(toMm), Map.of(), List.of()));
+        assertThat(guess.require("scan").structures()).containsEntry(8, "vertebra_T01");
+    }
+
+    /** Ribs 1 to 12 of the right side, then of the left one, lie in no one column. */
+    @Test
+    void ribsNumberedFromTheRightAreNotTakenForVertebrae() {
+        LabelVolume ribs = TrunkVoxels.labelled(NumberTable.named("ribseg").get(0));
+        LabelGuess guess = LabelGuess.of(relabelled(ribs, label -> label == 0 ? 0 : 1 + (label + 11) % 24));
+        assertThat(guess.table().map(LabelTable::structures).orElse(Map.of()).values())
+                .noneMatch(structure -> structure.startsWith("vertebra"));
     }
 
     /** A spleen as large as a liver, and the reverse, is a volume in another order of labels. */
