@@ -1,5 +1,6 @@
 package org.phrenic.patient.label;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -7,11 +8,13 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.volume.LabelVolume;
 
 /**
- * A label table guessed from a volume: by the names of labels in the file, else by the numbers of a tool or a public
- * data set ({@link NumberTable}) whose structures lie where the labels do and are as large, one over another.
+ * A label table guessed from a volume: by the names of labels in the file, if there are none by the numbers of a tool
+ * or a public data set ({@link NumberTable}) whose structures lie where the labels do and are as large, one over
+ * another.
  *
  * @param source what the table is made from
  * @param table the table; empty if there is no guess
@@ -45,6 +48,20 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
                     (double) known.size() / present.size(),
                     "labels are taken by their names in the file, of which " + known.size() + " of " + present.size()
                             + " are known");
+        }
+        List<String> unknown = present.values().stream()
+                .filter(name -> !LabelVolume.isNumber(name))
+                .toList();
+        if (!unknown.isEmpty()) {
+            return new LabelGuess(
+                    Source.NONE,
+                    Optional.empty(),
+                    0,
+                    "found labels with no name of a structure: "
+                            + unknown.stream()
+                                    .limit(MAX_LISTED)
+                                    .map(Numbers::quote)
+                                    .collect(Collectors.joining(", ")));
         }
         LabelPositions positions = NumberMatch.positions(volume.grid());
         NumberMatch numbers = NumberMatch.best(positions, NumberTable.ALL);

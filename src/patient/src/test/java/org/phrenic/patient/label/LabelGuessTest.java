@@ -274,6 +274,17 @@ class LabelGuessTest {
                 .noneMatch(structure -> structure.startsWith("vertebra"));
     }
 
+    /** Numbers beside names are those of the reader; numbers alone, as of segments without a name, are the tool's. */
+    @Test
+    void numbersOfLabelsWithUnknownNamesAreOfNoTool() {
+        LabelVolume cage = cage(CageVoxels.SPACING_MM, Map.of(92, "quux", 93, "Segment 93"));
+        assertThatThrownBy(() -> LabelGuess.of(cage).require("scan"))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found labels with no name of a structure: 'quux', expected --labels");
+        LabelVolume numbers = cage(CageVoxels.SPACING_MM, Map.of(92, "Segment 92", 93, "93"));
+        assertThat(LabelGuess.of(numbers).require("scan").structures()).containsEntry(92, "rib_01_L");
+    }
+
     /** A spleen as large as a liver, and the reverse, is a volume in another order of labels. */
     @Test
     void volumesTellWhatPlacesLeaveOpen() {

@@ -66,6 +66,16 @@ class ShippedLabelsTest {
                 .containsEntry(28, "bone_vertebra_T13"));
     }
 
+    /** The bones below the lumbar spine, and the tumour of FLARE's third year, which is a target and no obstacle. */
+    @Test
+    void bonesBelowTheSpineAndTumoursKeepTheirMeaning() {
+        assertThat(NumberTable.named("verse")).singleElement().satisfies(table -> assertThat(table.structures())
+                .containsEntry(26, "sacrum")
+                .containsEntry(27, "bone_coccyx"));
+        assertThat(NumberTable.named("flare")).singleElement().satisfies(table -> assertThat(table.structures())
+                .containsEntry(14, "lesion_tumor"));
+    }
+
     /** Every structure of a table is one that a thorax folder may hold, and names stand for the same structures. */
     @Test
     void tablesHoldKnownStructures() {

@@ -18,4 +18,9 @@ public record LabelVolume(LabelGrid grid, Map<Integer, String> names, List<Strin
         names = Collections.unmodifiableMap(new TreeMap<>(names));
         notes = List.copyOf(notes);
     }
+
+    /** Whether a name is a mere number, as programs give to labels without a name: Segment 1, Label 2, 3. */
+    public static boolean isNumber(String name) {
+        return DicomSegmentation.NUMBERED.matcher(name).matches();
+    }
 }
