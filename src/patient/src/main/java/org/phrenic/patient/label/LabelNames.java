@@ -77,7 +77,8 @@ public final class LabelNames {
     private static final Pattern BESIDE =
             Pattern.compile("effusion|fluid|(pneumo|hydro|ha?emo)thorax|empyema|arter(y|i)|\\bveins?\\b|\\bvenae?\\b"
                     + "|lymph|\\bnodes?\\b|nerve|ligament|intercostal|\\bprv|implant|catheter|\\bdrain|\\btube"
-                    + "|fracture|pacemaker|\\bleads?\\b|marker|\\bclips?\\b|bolus");
+                    + "|fracture|pacemaker|\\bleads?\\b|marker|\\bclips?\\b|bolus"
+                    + "|\\bplates?\\b|\\bscrews?\\b|fixation|osteosynthes");
 
     private static final Pattern CARTILAGE =
             Pattern.compile("(?=.*cartilage)(.*\\b(costal|ribs?\\d*\\b).*|cartilages?[ \\d]*)");
@@ -146,7 +147,11 @@ public final class LabelNames {
             Map.entry("v_venacava_i", "inferior_vena_cava"),
             Map.entry("v_venacava_s", "superior_vena_cava"),
             Map.entry("bowel_small", "small_bowel"),
-            Map.entry("bowel_large", "colon"));
+            Map.entry("bowel_large", "colon"),
+            Map.entry("deep_back_muscle", "autochthon"),
+            Map.entry("deep_muscle_of_back", "autochthon"),
+            Map.entry("common_iliac_artery", "iliac_artery"),
+            Map.entry("common_iliac_vein", "iliac_vein"));
 
     /** Vessels of which a scan shows several; other plurals are pairs of organs, whose two sides one name would mix. */
     private static final Map<String, String> VESSELS = Map.of("veins", "vein", "arteries", "artery");

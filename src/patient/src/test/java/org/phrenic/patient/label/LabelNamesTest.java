@@ -53,6 +53,9 @@ class LabelNamesTest {
                 "trunk muscles",
                 "heart lead",
                 "rib fracture",
+                "rib_plates",
+                "rib fixation",
+                "sternum screws",
                 "temporal lobe left",
                 "thoracic vertebra",
                 "cardiac stomach",
@@ -203,6 +206,9 @@ class LabelNamesTest {
         "large_intestine, colon",
         "Large Intestine, colon",
         "both kidneys, organ_kidneys",
+        "left deep back muscle, autochthon_L",
+        "right common iliac artery, iliac_artery_R",
+        "left common iliac vein, iliac_vein_L",
     })
     void pluralsAndCommonSpellingsAreKnown(String name, String structure) {
         assertThat(LabelNames.structure(name)).contains(structure);
