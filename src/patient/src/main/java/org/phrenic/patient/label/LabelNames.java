@@ -45,6 +45,9 @@ public final class LabelNames {
     private static final Pattern JOINED_WORDS = Pattern.compile("(?<=[a-z])(?=[A-Z])");
     /** A side written in one word with what it is of, such as "leftlung". */
     private static final Pattern JOINED_SIDE = Pattern.compile("\\b(left|right)(?=[a-z])");
+    /** Words at an end of a name for what a file is, such as "liver_mask". */
+    private static final Pattern MASK =
+            Pattern.compile("(?i)^(mask|seg|segmentation)[ _-]+|[ _-]+(mask|seg|segmentation)$");
     /** Words that add nothing to the name of a structure. */
     private static final List<String> FILLERS = List.of(
             "vertebra",
@@ -171,6 +174,13 @@ public final class LabelNames {
 
     /** The structure that a label's name stands for; empty if the name is unknown. */
     public static Optional<String> structure(String name) {
+        return ofName(name).or(() -> {
+            String bare = MASK.matcher(name).replaceAll("");
+            return bare.equals(name) || bare.isBlank() ? Optional.empty() : ofName(bare);
+        });
+    }
+
+    private static Optional<String> ofName(String name) {
         String plain = LabelWords.english(JOINED_WORDS.matcher(name).replaceAll(" "))
                 .replaceAll("[^a-z0-9]+", " ")
                 .strip();
