@@ -22,9 +22,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * The bits of the simulation. Each scene (materials, bodies, resolutions, integrators, changes while it runs, a
- * rehearsal) ends in the state of its reference, on one thread and on two. The material of Villard, Bourne and Bello
- * 2009 ends as in commit 690655c on the scanned body here, and on the virtual bodies with the lungs of that commit in
- * {@code PaperMaterialHashTest}.
+ * rehearsal) ends in the state of its reference, on one thread or on two, by the first digit of its hash. The material
+ * of Villard, Bourne and Bello 2009 ends as in commit 690655c on the scanned body here, and on the virtual bodies with
+ * the lungs of that commit in {@code PaperMaterialHashTest}.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class ReferenceHashTest {

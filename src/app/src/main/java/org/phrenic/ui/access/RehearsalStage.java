@@ -17,6 +17,11 @@ public enum RehearsalStage {
     /** Liver access cannot be rehearsed on this body. */
     UNAVAILABLE;
 
+    /** Whether holds and restarts of the breath are the rehearsal's, so that its plan has them. */
+    public boolean ownsBreath() {
+        return this != CLOSED && this != UNAVAILABLE;
+    }
+
     public boolean canStartAttempt() {
         return this == READY || this == PLAYING;
     }

@@ -281,7 +281,7 @@ final class MenuActions {
 
     private void restart() {
         window.session().returnToLive();
-        if (rehearsal().isActive()) {
+        if (rehearsal().stage().ownsBreath()) {
             rehearsal().retry();
         } else {
             window.session().live().reset();
@@ -296,7 +296,7 @@ final class MenuActions {
     private void toggleHold() {
         Session session = window.session();
         boolean on = !session.scenario().hold();
-        if (rehearsal().isActive()) {
+        if (rehearsal().stage().ownsBreath()) {
             rehearsal().needle().toggleHold();
         } else {
             session.change(on ? "Hold of the breath" : "End of the hold", Assignment.of("window", Breathing.HOLD, on));

@@ -4,15 +4,17 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JComboBox;
-import javax.swing.JComponent;
+import javax.swing.JFormattedTextField;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.JSpinner;
 import javax.swing.JToggleButton;
 import javax.swing.SpinnerNumberModel;
+import javax.swing.text.DefaultFormatterFactory;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.access.ScannedLesion;
+import org.phrenic.access.TargetLesion;
 import org.phrenic.access.TargetMotion;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.ui.access.PickMode;
@@ -28,7 +30,13 @@ import org.phrenic.ui.widget.ListKeys;
  * progress until it is computed.
  */
 final class TargetPanel extends AccessPanel {
-    private static final String OTHER_PLACE = "another place in the liver";
+    /** Default and range of diameters for practice, mm. */
+    private static final int DEFAULT_MM = 20;
+
+    private static final int SMALLEST_MM = 5;
+    private static final int LARGEST_MM = 50;
+
+    private static final String OTHER_TARGET = "another target in the liver";
 
     private final WrappingLabel motion = WrappingLabel.emphasised("How far the target moves");
     private final WrappingLabel directions = WrappingLabel.secondary("In which direction it moves");
@@ -38,7 +46,7 @@ final class TargetPanel extends AccessPanel {
             "Set target",
             "Then click on the liver: the target lies behind that place (T)",
             () -> rehearsal.pickMode().toggle(PickMode.Kind.TARGET));
-    private final JSpinner size = new JSpinner(new SpinnerNumberModel(20, 5, 50, 1));
+    private final JSpinner size = new JSpinner(new SpinnerNumberModel(DEFAULT_MM, SMALLEST_MM, LARGEST_MM, 1));
     private final JPanel practiceRow =
             new JPanel(new MigLayout("insets 0, gap 6, novisualpadding", "[grow, fill][][60!][]"));
     private final JComboBox<String> lesion = ListKeys.chooseByEnter(new JComboBox<>());
@@ -49,7 +57,9 @@ final class TargetPanel extends AccessPanel {
         super(rehearsal);
         progress.setStringPainted(true);
         progress.getAccessibleContext().setAccessibleName("Progress of the preparation");
-        JComponent sizeField = ((JSpinner.DefaultEditor) size.getEditor()).getTextField();
+        JFormattedTextField sizeField = ((JSpinner.DefaultEditor) size.getEditor()).getTextField();
+        sizeField.setFormatterFactory(
+                new DefaultFormatterFactory(new DiameterFormatter(SMALLEST_MM, LARGEST_MM, session::refuse)));
         Controls.describe(size, "Diameter of the target", "Diameter of the target, mm");
         Controls.describe(sizeField, "Diameter of the target, mm", "Diameter of the target, mm");
         size.addChangeListener(e -> {
@@ -99,14 +109,18 @@ final class TargetPanel extends AccessPanel {
             lesion.removeAllItems();
             lesions.forEach(one -> lesion.addItem(
                     NumberFormats.text("%s, %.0f mm", one.label(), one.target().diameterMm())));
-            lesion.addItem(OTHER_PLACE);
+            lesion.addItem(OTHER_TARGET);
         }
-        Optional<double[]> at = rehearsal.study().map(study -> study.target().restMm());
+        Optional<TargetLesion> target = rehearsal.study().map(TargetAccess::target);
         int chosen = lesions.size();
-        for (int i = 0; i < lesions.size() && at.isPresent(); i++) {
-            chosen = Arrays.equals(lesions.get(i).target().restMm(), at.get()) ? i : chosen;
+        for (int i = 0; i < lesions.size() && target.isPresent(); i++) {
+            chosen = isSame(lesions.get(i).target(), target.get()) ? i : chosen;
         }
         lesion.setSelectedIndex(lesions.isEmpty() ? -1 : chosen);
+    }
+
+    private static boolean isSame(TargetLesion one, TargetLesion other) {
+        return one.diameterMm() == other.diameterMm() && Arrays.equals(one.restMm(), other.restMm());
     }
 
     private void showProgress() {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
 import javax.swing.JComboBox;
+import javax.swing.JSpinner;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -63,6 +64,13 @@ class LesionTargetTest {
             assertThat(target(clinic).restMm())
                     .containsExactly(MeshMeasure.centreOfMass(tumour(liver, SMALL, 0)), within(0.01));
             clinic.window().screenshot("rehearse-lesion");
+            JSpinner size = clinic.window().control(JSpinner.class, "Diameter of the target");
+            WindowHarness.doOnEdt(() -> size.setValue(30));
+            clinic.until("a larger target", () -> target(clinic).diameterMm() == 30);
+            clinic.ready();
+            assertThat(WindowHarness.onEdt(() -> lesions.getSelectedItem().toString()))
+                    .as("a target of another size is not the lesion")
+                    .startsWith("another target");
         } finally {
             clinic.window().close();
         }
