@@ -87,7 +87,7 @@ public final class LabelNames {
             Pattern.compile("(?=.*cartilage)(.*\\b(costal|ribs?\\d*\\b).*|cartilages?[ \\d]*)");
     private static final Pattern RIB = Pattern.compile("(.* )?rib(s|cage)?\\d*( .*)?");
     private static final Pattern STERNUM = Pattern.compile("(?!.*malle)(.* )?(sternum|manubrium|xiphoid)( .*)?");
-    private static final Pattern LUNG = Pattern.compile("(?!.*\\bpleurae?\\b)(.* )?lung.*");
+    private static final Pattern LUNG = Pattern.compile("(?!.*\\b(pleurae?|lungen\\w+)\\b)(.* )?lung.*");
     private static final Pattern LUNG_LOBE =
             Pattern.compile("(superior|upper|middle|inferior|lower) lobe|lingula|r[uml]l|l[ul]l");
     /** The parts of a segment's name, the numbers of Couinaud's segments among them. */
@@ -181,6 +181,9 @@ public final class LabelNames {
     }
 
     private static Optional<String> ofName(String name) {
+        if (LabelWords.isPartlyKnown(name)) {
+            return Optional.empty();
+        }
         String plain = LabelWords.english(JOINED_WORDS.matcher(name).replaceAll(" "))
                 .replaceAll("[^a-z0-9]+", " ")
                 .strip();

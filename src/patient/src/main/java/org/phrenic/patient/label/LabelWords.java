@@ -21,9 +21,12 @@ final class LabelWords {
     private static final Pattern MARKS = Pattern.compile("\\p{M}+");
     private static final Pattern WORD = Pattern.compile("\\p{L}+");
     /** Thoracic and lumbar vertebrae as German and Latin name them: BWK 5, LWK 1, Th5. */
-    private static final Pattern THORACIC = Pattern.compile("\\b(?:bwk|th) ?(?=\\d)");
+    private static final Pattern THORACIC = Pattern.compile("(?<![a-z])(?:bwk|th)[ _-]?(?=\\d)");
 
-    private static final Pattern LUMBAR = Pattern.compile("\\blwk ?(?=\\d)");
+    private static final Pattern LUMBAR = Pattern.compile("(?<![a-z])lwk[ _-]?(?=\\d)");
+
+    private static final Pattern LATIN = Pattern.compile("\\p{IsLatin}");
+    private static final Pattern IDEOGRAPH = Pattern.compile("\\p{IsHan}");
 
     private static final Map<String, String> ENGLISH = new TreeMap<>();
     /** Words of scripts that write no spaces, the longest first. */
@@ -49,6 +52,15 @@ final class LabelWords {
 
     private static String bare(String word) {
         return MARKS.matcher(Normalizer.normalize(word, Normalizer.Form.NFD)).replaceAll("");
+    }
+
+    /**
+     * Whether a name in a script without spaces has words that are not in the list, which may say that it is no organ
+     * but, for one, its lymph nodes. A name that has Latin letters as well is taken by these.
+     */
+    static boolean isPartlyKnown(String name) {
+        String rest = UNSPACED.stream().reduce(name, (text, word) -> text.replace(word, ""));
+        return !LATIN.matcher(name).find() && IDEOGRAPH.matcher(rest).find();
     }
 
     /** A name in lower case in which known words of other languages are English ones. */

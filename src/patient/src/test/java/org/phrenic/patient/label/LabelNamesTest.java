@@ -156,6 +156,16 @@ class LabelNamesTest {
         "sternal body, sternum_body",
         "body of sternum, sternum",
         "lung opacity left, lung_L",
+        "Linker unterer Lungenlappen, lung_L",
+        "Lungenvene rechts, pulmonary_vein_R",
+        "BWK_5, vertebra_T05",
+        "Wirbel_BWK-5, vertebra_T05",
+        "LWK_1, vertebra_L01",
+        "肝右叶, liver",
+        "右肺上叶, lung_R",
+        "肝实质, liver",
+        "肝血管瘤, lesion_liver_hemangioma",
+        "Lungenrundherd rechts, lesion_lung_nodule_R",
         "left lung atelectasis, lung_L",
         "lower lobe of left lung, lung_L",
         "Lung_LUL, lung_L",
@@ -191,6 +201,13 @@ class LabelNamesTest {
     })
     void partsAndOtherOrdersOfWordsAreKnown(String name, String structure) {
         assertThat(LabelNames.structure(name)).contains(structure);
+    }
+
+    /** What lies in or beside an organ is not the organ. */
+    @ParameterizedTest
+    @CsvSource({"肺门淋巴结", "胃周淋巴结", "肋骨骨折", "肝内胆管", "Lungenhilus", "Lungenembolie"})
+    void aNameWithAnUnknownWordIsNoOrgan(String name) {
+        assertThat(LabelNames.structure(name)).isEmpty();
     }
 
     @ParameterizedTest
