@@ -22,6 +22,9 @@ import org.phrenic.mesh.io.MeshFiles;
 
 /** Commands as a machine without a screen starts them: where that counts, in a Java process of their own. */
 class HeadlessTest {
+    /** Where libglvnd lists the drivers of EGL, which draws without a display. */
+    private static final Path EGL_VENDORS = Path.of("/usr/share/glvnd/egl_vendor.d");
+
     private static final long PATIENCE_S = 120;
     /** For a process of some seconds the optimizing compiler takes more time than it gains. */
     private static final String SHORT_LIVED = "-XX:TieredStopAtLevel=1";
@@ -198,7 +201,7 @@ class HeadlessTest {
     void picturesNeedNoDisplay() throws Exception {
         Path out = folder.resolve("pictures");
         int code = render(Map.of(), "--out", out.toString(), "--view", "left,superior", "--size", "200x150", "--json");
-        assumeThat(code).as("something here draws").isNotEqualTo(ExitCode.NO_GRAPHICS);
+        assumeThat(EGL_VENDORS).as("drivers of EGL").isNotEmptyDirectory();
         assertThat(code).as(Files.readString(folder.resolve("stderr"))).isZero();
         assertThat(Files.readString(folder.resolve("stdout")))
                 .contains("superior.png", "\"graphics\": ", Disclaimer.TEXT);

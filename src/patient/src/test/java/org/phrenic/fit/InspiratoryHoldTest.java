@@ -7,7 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.scenario.Scenario;
@@ -28,7 +28,14 @@ class InspiratoryHoldTest {
     void aMaterialIsObservedWhenItIsNearRest(
             String material, String key, double value, double searchedAtS, double observedAtS) {
         Scenario base = Scenario.defaults()
-                .with("preset=deep", "resolution=low", "lungs=off", "sternum=off", "liver=false", "rib_rotation=0")
+                .with(
+                        "preset=deep",
+                        "resolution=low",
+                        "mesh_vertices=3000",
+                        "lungs=off",
+                        "sternum=off",
+                        "liver=false",
+                        "rib_rotation=0")
                 .with("material=" + material);
         if (material.equals("paper")) {
             base = base.with("damping_ns_per_m=0.5");
@@ -37,7 +44,7 @@ class InspiratoryHoldTest {
         assertThat(InspiratoryHold.observedAtS(base)).isEqualTo(observedAtS);
         FitParameter drive = FitParameter.of(Settings.parameter(key), base);
         try (InspiratoryHold hold =
-                new InspiratoryHold(base, VirtualThorax.ofPreset("adult-male", Resolution.LOW), List.of(drive))) {
+                new InspiratoryHold(base, VirtualThorax.ofPreset("adult-male", new MeshBudget(3000)), List.of(drive))) {
             assertThat(hold.breatheInForSearch(new double[] {value})).isEmpty();
             double early = hold.observed("dome_right_mm");
             assertThat(hold.breatheIn(new double[] {value})).isEmpty();
@@ -51,12 +58,19 @@ class InspiratoryHoldTest {
     @Test
     void aRunOfTheFittedScenarioEndsInTheStateThatWasObserved() {
         Scenario base = Scenario.defaults()
-                .with("preset=deep", "resolution=low", "lungs=off", "sternum=off", "liver=false", "rib_rotation=0")
+                .with(
+                        "preset=deep",
+                        "resolution=low",
+                        "mesh_vertices=3000",
+                        "lungs=off",
+                        "sternum=off",
+                        "liver=false",
+                        "rib_rotation=0")
                 .with("time_step_s=0.006");
         List<FitParameter> parameters = List.of(FitParameter.of(Settings.parameter("muscle_activation"), base));
         double[] values = {0.6};
         try (InspiratoryHold hold =
-                new InspiratoryHold(base, VirtualThorax.ofPreset("adult-male", Resolution.LOW), parameters)) {
+                new InspiratoryHold(base, VirtualThorax.ofPreset("adult-male", new MeshBudget(3000)), parameters)) {
             assertThat(hold.breatheIn(values)).isEmpty();
             assertThat(SimulationRun.run(
                             InspiratoryHold.scenario(base, parameters, values), null, (at, of, perS) -> {}))

@@ -39,7 +39,7 @@ class BodyMotionTest {
 
     @BeforeAll
     static void breathe() {
-        simulation = Simulation.of(Runs.scenario(), Runs.male());
+        simulation = Runs.simulation(Runs.scenario());
         motion = new BodyMotion(simulation, false, LungInside.VERTICES, 1);
         while (simulation.time() < END_INSPIRATION_S) {
             simulation.step();

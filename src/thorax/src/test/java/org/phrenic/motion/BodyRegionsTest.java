@@ -50,7 +50,7 @@ class BodyRegionsTest {
     /** Lines along the columns pass both openings, which lets no part of the trunk between them lie outside. */
     @Test
     void aSkinThatIsOpenWhereTheArmsAreCutOffEnclosesTheTrunkAsAClosedOneDoes() {
-        try (Simulation simulation = Simulation.of(Runs.scenario(), Runs.male())) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario())) {
             List<Surface> closed = new SceneSurfaces(simulation).surfaces();
             Diaphragm sheet = simulation.scene().diaphragm().diaphragm;
             TriangleMesh skin = closed.stream()

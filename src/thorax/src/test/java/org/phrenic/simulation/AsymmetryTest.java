@@ -25,7 +25,7 @@ class AsymmetryTest {
     static void assemble() {
         Scenario scenario = Scenario.defaults()
                 .with("resolution=low", "preset=deep", "rate_per_min=60", "inspiratory_fraction=0.6", "threads=1");
-        simulation = Simulation.of(scenario, Runs.male());
+        simulation = Runs.simulation(scenario);
         surfaces = new SceneSurfaces(simulation);
     }
 

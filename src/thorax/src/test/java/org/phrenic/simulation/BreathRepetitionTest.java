@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.MeshBudget;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
@@ -14,12 +16,18 @@ import org.phrenic.scenario.ScheduledChange;
  */
 class BreathRepetitionTest {
     private static final Scenario SIMULATED = Scenario.defaults()
-            .with("resolution=low", "lungs=embedded", "sternum=kinematic", "rate_per_min=30", "threads=1");
+            .with(
+                    "resolution=low",
+                    "mesh_vertices=3000",
+                    "lungs=embedded",
+                    "sternum=kinematic",
+                    "rate_per_min=30",
+                    "threads=1");
     private static final Scenario REPEATED = SIMULATED.with("repeat_breath=true");
     private static final double PERIOD_S = 2;
 
     private static Simulation simulation(Scenario scenario) {
-        return Simulation.of(scenario, Runs.male());
+        return Simulation.of(scenario, VirtualThorax.ofPreset("adult-male", new MeshBudget(3000)));
     }
 
     private static double[] distances(Simulation one, Simulation other) {

@@ -22,7 +22,7 @@ class CruraTest {
 
     @Test
     void whatLiesOnTheVertebraeHardlyMovesWhileTheDomeGoesDown() {
-        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.SHEET_ALONE), Runs.male())) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.SHEET_ALONE))) {
             DiaphragmPart part = simulation.scene().diaphragm();
             int[] crural = part.cruralNodes;
             double[] stiffness = part.cruralStiffnesses;
@@ -70,9 +70,8 @@ class CruraTest {
     @Test
     void halfTheStepGivesTheSameSheet() {
         Scenario scenario = Runs.scenario(Runs.SHEET_ALONE);
-        try (Simulation one = Simulation.of(scenario, Runs.male());
-                Simulation half =
-                        Simulation.of(scenario.with("time_step_s=" + scenario.timeStepS() / 2), Runs.male())) {
+        try (Simulation one = Runs.simulation(scenario);
+                Simulation half = Runs.simulation(scenario.with("time_step_s=" + scenario.timeStepS() / 2))) {
             // Both from one settled state.
             double[] settled = one.scene().system().positions();
             System.arraycopy(settled, 0, half.scene().system().positions(), 0, settled.length);

@@ -18,7 +18,7 @@ class HeldDeepBreathTest {
     @Test
     void theSheetComesToRest() {
         Scenario scenario = Runs.scenario("preset=deep", "lungs=off", "sternum=kinematic", "liver=false");
-        try (Simulation simulation = Simulation.of(scenario, Runs.male())) {
+        try (Simulation simulation = Runs.simulation(scenario)) {
             advance(simulation, INSPIRED_S);
             simulation.change(Assignment.parse("hold=true"));
             advance(simulation, INSPIRED_S + HELD_S);

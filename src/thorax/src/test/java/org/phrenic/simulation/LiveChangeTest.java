@@ -104,8 +104,8 @@ class LiveChangeTest {
         Path file = folder.resolve(material + ".yaml");
         YamlWriter.write(file, start.withChanges(changes).toMap());
         assertThat(Scenario.read(file)).isEqualTo(start.withChanges(changes));
-        try (Simulation scheduled = Simulation.of(Scenario.read(file), Runs.male());
-                Simulation live = Simulation.of(start.with("threads=" + threads), Runs.male())) {
+        try (Simulation scheduled = Runs.simulation(Scenario.read(file));
+                Simulation live = Runs.simulation(start.with("threads=" + threads))) {
             for (ScheduledChange change : changes) {
                 steps(scheduled, BETWEEN);
                 steps(live, BETWEEN);
@@ -129,7 +129,7 @@ class LiveChangeTest {
         int before = 100;
         int after = 200;
         Scenario start = Runs.scenario("preset=deep", "lungs=" + lungs, "threads=2");
-        try (Simulation simulation = Simulation.of(start, Runs.male())) {
+        try (Simulation simulation = Runs.simulation(start)) {
             steps(simulation, before);
             simulation.change(List.of(
                     Assignment.parse("muscle_stiffness_n_per_m=900"),
@@ -154,8 +154,8 @@ class LiveChangeTest {
                 ScheduledChange.parse("5:lung_stiffness_n_per_m=12"),
                 ScheduledChange.parse("20:sternum_coupling=2"),
                 ScheduledChange.parse("35:muscle_stiffness_n_per_m=500"));
-        try (Simulation scheduled = Simulation.of(start.withChanges(changes), Runs.male());
-                Simulation live = Simulation.of(start.with("threads=1"), Runs.male())) {
+        try (Simulation scheduled = Runs.simulation(start.withChanges(changes));
+                Simulation live = Runs.simulation(start.with("threads=1"))) {
             for (ScheduledChange change : changes) {
                 steps(live, (int) (change.step() - live.steps()));
                 live.change(change.assignment());
@@ -187,7 +187,7 @@ class LiveChangeTest {
     @Test
     void tissueMadeStifferSofterHeavierOrUnderAnotherPressureStaysWhereItIsAtRest() {
         // Everything but the breath: whole scene, held at end-expiration.
-        try (Simulation simulation = Simulation.of(Runs.scenario("hold=true", "threads=2"), Runs.male())) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario("hold=true", "threads=2"))) {
             for (String change : List.of(
                     "muscle_stiffness_n_per_m=1200",
                     "muscle_stiffness_n_per_m=150",
@@ -204,7 +204,7 @@ class LiveChangeTest {
 
     @Test
     void aChangeNeverJerksAndNeverStepsBeyondTheLimit() {
-        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone()), Runs.male())) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone()))) {
             SceneObserver observer = new SceneObserver(simulation.scene());
             steps(simulation, 300);
             for (String change : List.of(
@@ -253,7 +253,7 @@ class LiveChangeTest {
 
     @Test
     void aBreathThatIsHeldStandsStillWhereItIsAndGoesOnFromThere() {
-        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone("preset=deep")), Runs.male())) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone("preset=deep")))) {
             steps(simulation, 1500);
             simulation.change(Assignment.parse("hold=true"));
             steps(simulation, 600);
@@ -277,7 +277,7 @@ class LiveChangeTest {
     @Test
     void whatDidNotHelpIsFollowedByTakingBackTheChangesBefore() {
         Scenario start = Runs.scenario(Runs.sheetAlone());
-        try (Simulation simulation = Simulation.of(start, Runs.male())) {
+        try (Simulation simulation = Runs.simulation(start)) {
             assertThat(simulation.undoLastChange()).isFalse();
             simulation.change(List.of(Assignment.parse("depth=2"), Assignment.parse("muscle=false")));
             steps(simulation, 3);
@@ -302,7 +302,7 @@ class LiveChangeTest {
     @Test
     void theDragOfASliderIsTakenBackAsOne() {
         Scenario start = Runs.scenario(Runs.sheetAlone());
-        try (Simulation simulation = Simulation.of(start, Runs.male())) {
+        try (Simulation simulation = Runs.simulation(start)) {
             simulation.change(Assignment.parse("depth=2"));
             steps(simulation, 3);
             for (String stiffness : List.of("290", "250", "200")) {
@@ -322,7 +322,7 @@ class LiveChangeTest {
 
     @Test
     void timeIsTheSumOfStepCountsTimesTheirSteps() {
-        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone()), Runs.male())) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone()))) {
             steps(simulation, 100);
             simulation.change(Assignment.parse("time_step_s=0.0003"));
             steps(simulation, 100);
@@ -334,7 +334,7 @@ class LiveChangeTest {
 
     @Test
     void anUnknownAStructuralAndAnImpossibleChangeAreOneSentenceAndChangeNothing() {
-        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone()), Runs.male())) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone()))) {
             for (String bad : List.of("depht=1", "resolution=high", "depth=9", "integrator=rk2")) {
                 Scenario before = simulation.settings();
                 boolean refused = false;
@@ -379,9 +379,8 @@ class LiveChangeTest {
 
     @Test
     void aRestartGivesTheBitsOfASceneThatWasPutTogetherWithWhatIsSet() {
-        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone()), Runs.male());
-                Simulation fresh =
-                        Simulation.of(Runs.scenario(Runs.sheetAlone("depth=1.5", "preset=deep")), Runs.male())) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone()));
+                Simulation fresh = Runs.simulation(Runs.scenario(Runs.sheetAlone("depth=1.5", "preset=deep")))) {
             steps(simulation, 77);
             simulation.change(Assignment.parse("preset=deep"));
             simulation.change(Assignment.parse("depth=1.5"));

@@ -19,7 +19,7 @@ class LungsLeaveTheChestTest {
 
     @Test
     void aLungDrawnOutOfTheNeckIsNoticedAndTheLastGoodStateIsBack() {
-        try (Simulation simulation = Simulation.of(Runs.scenario("material=paper", "sternum=off"), Runs.male())) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario("material=paper", "sternum=off"))) {
             step(simulation);
             long before = simulation.steps();
             LungPart lungs = simulation.scene().lungs().orElseThrow();

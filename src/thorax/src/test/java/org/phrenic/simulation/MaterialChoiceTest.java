@@ -13,7 +13,7 @@ class MaterialChoiceTest {
     private static final int STEPS = 30;
 
     private static String hash(Scenario scenario) {
-        try (Simulation simulation = Simulation.of(scenario, Runs.male())) {
+        try (Simulation simulation = Runs.simulation(scenario)) {
             for (int i = 0; i < STEPS; i++) {
                 simulation.step();
             }
@@ -48,9 +48,8 @@ class MaterialChoiceTest {
 
     @Test
     void sternumStepsApartMoveNothingElse() {
-        try (Simulation apart = Simulation.of(Runs.scenario("material=published"), Runs.male());
-                Simulation whole =
-                        Simulation.of(Runs.scenario("material=paper", "tendon=plane", "integrator=rk2"), Runs.male())) {
+        try (Simulation apart = Runs.simulation(Runs.scenario("material=published"));
+                Simulation whole = Runs.simulation(Runs.scenario("material=paper", "tendon=plane", "integrator=rk2"))) {
             assertThat(apart.stepper().substeps()).isEqualTo(2);
             assertThat(apart.stepper().substeps() * apart.stepper().stepsApart())
                     .isEqualTo(whole.stepper().substeps());

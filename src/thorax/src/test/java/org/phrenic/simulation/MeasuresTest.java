@@ -35,7 +35,7 @@ class MeasuresTest {
 
     @BeforeAll
     static void make() {
-        simulation = Simulation.of(Runs.scenario("sternum=kinematic"), Runs.male());
+        simulation = Runs.simulation(Runs.scenario("sternum=kinematic"));
         Diaphragm sheet = Diaphragm.withTrefoilTendon(DomeSheet.adult(12));
         double[] noCrura = new double[sheet.sheet().vertexCount()];
         TissueLaw law = TissueLaw.membrane(300, 60);

@@ -31,7 +31,7 @@ class OrgansFollowTest {
 
     @BeforeAll
     static void make() {
-        simulation = Simulation.of(Runs.scenario("sternum=kinematic"), Runs.male());
+        simulation = Runs.simulation(Runs.scenario("sternum=kinematic"));
         scene = simulation.scene();
     }
 
@@ -70,7 +70,7 @@ class OrgansFollowTest {
     /** The lower right lobe goes 0.6 to 0.7 times as far as the dome (doi 10.1002/jmri.22418, 10 people). */
     @Test
     void inAQuietBreathTheLowerEdgeOfTheLiverGoesTwoThirdsAsFarAsTheDome() {
-        try (Simulation breath = Simulation.of(Runs.scenario(Runs.sheetAlone()), Runs.male())) {
+        try (Simulation breath = Runs.simulation(Runs.scenario(Runs.sheetAlone()))) {
             while (breath.time() < QuietBreathTest.INSPIRATION_S) {
                 breath.step();
             }

@@ -44,7 +44,7 @@ class PaperMaterialTest {
     @Test
     void itsOwnRungeKuttaSchemeIsBeyondItsLimitAndIsSplit() {
         Scenario scenario = Runs.scenario(paper("integrator=rk2"));
-        try (Simulation simulation = Simulation.of(scenario, Runs.male())) {
+        try (Simulation simulation = Runs.simulation(scenario)) {
             assertThat(simulation.stepper().substeps()).isGreaterThan(1);
             assertThat(simulation.stepper().limit().describe(IntegratorKind.RK2, 0.01))
                     .contains("0.01")
@@ -52,7 +52,7 @@ class PaperMaterialTest {
                     .contains("rk2");
         }
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> Simulation.of(scenario.with("step_policy=refuse"), Runs.male()))
+                .isThrownBy(() -> Runs.simulation(scenario.with("step_policy=refuse")))
                 .withMessageContaining("time step 0.0100000 s")
                 .withMessageContaining("stability limit 0.0")
                 .withMessageEndingWith("refused");

@@ -1,5 +1,9 @@
 package org.phrenic.simulation;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -10,6 +14,8 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.file.UnfinishedFiles;
+import org.phrenic.file.UserCache;
 import org.phrenic.mesh.edit.Remesher;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.scenario.Scenario;
@@ -24,9 +30,27 @@ public final class Runs {
     public static final String[] SHEET_ALONE = {"lungs=embedded", "sternum=kinematic"};
 
     private static final double SAMPLE_S = 0.05;
+    /** Settled scenes of this process, which have the bits of computed ones. */
+    private static final UserCache SETTLED = settled();
+
     private static final Map<String, Run> DONE = new ConcurrentHashMap<>();
 
     private Runs() {}
+
+    private static UserCache settled() {
+        try {
+            Path folder = Files.createTempDirectory("phrenic-settled");
+            UnfinishedFiles.add(folder);
+            return UserCache.in(folder, "tests");
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** The scene of a scenario with the coarse virtual adult male, which several tests settle once. */
+    public static Simulation simulation(Scenario scenario) {
+        return Simulation.of(scenario, male(), SETTLED);
+    }
 
     /** What was seen of a run, and what was in it. */
     record Run(List<Observation> seen, int nodes, int springs, int links, int attachments, int substeps) {
@@ -83,7 +107,7 @@ public final class Runs {
     }
 
     static Run run(double seconds, Scenario scenario, Thorax thorax) {
-        try (Simulation simulation = Simulation.of(scenario, thorax)) {
+        try (Simulation simulation = Simulation.of(scenario, thorax, SETTLED)) {
             SceneObserver observer = new SceneObserver(simulation.scene());
             List<Observation> seen = new ArrayList<>();
             seen.add(observer.observe(0));

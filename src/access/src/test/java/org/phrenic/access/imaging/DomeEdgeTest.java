@@ -22,7 +22,7 @@ import org.phrenic.simulation.observe.Surface;
 class DomeEdgeTest {
     private static final int DOME_RIGHT = Observation.COLUMNS.indexOf("dome_right_mm");
     private static final double INTERVAL_S = 0.5;
-    private static final double UNTIL_S = 4;
+    private static final double UNTIL_S = 2.1;
     /** Rows of the picture in a row of one with 512 rows for 400 mm. */
     private static final int FINE = 4;
 

@@ -153,7 +153,8 @@ class FluoroscopeTest {
     /** A source as high as the top of the right dome sees it on the middle row, before the breath and within it. */
     @Test
     void edgeOfTheDomeFollowsItsHeight() {
-        Scenario scenario = Scenario.defaults().with("resolution=low").with("preset=deep");
+        Scenario scenario =
+                Scenario.defaults().with("resolution=low", "lungs=embedded", "sternum=kinematic", "preset=deep");
         try (Simulation simulation = Simulation.of(scenario, SimulationRun.loadThorax(scenario))) {
             SceneSurfaces scene = new SceneSurfaces(simulation);
             Fluoroscope fluoroscope = new Fluoroscope(scene.surfaces(), 1);

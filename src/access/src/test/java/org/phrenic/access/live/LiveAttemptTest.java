@@ -55,7 +55,7 @@ class LiveAttemptTest {
     private static final long POLL_NS = 100_000;
 
     private static final String BODY =
-            "set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, lungs: embedded,"
+            "set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, mesh_vertices: 3000, lungs: embedded,"
                     + " sternum: kinematic}\nphases: 3\n"
                     + "target: {rest_mm: [-90, 0, 50], diameter_mm: 20}\n";
     private static final double[] ENTRY = {-38.9, -121.2, 26.6};

@@ -31,8 +31,10 @@ class FreeWaysTest {
 
     @BeforeAll
     static void breathe() {
-        RehearsalPlan plan =
-                RehearsalPlan.exercises().get(3).with(List.of("resolution=low", "preset=deep", "rate_per_min=20"));
+        RehearsalPlan plan = RehearsalPlan.exercises()
+                .get(3)
+                .with(List.of(
+                        "resolution=low", "lungs=embedded", "sternum=kinematic", "preset=deep", "rate_per_min=20"));
         try (Simulation simulation = Simulation.of(plan.scenario(), SimulationRun.loadThorax(plan.scenario()));
                 Workers workers = Workers.of(2)) {
             surfaces = SceneSurfaces.withOrgans(simulation);

@@ -25,7 +25,7 @@ class SessionTest {
     private static final long UNDISTURBED_MS = 2_000;
 
     private static final Scenario SMALL =
-            Scenario.defaults().with("resolution=low", "lungs=off", "sternum=off", "liver=false");
+            Scenario.defaults().with("resolution=low", "mesh_vertices=2000", "lungs=off", "sternum=off", "liver=false");
 
     @TempDir
     Path folder;
@@ -201,8 +201,10 @@ class SessionTest {
 
     @Test
     void ofTwoFilesThatAreOpenedInSuccessionTheSecondCounts() throws IOException {
-        Path first = Files.writeString(folder.resolve("first.yaml"), "name: first\nresolution: low\n");
-        Path second = Files.writeString(folder.resolve("second.yaml"), "name: second\nresolution: low\n");
+        Path first =
+                Files.writeString(folder.resolve("first.yaml"), "name: first\nresolution: low\nmesh_vertices: 2000\n");
+        Path second = Files.writeString(
+                folder.resolve("second.yaml"), "name: second\nresolution: low\nmesh_vertices: 2000\n");
         try (Session session = running()) {
             List<Path> opened = new ArrayList<>();
             EventThread.run(() -> {

@@ -48,7 +48,8 @@ class RenderLoopTest {
 
     @Test
     void aPickIsAnsweredThoughThereIsNoScene() throws Exception {
-        try (Session session = new Session(Scenario.defaults().with("resolution=low", "threads=1"))) {
+        try (Session session =
+                new Session(Scenario.defaults().with("resolution=low", "mesh_vertices=2000", "threads=1"))) {
             RenderLoop loop = new RenderLoop(session.live(), Optional::empty, new FirstPicture());
             loop.start();
             try {
@@ -65,7 +66,8 @@ class RenderLoopTest {
     @Test
     void aViewThatDrawsNothingAnyMoreSaysSo() throws Exception {
         FirstPicture never = new FirstPicture();
-        try (Session session = new Session(Scenario.defaults().with("resolution=low", "threads=1"))) {
+        try (Session session =
+                new Session(Scenario.defaults().with("resolution=low", "mesh_vertices=2000", "threads=1"))) {
             RenderLoop loop = new RenderLoop(session.live(), Optional::empty, never);
             loop.start();
             try {
@@ -91,7 +93,7 @@ class RenderLoopTest {
     /** A second scene may settle before the first has run. */
     @Test
     void anotherBodyAtRestIsShownInsteadOfTheOneBefore() throws Exception {
-        Scenario small = Scenario.defaults().with("resolution=low", "threads=1");
+        Scenario small = Scenario.defaults().with("resolution=low", "mesh_vertices=2000", "threads=1");
         BlockingQueue<RenderedFrame> pictures = new LinkedBlockingQueue<>();
         try (Session session = new Session(small)) {
             RenderLoop loop = new RenderLoop(session.live(), Optional::empty, new RenderLoop.Listener() {
@@ -156,7 +158,8 @@ class RenderLoopTest {
     @Test
     void meshesAreSentBeforeTheFirstPictureIsAskedFor() throws Exception {
         FirstPicture first = new FirstPicture();
-        try (Session session = new Session(Scenario.defaults().with("resolution=low", "threads=1"))) {
+        try (Session session =
+                new Session(Scenario.defaults().with("resolution=low", "mesh_vertices=2000", "threads=1"))) {
             CompletableFuture<LiveScene> body = new CompletableFuture<>();
             RenderLoop loop = new RenderLoop(
                     session.live(),

@@ -70,9 +70,9 @@ class StabilityStudyTest {
     void theThoraxHoldsItsBoundsAndComesToRestAfterSlidersWereThrown() {
         StabilityStudy study =
                 run(List.of("thorax-man-paper", "sliders-paper", "hour-paper"), 1e9, IntegratorKind.VERLET);
-        assertThat(study.cells()).allSatisfy(c -> assertThat(c.outcome())
+        assertThat(study.cells()).hasSize(3).allSatisfy(c -> assertThat(c.outcome())
                 .as(c.caseKey() + ": " + c.sentence())
-                .isNotEqualTo(Outcome.SILENT_FAILURE));
+                .isIn(Outcome.STABLE, Outcome.RECOVERED));
     }
 
     /** The default scene of each body, from rest to the end of inspiration. */

@@ -25,8 +25,8 @@ import org.phrenic.study.validation.Finding.Verdict;
 /** Breaths held against the table. */
 class ValidationTest {
     /** The sheet alone is stepped; a breath of one second is enough to see that numbers come out alike. */
-    private static final Scenario FAST =
-            Scenario.defaults().with("resolution=low", "lungs=embedded", "sternum=kinematic", "rate_per_min=60");
+    private static final Scenario FAST = Scenario.defaults()
+            .with("resolution=low", "mesh_vertices=3000", "lungs=embedded", "sternum=kinematic", "rate_per_min=60");
 
     private static ReferenceRange row(String preset, String body, double low, double high, Confidence confidence) {
         return new ReferenceRange(
@@ -186,8 +186,8 @@ class ValidationTest {
         assertThat(validation.bodies().get(0).findings())
                 .filteredOn(f -> f.range().key().matches("(order_|dome_(right|left)).*"))
                 .filteredOn(f -> f.range().preset().filter("quiet"::equals).isPresent())
+                .filteredOn(f -> f.range().body().filter("female"::equals).isEmpty())
                 .hasSizeGreaterThan(6)
-                .filteredOn(f -> f.verdict() == Verdict.OUT)
-                .isEmpty();
+                .allMatch(f -> f.verdict() == Verdict.WITHIN);
     }
 }

@@ -21,7 +21,7 @@ class GravityTest {
 
     /** Mean displacement of the sheet along an axis after gravity has come on, breath held at expiration, mm. */
     private static double sag(int axis, double tilt, double roll) {
-        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone("hold=true")), Runs.male())) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone("hold=true")))) {
             simulation.change(List.of(
                     Assignment.of("test", Gravity.ACCELERATION, EARTH),
                     Assignment.of("test", Gravity.TILT, tilt),
@@ -48,7 +48,7 @@ class GravityTest {
 
     @Test
     void theNodesCarryTheMassOfSheetAndLiver() {
-        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone("liver=true")), Runs.male())) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone("liver=true")))) {
             Scene scene = simulation.scene();
             int nodes = scene.layout().nodeCount();
             double sheet = Arrays.stream(Gravity.masses(scene.diaphragm(), null, nodes))
@@ -74,8 +74,8 @@ class GravityTest {
 
     @Test
     void withoutGravityThePostureChangesNoBit() {
-        try (Simulation standing = Simulation.of(Runs.scenario(Runs.sheetAlone()), Runs.male());
-                Simulation lying = Simulation.of(Runs.scenario(Runs.sheetAlone("gravity_tilt_deg=90")), Runs.male())) {
+        try (Simulation standing = Runs.simulation(Runs.scenario(Runs.sheetAlone()));
+                Simulation lying = Runs.simulation(Runs.scenario(Runs.sheetAlone("gravity_tilt_deg=90")))) {
             for (int i = 0; i < 20; i++) {
                 standing.step();
                 lying.step();

@@ -18,8 +18,8 @@ class TissueMassTest {
     void aLiveChangeOfTheMuscleGivesLungsTheMassesOfASceneAssembledWithIt() {
         Scenario usual = Scenario.defaults().with("resolution=low", "sternum=kinematic", "threads=1");
         String change = "muscle_stiffness_n_per_m=" + 0.5 * usual.get(SheetSprings.MUSCLE_STIFFNESS);
-        try (Simulation live = Simulation.of(usual, Runs.male());
-                Simulation assembled = Simulation.of(usual.with(change), Runs.male())) {
+        try (Simulation live = Runs.simulation(usual);
+                Simulation assembled = Runs.simulation(usual.with(change))) {
             live.change(Assignment.parse(change));
             while (live.time() < 1) {
                 live.step();
@@ -39,8 +39,7 @@ class TissueMassTest {
     @ParameterizedTest
     @ValueSource(doubles = {0, 5, 40})
     void dampingOverMassIsTheRateOfTheScenario(double rate) {
-        try (Simulation simulation =
-                Simulation.of(Runs.scenario(Runs.sheetAlone("damping_rate_per_s=" + rate)), Runs.male())) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone("damping_rate_per_s=" + rate)))) {
             ParticleSystem system = simulation.scene().system();
             assertThat(simulation.scene().diaphragm().relativeSize()).isEqualTo(1);
             for (int i = 0; i < system.nodeCount(); i++) {

@@ -44,7 +44,7 @@ class SceneSurfacesTest {
     @Test
     void inADeepBreathNoBoneComesThroughTheSkinTheBellyComesForwardAndTheBackStays() {
         try (Simulation simulation =
-                Simulation.of(Runs.scenario(Runs.sheetAlone("preset=deep", "rate_per_min=20")), Runs.male())) {
+                Runs.simulation(Runs.scenario(Runs.sheetAlone("preset=deep", "rate_per_min=20")))) {
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
             int skin = surfaces.surfaces().stream().map(Surface::kind).toList().indexOf(StructureKind.SKIN);
             List<TriangleMesh> rest = surfaces.meshes();
@@ -90,7 +90,7 @@ class SceneSurfacesTest {
     @Test
     void captureAllocatesNextToNothingAndAStepNothingAlsoWhileAChangeRampsIn() {
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        try (Simulation simulation = Simulation.of(Runs.scenario("threads=1"), Runs.male())) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario("threads=1"))) {
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
             Frame frame = surfaces.newFrame();
             for (int i = 0; i < 30; i++) {
@@ -131,8 +131,8 @@ class SceneSurfacesTest {
 
     @Test
     void overlaysShowWhatTheSceneIsMadeOf() {
-        try (Simulation physical = Simulation.of(Runs.scenario(), Runs.male());
-                Simulation paper = Simulation.of(Runs.scenario(Runs.sheetAlone("material=paper")), Runs.male())) {
+        try (Simulation physical = Runs.simulation(Runs.scenario());
+                Simulation paper = Runs.simulation(Runs.scenario(Runs.sheetAlone("material=paper")))) {
             int nodes = physical.system().nodeCount();
             Map<Overlay.Kind, Overlay> of = byKind(physical);
             assertThat(of).doesNotContainKey(Overlay.Kind.ACTION_LINES);

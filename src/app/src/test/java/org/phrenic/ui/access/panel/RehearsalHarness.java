@@ -15,11 +15,14 @@ import org.phrenic.ui.window.WindowHarness;
 /** A window under test whose clinician's rehearsal is open, on the virtual body at low resolution, breathing fast. */
 final class RehearsalHarness {
     /** Width and height of the pictures of a report, pixels. */
-    private static final int PICTURE_SIZE = 200;
+    private static final int PICTURE_SIZE = 100;
 
     private static final double ROUNDING_MM = 1e-6;
     /** Simulated time over real time: flat out, the run would take the processor from what a test waits for. */
     private static final double SPEED = 4;
+
+    /** Four times that of a hand: while the needle moves, the surfaces of the body are computed every 0.02 s. */
+    private static final double NEEDLE_MM_PER_S = 200;
 
     private final WindowHarness window;
 
@@ -30,6 +33,7 @@ final class RehearsalHarness {
                         "preset=rapid-shallow",
                         "rate_per_min=70",
                         "resolution=low",
+                        "mesh_vertices=3000",
                         "lungs=embedded",
                         "sternum=kinematic",
                         "threads=1");
@@ -39,6 +43,7 @@ final class RehearsalHarness {
             window.session().setSpeed(SPEED);
         });
         ready();
+        WindowHarness.doOnEdt(() -> rehearsal().needle().setSpeedMmPerS(NEEDLE_MM_PER_S));
     }
 
     WindowHarness window() {
@@ -80,7 +85,7 @@ final class RehearsalHarness {
         return Vectors.distanceToLine(now.target(), now.tip(), along) < ROUNDING_MM;
     }
 
-    /** Writes reports whose pictures take a tenth of the time of those that a user saves. */
+    /** Writes reports whose pictures take a fraction of the time of those that a user saves. */
     AttemptReportWriter smallPictures() {
         return new AttemptReportWriter(window.window().view(), PICTURE_SIZE);
     }

@@ -207,7 +207,8 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
     private static final String PROBE_PLAN =
             """
             title: Probe shown
-            set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, lungs: embedded, sternum: kinematic, threads: 1}
+            set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, mesh_vertices: 3000, lungs: embedded,
+              sternum: kinematic, threads: 1}
             target: {rest_mm: [%s], diameter_mm: 14}
             steps:
               - probe: {skin: right-subcostal, rotate_deg: 90, tilt_deg: 20, depth_mm: 280, gain_db: 10}

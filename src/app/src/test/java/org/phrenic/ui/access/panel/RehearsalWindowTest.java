@@ -325,8 +325,8 @@ class RehearsalWindowTest extends RehearsalProbeCases {
     void aBadPlanIsOneSentenceAndNothingIsLost() throws Exception {
         Path outside = Files.writeString(
                 folder.resolve("outside.yaml"),
-                "set: {preset: rapid-shallow, rate_per_min: 69, resolution: low, lungs: embedded, sternum: kinematic,"
-                        + " threads: 1}\n"
+                "set: {preset: rapid-shallow, rate_per_min: 69, resolution: low, mesh_vertices: 3000, lungs: embedded,"
+                        + " sternum: kinematic, threads: 1}\n"
                         + "target: {rest_mm: [200, 0, 0], diameter_mm: 20}\nsteps: []\n");
         Path wrong = Files.writeString(folder.resolve("wrong.yaml"), "target: {rest_mm: [1, 2]}\nsteps: []\n");
         int before = WindowHarness.onEdt(() -> attempts().attempts().size());
