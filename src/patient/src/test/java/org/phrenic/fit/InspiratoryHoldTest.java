@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.anatomy.MeshBudget;
+import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.scenario.Scenario;
@@ -16,6 +17,18 @@ import org.phrenic.simulation.SimulationRun;
 
 /** A breath that is held for a fit, on the sheet alone. */
 class InspiratoryHoldTest {
+    private static final Scenario SHEET_ALONE = Scenario.defaults()
+            .with(
+                    "preset=deep",
+                    "resolution=low",
+                    "mesh_vertices=3000",
+                    "lungs=off",
+                    "sternum=off",
+                    "liver=false",
+                    "rib_rotation=0");
+
+    private static final Thorax BODY = VirtualThorax.ofPreset("adult-male", new MeshBudget(3000));
+
     /**
      * Each material is observed when its held breath is near rest: the dome goes on by at most 2 % of its excursion
      * between the comparison of the search, at a third of the time, and the observation.
@@ -27,24 +40,14 @@ class InspiratoryHoldTest {
     })
     void aMaterialIsObservedWhenItIsNearRest(
             String material, String key, double value, double searchedAtS, double observedAtS) {
-        Scenario base = Scenario.defaults()
-                .with(
-                        "preset=deep",
-                        "resolution=low",
-                        "mesh_vertices=3000",
-                        "lungs=off",
-                        "sternum=off",
-                        "liver=false",
-                        "rib_rotation=0")
-                .with("material=" + material);
+        Scenario base = SHEET_ALONE.with("material=" + material);
         if (material.equals("paper")) {
             base = base.with("damping_ns_per_m=0.5");
         }
         assertThat(InspiratoryHold.searchedAtS(base)).isEqualTo(searchedAtS);
         assertThat(InspiratoryHold.observedAtS(base)).isEqualTo(observedAtS);
         FitParameter drive = FitParameter.of(Settings.parameter(key), base);
-        try (InspiratoryHold hold =
-                new InspiratoryHold(base, VirtualThorax.ofPreset("adult-male", new MeshBudget(3000)), List.of(drive))) {
+        try (InspiratoryHold hold = new InspiratoryHold(base, BODY, List.of(drive))) {
             assertThat(hold.breatheInForSearch(new double[] {value})).isEmpty();
             double early = hold.observed("dome_right_mm");
             assertThat(hold.breatheIn(new double[] {value})).isEmpty();
@@ -57,20 +60,10 @@ class InspiratoryHoldTest {
     /** The time is no multiple of this step: a run takes the step that reaches beyond it. */
     @Test
     void aRunOfTheFittedScenarioEndsInTheStateThatWasObserved() {
-        Scenario base = Scenario.defaults()
-                .with(
-                        "preset=deep",
-                        "resolution=low",
-                        "mesh_vertices=3000",
-                        "lungs=off",
-                        "sternum=off",
-                        "liver=false",
-                        "rib_rotation=0")
-                .with("time_step_s=0.006");
+        Scenario base = SHEET_ALONE.with("time_step_s=0.006");
         List<FitParameter> parameters = List.of(FitParameter.of(Settings.parameter("muscle_activation"), base));
         double[] values = {0.6};
-        try (InspiratoryHold hold =
-                new InspiratoryHold(base, VirtualThorax.ofPreset("adult-male", new MeshBudget(3000)), parameters)) {
+        try (InspiratoryHold hold = new InspiratoryHold(base, BODY, parameters)) {
             assertThat(hold.breatheIn(values)).isEmpty();
             assertThat(SimulationRun.run(
                             InspiratoryHold.scenario(base, parameters, values), null, (at, of, perS) -> {}))

@@ -1,5 +1,10 @@
 package org.phrenic.patient;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.Map;
 import java.util.function.IntUnaryOperator;
@@ -30,6 +35,14 @@ public final class ScanSamples {
             labels[v] = (byte) (right || left ? LUNGS : liver ? LIVER : 0);
         }
         return labels;
+    }
+
+    /** Writes them as a MetaImage. */
+    public static void writeMha(Path file) throws IOException {
+        String header = "ObjectType = Image\nNDims = 3\nDimSize = " + COLUMNS + " " + ROWS + " " + SLICES
+                + "\nElementSpacing = 4 4 4\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
+        Files.write(file, header.getBytes(StandardCharsets.US_ASCII));
+        Files.write(file, voxels(), StandardOpenOption.APPEND);
     }
 
     private static boolean within(int i, int j, int k, int ci, int cj, int ck, double a, double b, double c) {

@@ -106,9 +106,7 @@ final class SliderRow extends SettingRow {
         }
         double typed = number.getAsDouble();
         double taken = Math.max(scale.minimum(), Math.min(scale.maximum(), typed));
-        String end = (taken < typed ? "the largest, " : "the smallest, ") + NumberFormats.withUnit(taken, unit);
-        String message = NumberFormats.withUnit(typed, unit) + " is out of range; " + end + ", is taken.";
-        take(taken, taken == typed ? "" : message);
+        take(taken, taken == typed ? "" : NumberFormats.outOfRange(typed, taken, unit));
     }
 
     /** Sets and sends a value, which is undone on its own. */

@@ -64,6 +64,12 @@ public final class NumberFormats {
         return format(value) + unitSuffix(unit);
     }
 
+    /** Says which end of a range is taken instead of a typed value beyond it. */
+    public static String outOfRange(double typed, double taken, String unit) {
+        return withUnit(typed, unit) + " is out of range; " + (taken < typed ? "the largest, " : "the smallest, ")
+                + withUnit(taken, unit) + ", is taken.";
+    }
+
     /** A space and the unit; empty for {@code 1}. */
     public static String unitSuffix(String unit) {
         return unit.equals("1") ? "" : " " + unit;

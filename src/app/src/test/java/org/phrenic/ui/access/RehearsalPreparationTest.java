@@ -51,27 +51,19 @@ class RehearsalPreparationTest {
         }
     }
 
-    @Test
-    void anExerciseThatIsChosenTakesTheMapOfTheFormerTargetOffTheSkin() {
-        List<Surface> box = surfaces();
-        AccessMapField former = new AccessMapField(box, map(box));
-        RehearsalPlan exercise = RehearsalPlan.exercises().get(0).with(LOW);
+    /** What is done to a rehearsal before its first scene has come. */
+    private interface Doing {
+        void with(Session session, AppearanceModel appearance, RehearsalController rehearsal);
+    }
+
+    private static void rehearse(Doing what) {
         EventThread.run(() -> {
             Session session = new Session(Scenario.defaults().with("resolution=low"));
             AppearanceModel appearance = new AppearanceModel();
             SceneViewport view = new SceneViewport(session, appearance);
             RehearsalController rehearsal = new RehearsalController(session, appearance, view);
             try {
-                rehearsal.colours = Optional.of(former);
-                appearance.changeStyle(style -> style.withClip(Optional.of(ClipPlane.axial(0))));
-                rehearsal.showBody();
-                assertThat(appearance.style().clip()).as("the whole skin").isEmpty();
-                assertThat(appearance.style().field()).isEqualTo(ColourField.ACCESS);
-                rehearsal.open(exercise);
-                assertThat(appearance.style().field()).isNotEqualTo(ColourField.ACCESS);
-                assertThat(appearance.style().clip()).as("the whole body").isEmpty();
-                assertThat(appearance.chosenStyle().clip()).as("for tuning").isPresent();
-                assertThat(rehearsal.study()).isEmpty();
+                what.with(session, appearance, rehearsal);
             } finally {
                 rehearsal.shutdown();
                 view.close();
@@ -80,24 +72,33 @@ class RehearsalPreparationTest {
         });
     }
 
+    @Test
+    void anExerciseThatIsChosenTakesTheMapOfTheFormerTargetOffTheSkin() {
+        List<Surface> box = surfaces();
+        AccessMapField former = new AccessMapField(box, map(box));
+        RehearsalPlan exercise = RehearsalPlan.exercises().get(0).with(LOW);
+        rehearse((session, appearance, rehearsal) -> {
+            rehearsal.colours = Optional.of(former);
+            appearance.changeStyle(style -> style.withClip(Optional.of(ClipPlane.axial(0))));
+            rehearsal.showBody();
+            assertThat(appearance.style().clip()).as("the whole skin").isEmpty();
+            assertThat(appearance.style().field()).isEqualTo(ColourField.ACCESS);
+            rehearsal.open(exercise);
+            assertThat(appearance.style().field()).isNotEqualTo(ColourField.ACCESS);
+            assertThat(appearance.style().clip()).as("the whole body").isEmpty();
+            assertThat(appearance.chosenStyle().clip()).as("for tuning").isPresent();
+            assertThat(rehearsal.study()).isEmpty();
+        });
+    }
+
     /** A breath is recorded flat out until another body is asked for. */
     @Test
     void theSpeedIsThatOfTheUserWhileABodyIsWaitedFor() {
         RehearsalPlan exercise = RehearsalPlan.exercises().get(0).with(LOW);
-        EventThread.run(() -> {
-            Session session = new Session(Scenario.defaults().with("resolution=low"));
-            AppearanceModel appearance = new AppearanceModel();
-            SceneViewport view = new SceneViewport(session, appearance);
-            RehearsalController rehearsal = new RehearsalController(session, appearance, view);
-            try {
-                session.live().setSpeed(Double.POSITIVE_INFINITY);
-                rehearsal.open(exercise);
-                assertThat(session.live().isFlatOut()).isFalse();
-            } finally {
-                rehearsal.shutdown();
-                view.close();
-                session.close();
-            }
+        rehearse((session, appearance, rehearsal) -> {
+            session.live().setSpeed(Double.POSITIVE_INFINITY);
+            rehearsal.open(exercise);
+            assertThat(session.live().isFlatOut()).isFalse();
         });
     }
 }

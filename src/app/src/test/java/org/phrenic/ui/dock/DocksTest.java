@@ -521,17 +521,22 @@ class DocksTest {
         EventThread.until("it has breathed", () -> session.live().status().timeS() > from + seconds);
     }
 
-    /** Breaths take 1.5 s: after 3.5 s one has been whole. */
-    @Test
-    void theBreathThatIsLeftStaysInThePlotAndIsComparedWithThePresentOne(@TempDir Path folder) {
-        ScenarioStore store = new ScenarioStore(folder);
+    /** Two settings of which the second, the present one, is deeper. */
+    private static SettingsDock withShallowAndDeeper(Path folder, PlotDock plots) {
         String[] name = {"shallow"};
-        PlotDock plots = on(() -> new PlotDock(session));
-        SettingsDock dock = on(() -> settings(store, name, question -> false, plots));
+        SettingsDock dock = on(() -> settings(new ScenarioStore(folder), name, question -> false, plots));
         EventThread.run(dock::save);
         EventThread.run(() -> session.change("Depth", Assignment.read("test", "depth", "1.3")));
         name[0] = "deeper";
         EventThread.run(dock::save);
+        return dock;
+    }
+
+    /** Breaths take 1.5 s: after 3.5 s one has been whole. */
+    @Test
+    void theBreathThatIsLeftStaysInThePlotAndIsComparedWithThePresentOne(@TempDir Path folder) {
+        PlotDock plots = on(() -> new PlotDock(session));
+        SettingsDock dock = withShallowAndDeeper(folder, plots);
         assertThat(on(() -> dock.firstChoice().getSelectedItem())).isEqualTo("shallow");
         assertThat(on(() -> dock.secondChoice().getSelectedItem())).isEqualTo("deeper");
         EventThread.run(dock::swap);
@@ -559,14 +564,8 @@ class DocksTest {
 
     @Test
     void theBreathThatIsLeftHasNoNameOfSettingsThatWereLeftBefore(@TempDir Path folder) {
-        ScenarioStore store = new ScenarioStore(folder);
-        String[] name = {"shallow"};
         PlotDock plots = on(() -> new PlotDock(session));
-        SettingsDock dock = on(() -> settings(store, name, question -> false, plots));
-        EventThread.run(dock::save);
-        EventThread.run(() -> session.change("Depth", Assignment.read("test", "depth", "1.3")));
-        name[0] = "deeper";
-        EventThread.run(dock::save);
+        SettingsDock dock = withShallowAndDeeper(folder, plots);
         EventThread.run(dock::swap);
         EventThread.run(() -> session.change("Depth", Assignment.read("test", "depth", "1.2")));
         EventThread.until(

@@ -2,7 +2,6 @@ package org.phrenic.ui.scan;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.Window;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -42,15 +41,11 @@ class ImportSummaryDialogTest {
                     new ImportResult(
                             "scan.mha", Optional.empty(), body, Optional.empty(), quality, Optional.empty(), List.of()),
                     rehearse);
-            return Stream.of(Window.getWindows())
-                    .filter(w -> w.isVisible() && "import.summary".equals(w.getName()))
-                    .map(JDialog.class::cast)
-                    .findFirst()
-                    .orElseThrow();
+            return WindowHarness.dialog("import.summary").orElseThrow();
         });
     }
 
-    private static PatientStructure structure(StructureKind kind, String name) {
+    static PatientStructure structure(StructureKind kind, String name) {
         TriangleMesh mesh = new TriangleMesh(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2});
         return new PatientStructure(
                 new Structure(name, kind, 0, Side.MIDLINE, mesh),

@@ -2,29 +2,19 @@ package org.phrenic.ui.scan;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.Window;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
 import javax.swing.JButton;
-import javax.swing.JDialog;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.anatomy.Resolution;
-import org.phrenic.anatomy.Side;
-import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.patient.PatientBody;
-import org.phrenic.patient.PatientStructure;
 import org.phrenic.patient.ScanSamples;
 import org.phrenic.patient.pipeline.ImportResult;
 import org.phrenic.scenario.Scenario;
@@ -62,38 +52,26 @@ class ScanImporterTest {
     private static ImportResult result() {
         PatientBody body = new PatientBody(
                 "scanned",
-                List.of(structure(StructureKind.DIAPHRAGM, "diaphragm"), structure(StructureKind.RIB, "rib_07_R")),
+                List.of(
+                        ImportSummaryDialogTest.structure(StructureKind.DIAPHRAGM, "diaphragm"),
+                        ImportSummaryDialogTest.structure(StructureKind.RIB, "rib_07_R")),
                 List.of("sternum"),
                 List.of());
         return new ImportResult(
                 "scan.mha", Optional.empty(), body, Optional.empty(), Optional.empty(), Optional.empty(), List.of());
     }
 
-    private static PatientStructure structure(StructureKind kind, String name) {
-        TriangleMesh mesh = new TriangleMesh(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2});
-        return new PatientStructure(
-                new Structure(name, kind, 0, Side.MIDLINE, mesh),
-                PatientStructure.Source.VIRTUAL,
-                Optional.empty(),
-                Optional.empty());
-    }
-
     /** Ends an import beside a session, and presses Rehearse in its summary. */
     private void rehearse(Session session) {
         EventThread.run(() -> {
             new ScanImporter(null, session, new Shown(), opened::add).finish(folder, result());
-            WindowHarness.find(dialog("import.summary").getRootPane(), JButton.class, "Rehearse")
+            WindowHarness.find(
+                            WindowHarness.dialog("import.summary").orElseThrow().getRootPane(),
+                            JButton.class,
+                            "Rehearse")
                     .orElseThrow()
                     .doClick();
         });
-    }
-
-    private static JDialog dialog(String name) {
-        return Stream.of(Window.getWindows())
-                .filter(w -> w.isVisible() && name.equals(w.getName()))
-                .map(JDialog.class::cast)
-                .findFirst()
-                .orElseThrow();
     }
 
     /** Its loading may have been cancelled, and another body opened, since the import. */
@@ -116,10 +94,7 @@ class ScanImporterTest {
     @Test
     void theAnswersForAnImportThatHasToWaitAreShownAgain() throws IOException {
         Path scan = folder.resolve("scan.mha");
-        String header = "ObjectType = Image\nNDims = 3\nDimSize = " + ScanSamples.COLUMNS + " " + ScanSamples.ROWS + " "
-                + ScanSamples.SLICES + "\nElementSpacing = 4 4 4\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
-        Files.write(scan, header.getBytes(StandardCharsets.US_ASCII));
-        Files.write(scan, ScanSamples.voxels(), StandardOpenOption.APPEND);
+        ScanSamples.writeMha(scan);
         ScanLabels labels = ScanLabels.read(scan, VirtualThorax.ofPreset("adult-male", Resolution.LOW));
         try (Session session = EventThread.get(() -> new Session(SMALL))) {
             EventThread.run(() -> {
@@ -127,7 +102,7 @@ class ScanImporterTest {
                 importer.begin(scan);
                 importer.run(scan, new ScanImportDialog(scan, labels), null);
                 importer.cancel();
-                dialog("import").dispose();
+                WindowHarness.dialog("import").orElseThrow().dispose();
             });
         }
     }

@@ -10,6 +10,7 @@ import java.awt.EventQueue;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Toolkit;
+import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
@@ -28,8 +29,10 @@ import java.util.concurrent.FutureTask;
 import java.util.function.BooleanSupplier;
 import java.util.prefs.BackingStoreException;
 import java.util.prefs.Preferences;
+import java.util.stream.Stream;
 import javax.accessibility.Accessible;
 import javax.imageio.ImageIO;
+import javax.swing.JDialog;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import org.phrenic.scenario.Scenario;
@@ -156,6 +159,14 @@ public final class WindowHarness implements AutoCloseable {
     public <C extends Component> C control(Class<C> kind, String accessibleName) {
         return onEdt(() -> find(window.frame().getRootPane(), kind, accessibleName)
                 .orElseThrow(() -> new AssertionError("no " + kind.getSimpleName() + " named " + accessibleName)));
+    }
+
+    /** The dialog of this name that is shown. */
+    public static Optional<JDialog> dialog(String name) {
+        return Stream.of(Window.getWindows())
+                .filter(window -> window.isVisible() && name.equals(window.getName()))
+                .map(JDialog.class::cast)
+                .findFirst();
     }
 
     /** The first control of this kind and accessible name in a part of a window. */

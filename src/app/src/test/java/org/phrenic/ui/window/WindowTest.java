@@ -10,10 +10,8 @@ import java.awt.Window;
 import java.awt.datatransfer.Transferable;
 import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -21,7 +19,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
@@ -384,10 +381,7 @@ class WindowTest {
     @Test
     void aDroppedLabelVolumeIsImportedWithTheLabelsThatAreChosen() throws Exception {
         Path scan = folder.resolve("scan.mha");
-        String header = "ObjectType = Image\nNDims = 3\nDimSize = " + ScanSamples.COLUMNS + " " + ScanSamples.ROWS + " "
-                + ScanSamples.SLICES + "\nElementSpacing = 4 4 4\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n";
-        Files.write(scan, header.getBytes(StandardCharsets.US_ASCII));
-        Files.write(scan, ScanSamples.voxels(), StandardOpenOption.APPEND);
+        ScanSamples.writeMha(scan);
         drop(scan);
         JDialog dialog = dialog("import");
         JButton start = dialog.getRootPane().getDefaultButton();
@@ -418,12 +412,9 @@ class WindowTest {
 
     /** Waits for a dialog of this name. */
     private static JDialog dialog(String name) throws InterruptedException {
-        Supplier<Optional<JDialog>> shown = () -> Stream.of(Window.getWindows())
-                .filter(w -> w.isVisible() && name.equals(w.getName()))
-                .map(JDialog.class::cast)
-                .findFirst();
-        WindowHarness.await("the dialog " + name, () -> shown.get().isPresent());
-        return shown.get().orElseThrow();
+        WindowHarness.await(
+                "the dialog " + name, () -> WindowHarness.dialog(name).isPresent());
+        return WindowHarness.dialog(name).orElseThrow();
     }
 
     /** A picture that fails, as one of a scene that is being replaced may, leaves the view as it is. */

@@ -33,19 +33,9 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
          */
         DOMES("the domes", "T8 and T9", new double[] {8, 9}, new double[] {11.5, 12}, 0.2),
         /** The same, with the upper surface of the organs below a lung whose base lies far above them. */
-        ORGANS(
-                "the domes, by the organs below a lung that ends far above them,",
-                "T8 and T9",
-                new double[] {8, 9},
-                new double[] {11.5, 12},
-                0.2),
+        ORGANS("the domes, by the organs below a lung that ends far above them,", DOMES, 0.2),
         /** The same in a scan without bones, against the spine that the costal surfaces of the lungs imply. */
-        SHAPE(
-                "the domes, by the shape of the lungs alone,",
-                "T8 and T9",
-                new double[] {8, 9},
-                new double[] {11.5, 12},
-                0.3),
+        SHAPE("the domes, by the shape of the lungs alone,", DOMES, 0.3),
         /**
          * Lowest points of the lungs, in a scan that ends below the domes: beside the spine at rib 10 at
          * end-expiration, two ribs lower at full inspiration.
@@ -65,6 +55,11 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
             this.expired = expired;
             this.inspired = inspired;
             this.clearlyInspired = clearlyInspired;
+        }
+
+        /** A mark with the levels of another. */
+        Mark(String name, Mark other, double clearlyInspired) {
+            this(name, other.atExpiration, other.expired, other.inspired, clearlyInspired);
         }
     }
 
@@ -103,15 +98,15 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
         if (spine.size() < 2 || (bones < LEAST_BONES && !showsWholeLungs(scanned))) {
             return Optional.empty();
         }
-        double[] domes = {dome(scanned, completed, Side.RIGHT, spine), dome(scanned, completed, Side.LEFT, spine)};
+        List<LungBase> right = bases(scanned, completed, Side.RIGHT);
+        List<LungBase> left = bases(scanned, completed, Side.LEFT);
+        double[] domes = {dome(right, scanned, Side.RIGHT, spine), dome(left, scanned, Side.LEFT, spine)};
         if (bones < LEAST_BONES) {
             return measured(Mark.SHAPE, domes, spine).filter(BreathLevel::isInspired);
         }
         double[] borders = {border(scanned, Side.RIGHT), border(scanned, Side.LEFT)};
         double[] ends = {lowerEnd(scanned, Side.RIGHT), lowerEnd(scanned, Side.LEFT)};
-        boolean parted = Stream.of(Side.RIGHT, Side.LEFT)
-                .flatMap(side -> bases(scanned, completed, side).stream())
-                .anyMatch(base -> !base.liesOnDiaphragm());
+        boolean parted = Stream.concat(right.stream(), left.stream()).anyMatch(base -> !base.liesOnDiaphragm());
         return measured(parted ? Mark.ORGANS : Mark.DOMES, domes, spine)
                 .or(() -> measured(Mark.LOWER_BORDERS, borders, spine))
                 .or(() -> measured(Mark.DOMES, new double[] {topOfLiver(scanned), Double.NaN}, spine))
@@ -170,13 +165,13 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
      * Height of the dome of a lung that the scan shows, else NaN. A scan that ends in the recess, well below the dome,
      * shows it; one that ends in the lung leaves a flat face there.
      */
-    private static double dome(PatientBody scanned, PatientBody completed, Side side, List<double[]> spine) {
+    private static double dome(List<LungBase> bases, PatientBody scanned, Side side, List<double[]> spine) {
         double upperEnd = lobes(scanned, side).stream()
                 .mapToDouble(s -> s.mesh().bounds()[5])
                 .max()
                 .orElse(Double.NEGATIVE_INFINITY);
         boolean cut = isCutBelow(scanned, side);
-        return bases(scanned, completed, side).stream()
+        return bases.stream()
                 .mapToDouble(LungBase::dome)
                 .filter(top -> top < upperEnd - ABOVE_DOMES_MM)
                 .filter(top ->

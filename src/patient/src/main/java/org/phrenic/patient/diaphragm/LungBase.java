@@ -119,7 +119,7 @@ final class LungBase {
         }
         organs.flatMap(below -> roofIfParted(lung, below))
                 .filter(roof ->
-                        all.filter(with -> roofIfParted(lung, with).isEmpty()).isEmpty())
+                        all.stream().allMatch(with -> roofIfParted(lung, with).isPresent()))
                 .ifPresent(roof -> {
                     partedMm = top - roof;
                     top = roof;

@@ -59,8 +59,7 @@ final class LabelWords {
      * but, for one, its lymph nodes. A name that has Latin letters as well is taken by these.
      */
     static boolean isPartlyKnown(String name) {
-        String rest = UNSPACED.stream().reduce(name, (text, word) -> text.replace(word, ""));
-        return !LATIN.matcher(name).find() && IDEOGRAPH.matcher(rest).find();
+        return !LATIN.matcher(name).find() && IDEOGRAPH.matcher(english(name)).find();
     }
 
     /** A name in lower case in which known words of other languages are English ones. */

@@ -35,8 +35,7 @@ final class DiameterFormatter extends JFormattedTextField.AbstractFormatter {
         double mm = typed.getAsDouble();
         int taken = (int) Math.round(Math.max(smallestMm, Math.min(largestMm, mm)));
         if (mm < smallestMm || mm > largestMm) {
-            String end = taken == largestMm ? "the largest, " : "the smallest, ";
-            message.accept(NumberFormats.withUnit(mm, UNIT) + " is out of range; " + end + taken + " mm, is taken.");
+            message.accept(NumberFormats.outOfRange(mm, taken, UNIT));
         }
         return taken;
     }

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.IntConsumer;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
@@ -24,9 +23,6 @@ import org.phrenic.mesh.voxel.LabelGrid;
  * segment numbers, names are segment labels, or their coded types where these are mere numbers.
  */
 final class DicomSegmentation {
-    /** Labels that programs give to segments without a name: Segment 1, Seg_2, 3. */
-    static final Pattern NUMBERED = Pattern.compile("(?i)(segment|seg|label)?[ _.-]*\\d*");
-
     private final DicomDataSet image;
     private final DicomPixels pixels;
     private final FunctionalGroups groups;
@@ -95,7 +91,7 @@ final class DicomSegmentation {
     /** The label of a segment; the meaning of its type, with its side, where the label is no more than a number. */
     private static String name(DicomDataSet segment) {
         String label = segment.text(DicomTag.SEGMENT_LABEL, "");
-        if (!NUMBERED.matcher(label).matches()) {
+        if (!LabelVolume.isNumber(label)) {
             return label;
         }
         String meaning = segment.items(DicomTag.SEGMENTED_PROPERTY_TYPE_CODE_SEQUENCE).stream()

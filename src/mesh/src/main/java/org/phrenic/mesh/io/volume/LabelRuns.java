@@ -69,7 +69,7 @@ record LabelRuns(Path file, int[] size, double[] toMm, List<Runs> structures, Li
                 : "";
         List<String> names = Arrays.stream(labels)
                 .mapToObj(label -> volume.names().getOrDefault(label, ""))
-                .map(own -> labels.length == 1 && isNumbered(own) ? name : own)
+                .map(own -> labels.length == 1 && LabelVolume.isNumber(own) ? name : own)
                 .toList();
         return new LabelRuns(
                 file,
@@ -78,11 +78,6 @@ record LabelRuns(Path file, int[] size, double[] toMm, List<Runs> structures, Li
                 runs(grid, labels),
                 names,
                 volume.notes());
-    }
-
-    /** Whether the name of a label is no more than a number, so that the file's says more. */
-    private static boolean isNumbered(String name) {
-        return DicomSegmentation.NUMBERED.matcher(name).matches();
     }
 
     private static List<Runs> runs(LabelGrid grid, int[] labels) {

@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
@@ -14,6 +15,8 @@ import org.phrenic.mesh.voxel.LabelGrid;
  * @param notes assumptions about missing information, one sentence each
  */
 public record LabelVolume(LabelGrid grid, Map<Integer, String> names, List<String> notes) {
+    private static final Pattern NUMBER = Pattern.compile("(?i)(segment|seg|label)?[ _.-]*\\d*");
+
     public LabelVolume {
         names = Collections.unmodifiableMap(new TreeMap<>(names));
         notes = List.copyOf(notes);
@@ -21,6 +24,6 @@ public record LabelVolume(LabelGrid grid, Map<Integer, String> names, List<Strin
 
     /** Whether a name is a mere number, as programs give to labels without a name: Segment 1, Label 2, 3. */
     public static boolean isNumber(String name) {
-        return DicomSegmentation.NUMBERED.matcher(name).matches();
+        return NUMBER.matcher(name).matches();
     }
 }
