@@ -33,8 +33,9 @@ public final class SkinEnvelope {
     private SkinEnvelope() {}
 
     /**
-     * Returns the body with a skin around it. A skin of the scan is kept if it reaches as high and as low as the ribs;
-     * otherwise the envelope contains it. A body without ribs is returned as it is.
+     * Returns the body with a skin around it. A skin of the scan is kept if it reaches as high and as low as the ribs
+     * and farther than they to every side, unlike that of a field of view narrower than the completed cage; otherwise
+     * the envelope contains it. A body without ribs is returned as it is.
      */
     public static PatientBody complete(PatientBody body) {
         List<Structure> inside = new ArrayList<>();
@@ -67,7 +68,8 @@ public final class SkinEnvelope {
     }
 
     private static boolean contains(double[] skin, double[] ribs) {
-        return skin[2] < ribs[2] + WALL_MM && skin[5] > ribs[5] - WALL_MM;
+        boolean around = skin[0] < ribs[0] && skin[3] > ribs[3] && skin[1] < ribs[1] && skin[4] > ribs[4];
+        return around && skin[2] < ribs[2] + WALL_MM && skin[5] > ribs[5] - WALL_MM;
     }
 
     /** The surface moved inward by the thickness of the wall. */

@@ -11,11 +11,12 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.LevelClip;
 import org.phrenic.mesh.query.TriangleTree;
+import org.phrenic.patient.label.LabelTable;
 
 /**
  * What the skin of the trunk encloses: everything but the limbs and the head. Of the bone at the root of a limb it is
- * the part within {@value #ROOT_MM} mm of the bone of the trunk that carries it: an arm beside the trunk would widen
- * the skin of the flank.
+ * the part within {@value #ROOT_MM} mm of the bone of the trunk that carries it, of bones under one label the part so
+ * near to the rest of the trunk: an arm beside the trunk would widen the skin of the flank.
  */
 final class TrunkParts {
     private static final double ROOT_MM = 40;
@@ -45,30 +46,50 @@ final class TrunkParts {
             "eye",
             "mandible");
 
+    /** Words of a name that tell a side. */
+    private static final Set<String> SIDES = Set.of("left", "right");
+
+    private static final String ALL_BONES = OrganNames.words(LabelTable.ALL_BONES);
+
     private TrunkParts() {}
 
     /** The structures of the trunk and the roots of the limbs. */
     static List<Structure> of(List<Structure> body) {
-        List<Structure> parts = new ArrayList<>();
+        List<Structure> trunk = body.stream()
+                .filter(s -> !CARRIERS.containsKey(firstWord(s)) && !OUTSIDE.contains(firstWord(s)) && !isAllBones(s))
+                .toList();
+        List<Structure> parts = new ArrayList<>(trunk);
         for (Structure s : body) {
-            String word = firstWord(s);
-            if (CARRIERS.containsKey(word)) {
-                root(s, CARRIERS.get(word), body).ifPresent(parts::add);
-            } else if (!OUTSIDE.contains(word)) {
-                parts.add(s);
+            if (isAllBones(s)) {
+                near(s, trunk).ifPresent(parts::add);
+            } else if (CARRIERS.containsKey(firstWord(s))) {
+                near(s, named(CARRIERS.get(firstWord(s)), body)).ifPresent(parts::add);
             }
         }
         return parts;
     }
 
-    private static String firstWord(Structure s) {
-        return OrganNames.words(s.name()).split(" ", 2)[0];
+    private static boolean isAllBones(Structure s) {
+        return OrganNames.words(s.name()).equals(ALL_BONES);
     }
 
-    private static Optional<Structure> root(Structure limb, String carrier, List<Structure> body) {
+    private static List<Structure> named(String word, List<Structure> body) {
+        return body.stream().filter(s -> firstWord(s).equals(word)).toList();
+    }
+
+    /** First word of a name that tells no side. */
+    private static String firstWord(Structure s) {
+        return Arrays.stream(OrganNames.words(s.name()).split(" "))
+                .filter(word -> !SIDES.contains(word))
+                .findFirst()
+                .orElse("");
+    }
+
+    /** The part of a structure near others; empty if there is none. */
+    private static Optional<Structure> near(Structure limb, List<Structure> carriers) {
         double[] values = new double[limb.mesh().vertexCount()];
         Arrays.fill(values, -ROOT_MM);
-        body.stream().filter(s -> firstWord(s).equals(carrier)).forEach(bone -> {
+        carriers.forEach(bone -> {
             double[] distances =
                     new TriangleTree(bone.mesh()).distances(limb.mesh().positions());
             Arrays.setAll(values, v -> Math.max(values[v], ROOT_MM - distances[v]));

@@ -89,6 +89,8 @@ class SkinEnvelopeTest {
         TriangleMesh skin = SkinEnvelope.around(withArm);
         withArm.add(new Structure("humerus_R", StructureKind.BONE, 0, Side.RIGHT, shaft));
         withArm.add(new Structure("other_radius_right", StructureKind.OTHER, 0, Side.MIDLINE, shaft));
+        withArm.add(new Structure("other_right_ulna", StructureKind.OTHER, 0, Side.MIDLINE, shaft));
+        withArm.add(new Structure("bone_skeleton", StructureKind.BONE, 0, Side.MIDLINE, shaft));
         SurfaceDistance distance = new SurfaceDistance(SkinEnvelope.around(withArm));
         double top = shaft.bounds()[5];
         assertThat(distance.signedDistance(new double[] {x, y, top - 5})[0])
@@ -151,5 +153,33 @@ class SkinEnvelopeTest {
         assertThat(grown.bounds()[5]).isGreaterThan(own.bounds()[5] - 60);
         double waist = own.bounds()[3] - own.bounds()[0];
         assertThat(grown.bounds()[3] - grown.bounds()[0]).isCloseTo(waist, within(0.15 * waist));
+    }
+
+    /** A field of view that ends 20 mm within the ribs of the right side; the ribs themselves are completed. */
+    @Test
+    void theSkinOfANarrowFieldOfViewIsGrownAroundTheRibsOutsideIt() {
+        PatientBody whole = body(PatientStructure.Source.SCAN);
+        TriangleMesh own = skin(whole);
+        double[] ribs = PatientBody.bounds(whole.structures().stream()
+                        .map(PatientStructure::structure)
+                        .filter(s -> s.kind() == StructureKind.RIB))
+                .orElseThrow();
+        double[] p = own.positions().clone();
+        for (int x = 0; x < p.length; x += 3) {
+            p[x] = Math.max(p[x], ribs[0] + 20);
+        }
+        List<PatientStructure> narrow = whole.structures().stream()
+                .map(s -> s.structure().kind() == StructureKind.SKIN
+                        ? s.withStructure(s.structure().withMesh(own.withPositions(p)))
+                        : s)
+                .toList();
+        PatientBody grown = SkinEnvelope.complete(new PatientBody("body", narrow, List.of(), List.of()));
+        SurfaceDistance distance = new SurfaceDistance(skin(grown));
+        for (Structure s : grown.thorax().structuresOf(StructureKind.RIB)) {
+            assertThat(Arrays.stream(distance.signedDistance(s.mesh().positions())))
+                    .as(s.name())
+                    .allMatch(d -> d < -8);
+        }
+        assertThat(skin(grown).bounds()[3]).isCloseTo(own.bounds()[3], within(10.0));
     }
 }

@@ -1,6 +1,7 @@
 package org.phrenic.patient.segmentation;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
@@ -11,12 +12,15 @@ import org.phrenic.patient.label.LabelTable;
 
 /**
  * Splits costal cartilages that share one label. Each voxel is assigned to the rib with the shortest voxel path through
- * cartilage.
+ * cartilage; paths begin at the cartilage within {@value #GAP} voxels and {@value #GAP_MM} mm, or one voxel, of a rib,
+ * of several ribs the nearest.
  */
 public final class CartilageSplitter {
     private static final int CARTILAGES = 10;
-    /** Maximum gap between rib and cartilage, in voxels. */
+    /** Maximum gap between rib and cartilage along each direction of the grid, in voxels. */
     private static final int GAP = 2;
+    /** The same in mm, where voxels are smaller than this. */
+    private static final double GAP_MM = 8;
     /** Share of the cartilage left out from which a note is made. */
     private static final double NOTED_SHARE = 0.01;
     /** Largest distance of a loose piece of cartilage from its rib, mm. */
@@ -43,9 +47,10 @@ public final class CartilageSplitter {
         VoxelRegion region = new VoxelRegion(segmentation, all);
         byte[] marks = new byte[region.cells()];
         BitSet specks = specks(segmentation, markOfSegment);
+        int[] gap = gap(segmentation);
         for (int cell = 0; cell < marks.length; cell++) {
             if (region.isMember(cell)) {
-                marks[cell] = lowestNearby(segmentation, markOfSegment, specks, region.voxel(cell));
+                marks[cell] = nearestRib(segmentation, markOfSegment, specks, region.voxel(cell), gap);
             }
         }
         region.growRegions(marks);
@@ -119,12 +124,7 @@ public final class CartilageSplitter {
                 continue;
             }
             for (int i = 0; i < cells.size(); i += stride) {
-                double square = 0;
-                for (int row = 0; row < 3; row++) {
-                    double d =
-                            segmentation.coordinate(v, row) - segmentation.coordinate(region.voxel(cells.get(i)), row);
-                    square += d * d;
-                }
+                double square = squareDistance(segmentation, v, region.voxel(cells.get(i)));
                 if (square < least) {
                     least = square;
                     nearest = mark;
@@ -134,21 +134,44 @@ public final class CartilageSplitter {
         return nearest;
     }
 
-    /** Lowest mark of the ribs within the gap of a voxel; 0 if there is none. */
-    private static byte lowestNearby(Segmentation segmentation, byte[] markOfSegment, BitSet specks, int voxel) {
+    /** Voxels along each direction across which a rib leads to its cartilage. */
+    private static int[] gap(Segmentation segmentation) {
+        LabelGrid grid = segmentation.grid();
+        int[] gap = new int[3];
+        Arrays.setAll(gap, direction -> Math.max(1, Math.min(GAP, (int) (GAP_MM / grid.spacing(direction)))));
+        return gap;
+    }
+
+    private static double squareDistance(Segmentation segmentation, int a, int b) {
+        double square = 0;
+        for (int row = 0; row < 3; row++) {
+            double d = segmentation.coordinate(a, row) - segmentation.coordinate(b, row);
+            square += d * d;
+        }
+        return square;
+    }
+
+    /** Mark of the nearest rib within the gap of a voxel, the lowest of equally near ones; 0 if there is none. */
+    private static byte nearestRib(
+            Segmentation segmentation, byte[] markOfSegment, BitSet specks, int voxel, int[] gap) {
         int i = voxel % segmentation.columns;
         int j = voxel / segmentation.columns % segmentation.rows;
         int k = voxel / segmentation.columns / segmentation.rows;
-        byte lowest = 0;
-        for (int z = Math.max(0, k - GAP); z <= Math.min(segmentation.slices - 1, k + GAP); z++) {
-            for (int y = Math.max(0, j - GAP); y <= Math.min(segmentation.rows - 1, j + GAP); y++) {
-                for (int x = Math.max(0, i - GAP); x <= Math.min(segmentation.columns - 1, i + GAP); x++) {
+        byte nearest = 0;
+        double least = Double.POSITIVE_INFINITY;
+        for (int z = Math.max(0, k - gap[2]); z <= Math.min(segmentation.slices - 1, k + gap[2]); z++) {
+            for (int y = Math.max(0, j - gap[1]); y <= Math.min(segmentation.rows - 1, j + gap[1]); y++) {
+                for (int x = Math.max(0, i - gap[0]); x <= Math.min(segmentation.columns - 1, i + gap[0]); x++) {
                     int near = x + segmentation.columns * (y + segmentation.rows * z);
                     byte mark = specks.get(near) ? 0 : markOfSegment[segmentation.segmentAt(near)];
-                    lowest = mark > 0 && (lowest == 0 || mark < lowest) ? mark : lowest;
+                    double square = mark > 0 ? squareDistance(segmentation, voxel, near) : Double.POSITIVE_INFINITY;
+                    if (square < least || (square == least && mark < nearest)) {
+                        least = square;
+                        nearest = mark;
+                    }
                 }
             }
         }
-        return lowest;
+        return nearest;
     }
 }
