@@ -1,5 +1,5 @@
 /**
  * Code shared by the studies: simulation of one breath with its observables, number formats and report values. It also
- * contains the sensitivity study.
+ * contains the studies of sensitivity and of exercises.
  */
 package org.phrenic.study;

@@ -133,9 +133,19 @@ final class RunRecorder {
                 .toList();
     }
 
+    /** Number of steps of a length from a time until meshes are due, at least 1. */
+    long stepsToMeshes(double time, double dt) {
+        return series == null ? Long.MAX_VALUE : Math.max(1, (long) Math.ceil((dueS() - time) / dt));
+    }
+
+    /** Time from which the next meshes are due, s. */
+    private double dueS() {
+        return frame * scenario.get(RunSettings.MESHES_EVERY) * (1 - ROUNDING);
+    }
+
     /** Called after a step; writes meshes if due. */
     void recordMeshes(double time) {
-        if (series == null || time < frame * scenario.get(RunSettings.MESHES_EVERY) * (1 - ROUNDING)) {
+        if (series == null || time < dueS()) {
             return;
         }
         if (surfaces == null) {

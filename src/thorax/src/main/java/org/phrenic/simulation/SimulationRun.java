@@ -103,7 +103,10 @@ public final class SimulationRun {
         return steps * dt < seconds ? steps + 1 : steps;
     }
 
-    /** Steps to the end and observes the scene at a fixed interval of steps; returns the wall time of stepping, s. */
+    /**
+     * Steps to the end, observes the scene at a fixed interval of steps and records meshes at theirs; returns the wall
+     * time of stepping, s.
+     */
     private static double stepToEnd(
             Scenario scenario,
             Simulation simulation,
@@ -119,9 +122,10 @@ public final class SimulationRun {
         long stepping = 0;
         long told = System.nanoTime();
         String finer = "";
+        long nextSample = sampleInterval(scenario, dt);
         while (simulation.steps() < end) {
             long chunk = Math.min(
-                    Math.max(1, Math.round(scenario.get(RunSettings.RECORD_EVERY) / dt)), end - simulation.steps());
+                    Math.min(nextSample, end) - simulation.steps(), recorder.stepsToMeshes(simulation.time(), dt));
             long start = System.nanoTime();
             for (long i = 0; i < chunk; i++) {
                 simulation.step();
@@ -137,7 +141,10 @@ public final class SimulationRun {
                 dt = simulation.stepper().dt();
                 end = scenario.steps() >= 0 ? end : simulation.steps() + stepsFor(total - simulation.time(), dt);
             }
-            samples.add(observer.observe(simulation.time()));
+            if (simulation.steps() >= Math.min(nextSample, end)) {
+                samples.add(observer.observe(simulation.time()));
+                nextSample = simulation.steps() + sampleInterval(scenario, dt);
+            }
             recorder.recordMeshes(simulation.time());
             if ((now - told) * 1e-9 > PROGRESS_EVERY_S || simulation.steps() >= end) {
                 told = now;
@@ -146,6 +153,10 @@ public final class SimulationRun {
             }
         }
         return stepping * 1e-9;
+    }
+
+    private static long sampleInterval(Scenario scenario, double dt) {
+        return Math.max(1, Math.round(scenario.get(RunSettings.RECORD_EVERY) / dt));
     }
 
     private static Map<String, Object> summary(

@@ -2,6 +2,7 @@ package org.phrenic.simulation;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -61,6 +62,22 @@ class RunRecorderTest {
         assertThat(execute(again, null).get("state_sha256")).isEqualTo(summary.get("state_sha256"));
     }
 
+    /** Meshes every 0.03 s in steps of 10 ms, samples every 0.1 s. */
+    @Test
+    void meshesAreWrittenAtTheirOwnIntervalWhateverTheSamples() throws IOException {
+        Path out = folder.resolve("out");
+        execute(scenario("record_every_s=0.1", "meshes_every_s=0.03"), out);
+        assertThat(Files.readAllLines(out.resolve("observables.csv"))).hasSize(1 + 2);
+        List<String> times = Files.readAllLines(out.resolve("scene.pvd")).stream()
+                .filter(line -> line.contains("meshes/diaphragm_"))
+                .map(line -> line.replaceAll(".*timestep=\"([^\"]*)\".*", "$1"))
+                .toList();
+        assertThat(times).hasSize(4);
+        for (int frame = 0; frame < 4; frame++) {
+            assertThat(Double.parseDouble(times.get(frame))).isCloseTo(0.03 * frame, within(1e-9));
+        }
+    }
+
     /** At 19 breaths/min two breaths take 6.3158 s, 2526.3 steps of 2.5 ms; the 2527th ends the second breath. */
     @Test
     void aRunOfTwoBreathsHasTwoWholeBreathsAtAnyRate() {
@@ -89,7 +106,7 @@ class RunRecorderTest {
                 assertThat(MeshFiles.read(file).triangleCount()).isPositive();
             }
         }
-        // Frames at 0, 0.05 (told at 0.06, the next sample) and 0.1.
+        // Frames at 0, 0.05 and 0.1.
         TriangleMesh last = MeshFiles.read(out.resolve("meshes/diaphragm_00002.vtp"));
         assertThat(last.vertexCount()).isEqualTo(sheetVertices());
         assertThat(out.resolve("meshes/rib_05_R_00000.vtp")).exists();

@@ -195,7 +195,7 @@ public final class AccessMap {
         return (touched[moment][vertex] & avoidedBits) == 0;
     }
 
-    /** Whether the needle is long enough to reach the target from a vertex at a moment. Obstacles are ignored. */
+    /** Whether a vertex is an entry from which the needle reaches the target at a moment. Obstacles are ignored. */
     public boolean isInReach(int moment, int vertex) {
         return (touched[moment][vertex] & (OUT_OF_REACH | NO_ENTRY)) == 0;
     }
@@ -211,7 +211,7 @@ public final class AccessMap {
                 .anyMatch(m -> isFree(m, vertex) && (touched[m][vertex] & NoGoZone.PLEURA.bit()) != 0);
     }
 
-    /** Zones that the path touches at a moment. */
+    /** Zones that the path touches at a moment; none if the vertex is out of reach. */
     public Set<NoGoZone> touched(int moment, int vertex) {
         return NoGoZone.of(touched[moment][vertex]);
     }

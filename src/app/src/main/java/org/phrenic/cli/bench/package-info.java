@@ -1,2 +1,5 @@
-/** {@code phrenic bench}: measures speed, error, stability, bodies, organs, fits, exercises and the window. */
+/**
+ * {@code phrenic bench}: measures speed, error, stability, bodies, organs, imports, fits, access, exercises, images,
+ * studies and the window.
+ */
 package org.phrenic.cli.bench;

@@ -54,7 +54,9 @@ record RibNeck(double[] course, double lengthMm, double gapMm) {
         return new RibNeck(course, length, gap);
     }
 
-    /** Turns a vector by the smallest rotation that brings one direction to another. */
+    /**
+     * Turns a vector by the smallest rotation that brings one direction to another; opposite ones leave it as it is.
+     */
     static double[] turned(double[] from, double[] to, double[] v) {
         double cosine = Vectors.dot(from, to);
         if (cosine < -0.99) {

@@ -10,14 +10,15 @@ import org.phrenic.simulation.observe.Frame;
  * A simulation that runs on its own thread. Any thread can play, pause and tune it and copy frames without blocking it.
  * A new scene loads on another thread while the current scene continues.
  *
- * <p>No call waits for a scene. {@link #recordedScenario}, {@link #command} and {@link #commandHash} wait for the
- * current step, and {@link #close} waits for the threads to end. {@link #command} reproduces the run without a window.
+ * <p>No call waits for a scene. {@link #recordedScenario}, {@link #reproduction}, {@link #breathDurationS},
+ * {@link #command} and {@link #commandHash} wait for the current step, and {@link #close} waits for the threads to end.
+ * {@link #command} reproduces the run without a window.
  */
 public final class LiveRun implements AutoCloseable {
     /** What to do where memory is full, as a part of a sentence. */
     public static final String FREE_MEMORY = "choose a lower resolution or start Java with a larger -Xmx";
 
-    /** Receives events on the simulation's or the loader's thread. Implementations should return quickly. */
+    /** Receives events on the thread that causes them: simulation, loader or caller. It should return quickly. */
     public interface Listener {
         /** Loading progress: the stage (body, scene, surfaces, done) and the completed share, 0 to 1. */
         void loading(String what, double share);
@@ -307,7 +308,7 @@ public final class LiveRun implements AutoCloseable {
 
     /**
      * Sets the step listener and calls it at multiples of an interval of simulated time, rounded to whole steps, also
-     * after a reset and in later scenes. Replaces the previous listener. It is called on the simulation's thread.
+     * after a reset and in later scenes. Replaces the previous listener. {@link StepListener} says on which thread.
      */
     public void listenToSteps(double everyS, StepListener watch) {
         listenToSteps(StepListener.Trigger.every(everyS), watch);

@@ -20,7 +20,7 @@ public final class MarchingTetrahedra {
         {}, {{0, 0}, {0, 1}, {0, 2}}, {{0, 0}, {0, 1}, {1, 1}, {1, 0}}, {{0, 0}, {1, 0}, {2, 0}}, {}
     };
 
-    /** A cut closer to a corner than this fraction of the edge is moved to it, to avoid needle triangles. */
+    /** Least distance of a cut from a corner, as a fraction of the edge, against needle triangles. */
     private static final double MIN_CUT_SHARE = 0.12;
 
     private final int[] size = new int[3];
