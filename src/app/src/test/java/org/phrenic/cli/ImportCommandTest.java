@@ -35,6 +35,28 @@ class ImportCommandTest {
         map = Files.writeString(folder.resolve("map.csv"), "label,structure\n1,lungs\n5,ignore\n");
     }
 
+    /** A case of a data set: the scan, and its labels in a folder beside it. */
+    @Test
+    void theFolderOfACaseIsImportedAndThatOfADataSetAsksForOne() throws IOException {
+        Path labels = Files.createDirectories(folder.resolve("set/s0011/segmentations"));
+        Files.move(volume, labels.resolve("organs.seg.nrrd"));
+        Files.writeString(
+                folder.resolve("set/s0011/ct.nrrd"),
+                "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 1 1\n"
+                        + "space directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: text\n\n-1000 40\n");
+        Path out = folder.resolve("patient");
+        CommandLineRun run = CommandLineRun.of(
+                "import", labels.getParent().toString(), "--out", out.toString(), "--complete", "none", "--edge", "16");
+        assertThat(run.exitCode()).as(run.err()).isEqualTo(ExitCode.SUCCESS);
+        assertThat(run.out()).contains("lung_R", "lung_L", "liver");
+        Path elsewhere = Files.createDirectories(folder.resolve("all/derivatives"));
+        Files.move(folder.resolve("set"), elsewhere.resolve("set"));
+        CommandLineRun all = CommandLineRun.of(
+                "import", folder.resolve("all").toString(), "--out", out.toString(), "--labels", "totalsegmentator");
+        assertThat(all.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(all.err()).contains("expected the folder of one scan; phrenic import takes", "s0011 --out patient");
+    }
+
     @Test
     void aFolderOfMeshesIsWrittenAndSaidWhatIsInIt() throws IOException {
         Path out = folder.resolve("patient");

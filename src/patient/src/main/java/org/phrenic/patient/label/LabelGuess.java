@@ -63,6 +63,13 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
                                     .map(Numbers::quote)
                                     .collect(Collectors.joining(", ")));
         }
+        if (volume.isImage()) {
+            return new LabelGuess(
+                    Source.NONE,
+                    Optional.empty(),
+                    0,
+                    "found grey values, as of an image that has to be segmented first");
+        }
         LabelPositions positions = NumberMatch.positions(volume.grid());
         NumberMatch numbers = NumberMatch.best(positions, NumberTable.ALL);
         if (numbers.fits()) {

@@ -32,6 +32,7 @@ public final class ImportPipeline {
         String file = request.file().toString();
         progress.stage("reading " + file);
         if (Files.isDirectory(request.file()) && !LabelVolumeFiles.isVolume(request.file())) {
+            LabelVolumeFiles.refuse(request.file(), "the folder of one scan");
             boolean ofVolumes = request.labels().isPresent()
                     || request.edgeMm().isPresent()
                     || !request.geometry().equals(GeometryOverride.NONE);

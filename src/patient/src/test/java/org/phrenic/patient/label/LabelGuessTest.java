@@ -285,6 +285,17 @@ class LabelGuessTest {
         assertThat(LabelGuess.of(numbers).require("scan").structures()).containsEntry(92, "rib_01_L");
     }
 
+    @Test
+    void greyValuesAreToldFromLabels() {
+        LabelVolume labels = cage(CageVoxels.SPACING_MM, Map.of());
+        int[] voxel = {0};
+        LabelVolume grey = relabelled(labels, label -> 1 + 7 * voxel[0]++ % 200);
+        assertThatThrownBy(() -> LabelGuess.of(grey).require("scan"))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found grey values, as of an image that has to be segmented first");
+        assertThat(labels.isImage()).isFalse();
+    }
+
     /** A spleen as large as a liver, and the reverse, is a volume in another order of labels. */
     @Test
     void volumesTellWhatPlacesLeaveOpen() {

@@ -188,7 +188,8 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
             boolean whole = value == Math.rint(value) && Math.abs(value) < 1e15;
             String found = whole ? Long.toString((long) value) : Double.toString(value);
             throw new NoLabelException(file + ": " + place(first + n) + ": found " + found
-                    + ", expected a label, a whole number from 0 to " + LabelGrid.MAX_LABEL);
+                    + ", expected a label, a whole number from 0 to " + LabelGrid.MAX_LABEL
+                    + "; images have to be segmented first");
         }
         return label;
     }

@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.phrenic.file.BadInputException;
-import org.phrenic.file.FileNames;
 import org.phrenic.file.InputBytes;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.MeshFiles;
@@ -29,78 +28,109 @@ final class LabelFolder {
 
     private LabelFolder() {}
 
+    /**
+     * The label volumes in a folder.
+     *
+     * @param notes what is left out
+     */
+    private record Contents(Path folder, List<LabelRuns> labelled, List<String> notes) {
+        /** Whether the folder holds one volume of several labels without names. */
+        boolean isUnnamed() {
+            return labelled.size() == 1 && labelled.get(0).isUnnamed();
+        }
+
+        /** Whether the folder holds several volumes, all of whose labels have names. */
+        boolean isOfMasks() {
+            return labelled.size() > 1 && labelled.stream().noneMatch(LabelRuns::isUnnamed);
+        }
+
+        /** The volumes as one; empty if there are none. */
+        Optional<LabelVolume> merged() {
+            if (labelled.size() == 1 && hasOwnLabels(labelled.get(0))) {
+                LabelVolume volume = LabelVolumeFiles.read(labelled.get(0).file());
+                List<String> all = new ArrayList<>(notes);
+                all.addAll(volume.notes());
+                return Optional.of(new LabelVolume(volume.grid(), volume.names(), all));
+            }
+            return labelled.isEmpty() ? Optional.empty() : Optional.of(painted(folder, labelled, notes));
+        }
+    }
+
+    /** Whether a folder holds meshes, or their list. */
+    static boolean isOfMeshes(Path folder) {
+        return InputBytes.list(folder).stream().anyMatch(file -> MeshFiles.isMesh(file) || file.endsWith(THORAX_INDEX));
+    }
+
     /** Whether a folder holds volumes, itself or in a folder in it, and is no thorax folder. */
     static boolean isLabelFolder(Path folder) {
         return Files.isDirectory(folder)
-                && InputBytes.list(folder).stream()
-                        .noneMatch(file -> MeshFiles.isMesh(file) || file.endsWith(THORAX_INDEX))
-                && (!volumes(folder).isEmpty() || !innerFolders(folder).isEmpty());
-    }
-
-    private static List<Path> volumes(Path folder) {
-        return InputBytes.list(folder).stream()
-                .filter(file -> Files.isRegularFile(file)
-                        && !FileNames.isHidden(file)
-                        && (VolumeFormats.isVolume(file) || DicomVolumes.isDicom(file)))
-                .toList();
-    }
-
-    /** The folders in a folder that hold volumes; hidden ones and those that may not be read are left out. */
-    private static List<Path> innerFolders(Path folder) {
-        return InputBytes.list(folder).stream()
-                .filter(inner -> Files.isDirectory(inner)
-                        && Files.isReadable(inner)
-                        && !FileNames.isHidden(inner)
-                        && !volumes(inner).isEmpty())
-                .toList();
+                && !isOfMeshes(folder)
+                && (!InnerFolders.volumes(folder).isEmpty()
+                        || !InnerFolders.ofVolumes(folder).isEmpty());
     }
 
     /**
-     * Reads the label volumes of a folder or, if it has none, of the folder in it that has.
+     * Reads the label volumes of a folder or, if it has none, of the folder in it that has. Masks in a folder within
+     * are preferred to a volume of the same labels without names.
      *
-     * @throws BadInputException if a volume cannot be read, if there is none, or if grids differ
+     * @throws BadInputException if a volume cannot be read, if there is none, if grids differ, or if there are labels
+     *     of several scans
      */
     static LabelVolume read(Path folder) {
-        Optional<LabelVolume> own = merged(folder);
-        if (own.isPresent()) {
-            return own.get();
+        Contents own = contents(folder);
+        if (own.isUnnamed()) {
+            Optional<Contents> masks =
+                    InnerFolders.calledLabels(folder).map(LabelFolder::contents).filter(Contents::isOfMasks);
+            if (masks.isPresent()) {
+                masks.get()
+                        .notes()
+                        .add(own.labelled().get(0).file().getFileName() + " is left out, as "
+                                + masks.get().folder().getFileName() + " holds masks with names");
+                return masks.get().merged().orElseThrow();
+            }
         }
-        List<Path> inner = innerFolders(folder);
-        if (inner.size() > 1) {
-            throw new BadInputException(folder + ": found volumes in several folders ("
-                    + inner.stream().map(path -> path.getFileName().toString()).collect(Collectors.joining(", "))
-                    + "), expected the labels of one scan");
-        }
-        return inner.stream()
-                .findFirst()
-                .flatMap(LabelFolder::merged)
-                .orElseThrow(() -> new BadInputException(
-                        folder + ": found no label volume, expected one: images have to be segmented first"));
+        return own.merged()
+                .or(() ->
+                        InnerFolders.ofLabels(folder).map(LabelFolder::contents).flatMap(Contents::merged))
+                .orElseThrow(() -> none(folder));
     }
 
-    /** The label volumes of a folder as one; empty if it has none. */
-    private static Optional<LabelVolume> merged(Path folder) {
-        List<Path> files = volumes(folder);
-        List<LabelRuns> labelled = new ArrayList<>();
-        List<String> notes = new ArrayList<>();
+    private static BadInputException none(Path folder) {
+        LabelVolumeFiles.refuseDeeper(folder, "a label volume");
+        return new BadInputException(
+                folder + ": found no label volume, expected one: images have to be segmented first");
+    }
+
+    /** Reads the label volumes of a folder. */
+    private static Contents contents(Path folder) {
+        List<Path> files = InnerFolders.volumes(folder);
+        Contents contents = new Contents(folder, new ArrayList<>(), new ArrayList<>());
         for (int first = 0; first < files.size(); first += AT_ONCE) {
             List<Path> now = files.subList(first, Math.min(first + AT_ONCE, files.size()));
             List<Optional<LabelRuns>> read =
                     now.parallelStream().map(LabelRuns::read).toList();
             for (int f = 0; f < now.size(); f++) {
                 if (read.get(f).isPresent()) {
-                    labelled.add(read.get(f).get());
+                    contents.labelled().add(read.get(f).get());
                 } else if (VolumeFormats.isVolume(now.get(f))) {
-                    notes.add(now.get(f).getFileName() + " is an image and is left out");
+                    contents.notes().add(now.get(f).getFileName() + " is an image and is left out");
                 }
             }
+            requireOneScan(contents);
         }
-        if (labelled.size() == 1 && hasOwnLabels(labelled.get(0))) {
-            LabelVolume volume = LabelVolumeFiles.read(labelled.get(0).file());
-            notes.addAll(volume.notes());
-            return Optional.of(new LabelVolume(volume.grid(), volume.names(), notes));
+        return contents;
+    }
+
+    /** Refuses volumes of several labels without names, as those of the scans of a data set. */
+    private static void requireOneScan(Contents contents) {
+        List<Path> unnamed = contents.labelled().stream()
+                .filter(LabelRuns::isUnnamed)
+                .map(LabelRuns::file)
+                .toList();
+        if (unnamed.size() > 1) {
+            throw new BadInputException(contents.folder() + ": found several volumes of labels without names ("
+                    + InnerFolders.listed(unnamed) + "), expected the labels of one scan, such as " + unnamed.get(0));
         }
-        return labelled.isEmpty() ? Optional.empty() : Optional.of(painted(folder, labelled, notes));
     }
 
     /** Whether a volume is more than a mask: it has several structures, or one without a name. */

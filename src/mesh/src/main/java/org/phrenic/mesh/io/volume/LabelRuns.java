@@ -24,9 +24,6 @@ import org.phrenic.mesh.voxel.LabelGrid;
  * @param notes assumptions about missing information, one sentence each
  */
 record LabelRuns(Path file, int[] size, double[] toMm, List<Runs> structures, List<String> names, List<String> notes) {
-    /** A volume without names that has more labels is an image of whole numbers. */
-    private static final int MAX_UNNAMED_LABELS = 500;
-
     /** The voxels of a structure: the first of each run and the one after its last. */
     record Runs(IntList ends) implements LabelPainter.Voxels {
         @Override
@@ -54,9 +51,7 @@ record LabelRuns(Path file, int[] size, double[] toMm, List<Runs> structures, Li
             int[] labels = IntStream.range(1, counts.length)
                     .filter(label -> counts[label] > 0)
                     .toArray();
-            boolean isImage =
-                    labels.length > MAX_UNNAMED_LABELS && volume.names().isEmpty();
-            return isImage ? Optional.empty() : Optional.of(of(file, volume, labels));
+            return volume.isImage() ? Optional.empty() : Optional.of(of(file, volume, labels));
         } catch (NoLabelException image) {
             return Optional.empty();
         }
@@ -102,6 +97,11 @@ record LabelRuns(Path file, int[] size, double[] toMm, List<Runs> structures, Li
             }
         }
         return structures;
+    }
+
+    /** Whether the volume has several labels and one of them has no name. */
+    boolean isUnnamed() {
+        return structures.size() > 1 && names.contains("");
     }
 
     /** @throws BadInputException if several labels have no names */

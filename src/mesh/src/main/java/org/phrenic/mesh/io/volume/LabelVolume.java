@@ -1,5 +1,6 @@
 package org.phrenic.mesh.io.volume;
 
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -17,6 +18,13 @@ import org.phrenic.mesh.voxel.LabelGrid;
 public record LabelVolume(LabelGrid grid, Map<Integer, String> names, List<String> notes) {
     private static final Pattern NUMBER = Pattern.compile("(?i)(segment|seg|label)?[ _.-]*\\d*");
 
+    /** A volume without names that has more labels is an image of whole numbers. */
+    private static final int MAX_UNNAMED_LABELS = 500;
+    /** Least number of labels of an image whose voxels differ from their neighbours. */
+    private static final int LEAST_GREY_VALUES = 40;
+    /** Mean length of runs of one label along columns, voxels, below which labels are grey values. */
+    private static final double LEAST_RUN = 2;
+
     public LabelVolume {
         names = Collections.unmodifiableMap(new TreeMap<>(names));
         notes = List.copyOf(notes);
@@ -25,5 +33,34 @@ public record LabelVolume(LabelGrid grid, Map<Integer, String> names, List<Strin
     /** Whether a name is a mere number, as programs give to labels without a name: Segment 1, Label 2, 3. */
     public static boolean isNumber(String name) {
         return NUMBER.matcher(name).matches();
+    }
+
+    /**
+     * Whether the volume is an image of whole numbers, as of MR: it has very many labels without names, or many that
+     * change from voxel to voxel.
+     */
+    public boolean isImage() {
+        if (!names.isEmpty()) {
+            return false;
+        }
+        int[] counts = grid.counts();
+        long labels = Arrays.stream(counts, 1, Math.max(1, counts.length))
+                .filter(count -> count > 0)
+                .count();
+        return labels > MAX_UNNAMED_LABELS || (labels >= LEAST_GREY_VALUES && meanRun() < LEAST_RUN);
+    }
+
+    /** Mean number of neighbouring voxels along columns with one label. */
+    private double meanRun() {
+        long labelled = 0;
+        long runs = 0;
+        for (int v = 0; v < grid.voxelCount(); v++) {
+            int label = grid.label(v);
+            if (label > 0) {
+                labelled++;
+                runs += v % grid.columns() > 0 && grid.label(v - 1) == label ? 0 : 1;
+            }
+        }
+        return (double) labelled / Math.max(1, runs);
     }
 }

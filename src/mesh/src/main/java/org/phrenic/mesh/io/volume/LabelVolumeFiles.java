@@ -53,12 +53,23 @@ public final class LabelVolumeFiles {
      * Refuses a label volume where something else is expected.
      *
      * @param expected such as "a scenario"
-     * @throws BadInputException if the path is a volume
+     * @throws BadInputException if the path is a volume, or a folder with volumes somewhere within
      */
     public static void refuse(Path file, String expected) {
         if (isVolume(file)) {
             throw new BadInputException(file + ": found a label volume, expected " + expected
                     + "; phrenic import makes a thorax folder of it: phrenic import " + file + " --out patient");
         }
+        if (Files.isDirectory(file) && !LabelFolder.isOfMeshes(file)) {
+            refuseDeeper(file, expected);
+        }
+    }
+
+    /** Refuses a folder with volumes in folders farther within, as a data set has them. */
+    static void refuseDeeper(Path folder, String expected) {
+        InnerFolders.deeper(folder).ifPresent(inner -> {
+            throw new BadInputException(folder + ": found volumes in folders farther within, expected " + expected
+                    + "; phrenic import takes the folder of one scan: phrenic import " + inner + " --out patient");
+        });
     }
 }

@@ -1,0 +1,147 @@
+package org.phrenic.mesh.io.volume;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.ByteOrder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.function.IntUnaryOperator;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.file.BadInputException;
+
+/** Folders as public data sets have them: labels in one folder, images beside it, many scans side by side. */
+class DataSetFolderTest {
+    private static final short UINT8 = 2;
+    private static final short INT16 = 4;
+
+    @TempDir
+    private Path folder;
+
+    private Path volume(String name, short type, IntUnaryOperator values) throws IOException {
+        byte[] file = VolumeSamples.nifti(type, ByteOrder.LITTLE_ENDIAN, h -> {});
+        for (int v = 0; v < VolumeSamples.VOXELS; v++) {
+            int value = values.applyAsInt(v);
+            int at = VolumeSamples.NIFTI_HEADER + (type == INT16 ? 2 * v : v);
+            file[at] = (byte) value;
+            if (type == INT16) {
+                file[at + 1] = (byte) (value >> Byte.SIZE);
+            }
+        }
+        Path path = folder.resolve(name);
+        Files.createDirectories(path.getParent());
+        return Files.write(path, name.endsWith("gz") ? VolumeSamples.gzip(file) : file);
+    }
+
+    private void masks(String inner) throws IOException {
+        volume(inner + "/liver.nii.gz", UINT8, v -> v < 4 ? 1 : 0);
+        volume(inner + "/spleen.nii.gz", UINT8, v -> v > 20 ? 1 : 0);
+    }
+
+    private LabelVolume assertIsOfMasks(Path scan) {
+        assertThat(LabelVolumeFiles.isVolume(scan)).isTrue();
+        LabelVolume volume = LabelVolumeFiles.read(scan);
+        assertThat(volume.names().values()).containsExactlyInAnyOrder("liver", "spleen");
+        return volume;
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"segmentations", "SEGMENTATIONS", "labels", "masks", "structures_of_reader_2"})
+    void theMasksOfACaseAreFoundBesideItsScan(String name) throws IOException {
+        volume("s0011/ct.nii.gz", INT16, v -> v - 1000);
+        masks("s0011/" + name);
+        assertIsOfMasks(folder.resolve("s0011"));
+    }
+
+    /** A volume of numbers says less than masks with names, as in a case of AbdomenAtlas. */
+    @Test
+    void masksWithNamesArePreferredToOneVolumeOfNumbers() throws IOException {
+        volume("BDMAP_00000001/ct.nii.gz", INT16, v -> v - 1000);
+        volume("BDMAP_00000001/combined_labels.nii.gz", UINT8, v -> v < 4 ? 5 : v > 20 ? 8 : 0);
+        masks("BDMAP_00000001/segmentations");
+        assertThat(assertIsOfMasks(folder.resolve("BDMAP_00000001")).notes())
+                .contains("combined_labels.nii.gz is left out, as segmentations holds masks with names");
+        // A volume alone in there says no more than the one above.
+        volume("one/labels.nii.gz", UINT8, v -> v < 4 ? 5 : v > 20 ? 8 : 0);
+        volume("one/segmentations/other.nii.gz", UINT8, v -> v < 4 ? 1 : v > 20 ? 2 : 0);
+        assertThat(LabelVolumeFiles.read(folder.resolve("one")).grid().label(0)).isEqualTo(5);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"images", "imagesTr", "CT", "reader"})
+    void foldersOfImagesAreNoFoldersOfMasks(String images) throws IOException {
+        masks("scan/organs");
+        volume("scan/" + images + "/a.nii.gz", INT16, v -> v - 1000);
+        assertIsOfMasks(folder.resolve("scan"));
+    }
+
+    /** A data set of nnU-Net: labels of several scans in one folder, images in another. */
+    @Test
+    void aFolderWithTheLabelsOfSeveralScansAsksForOne() throws IOException {
+        for (int scan = 1; scan <= 9; scan++) {
+            volume("set/labelsTr/case_" + scan + ".nii.gz", UINT8, v -> v % 3);
+            volume("set/imagesTr/case_" + scan + "_0000.nii.gz", INT16, v -> v - 1000);
+        }
+        for (String asked : new String[] {"set", "set/labelsTr"}) {
+            assertThatThrownBy(() -> LabelVolumeFiles.read(folder.resolve(asked)))
+                    .isInstanceOf(BadInputException.class)
+                    .hasMessageContaining(
+                            "found several volumes of labels without names (case_1.nii.gz, case_2.nii.gz), expected the"
+                                    + " labels of one scan, such as "
+                                    + folder.resolve("set/labelsTr/case_1.nii.gz"));
+        }
+    }
+
+    @Test
+    void aFolderOfManyCasesAsksForOne() throws IOException {
+        for (int scan = 10; scan < 30; scan++) {
+            masks("set/s00" + scan + "/segmentations");
+            volume("set/s00" + scan + "/ct.nii.gz", INT16, v -> v - 1000);
+        }
+        assertThat(LabelVolumeFiles.isVolume(folder.resolve("set"))).isTrue();
+        assertThatThrownBy(() -> LabelVolumeFiles.read(folder.resolve("set")))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining(
+                        "found volumes in 20 folders (s0010, s0011, s0012, s0013 ...), expected the labels"
+                                + " of one scan, such as " + folder.resolve("set/s0010"));
+    }
+
+    /** A tree as of BIDS: derivatives/sub-001/anat. */
+    @Test
+    void aFolderWithVolumesFartherWithinAsksForTheFolderOfOneScan() throws IOException {
+        masks("set/derivatives/sub-001/anat");
+        masks("set/derivatives/sub-002/anat");
+        Path set = folder.resolve("set");
+        assertThat(LabelVolumeFiles.isVolume(set)).isFalse();
+        assertThatThrownBy(() -> LabelVolumeFiles.refuse(set, "a folder of meshes"))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found volumes in folders farther within, expected a folder of meshes; phrenic"
+                        + " import takes the folder of one scan: phrenic import "
+                        + set.resolve("derivatives/sub-001/anat"));
+        assertThatThrownBy(() -> LabelVolumeFiles.read(set)).hasMessageContaining("farther within");
+        LabelVolumeFiles.refuse(Files.createDirectory(folder.resolve("empty")), "a folder of meshes");
+    }
+
+    /** Grey values of MR are whole numbers from 0 on, and so are labels: they change from voxel to voxel. */
+    @Test
+    void greyValuesWithoutNegativeOnesAreNoLabels() throws IOException {
+        masks("scan");
+        byte[] image = VolumeSamples.nifti(UINT8, ByteOrder.LITTLE_ENDIAN, h -> h.putShort(46, (short) 8));
+        byte[] tall = VolumeSamples.join(
+                Arrays.copyOf(image, VolumeSamples.NIFTI_HEADER),
+                new byte[VolumeSamples.COLUMNS * VolumeSamples.ROWS * 8]);
+        for (int v = VolumeSamples.NIFTI_HEADER; v < tall.length; v++) {
+            tall[v] = (byte) (v * 7);
+        }
+        Files.write(folder.resolve("scan").resolve("mri.nii"), tall);
+        assertThat(assertIsOfMasks(folder.resolve("scan")).notes()).contains("mri.nii is an image and is left out");
+        assertThat(LabelVolumeFiles.read(folder.resolve("scan").resolve("mri.nii"))
+                        .isImage())
+                .isTrue();
+    }
+}
