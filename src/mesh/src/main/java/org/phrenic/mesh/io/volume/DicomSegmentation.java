@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.IntConsumer;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
@@ -20,9 +21,15 @@ import org.phrenic.mesh.voxel.LabelGrid;
 /**
  * Reader of DICOM segmentations (PS3.3, A.51 and C.8.20): binary and fractional ones, whose segments may overlap, and
  * label maps. A voxel is in a segment if its fraction, a probability or an occupancy, is a half or more. Labels are
- * segment numbers, names are segment labels, or their coded types where these are mere numbers.
+ * segment numbers, names are segment labels, with the side of the coded type where they state none, or the coded types
+ * where labels are mere numbers.
  */
 final class DicomSegmentation {
+    /** A side in the label of a segment, in the languages of names of labels. */
+    private static final Pattern SIDE =
+            Pattern.compile("(?i)(?<![a-z])(l|r|lt|rt|l[ul]l|r[uml]l)(?![a-z])|left|right|link|recht|gauch|droit"
+                    + "|izquierd|derech|sinist|destr|dext|esquerd|direit|左|右");
+
     private final DicomDataSet image;
     private final DicomPixels pixels;
     private final FunctionalGroups groups;
@@ -88,11 +95,14 @@ final class DicomSegmentation {
         };
     }
 
-    /** The label of a segment; the meaning of its type, with its side, where the label is no more than a number. */
+    /**
+     * The label of a segment, with the side of its type if it states none; the meaning of its type, with its side,
+     * where the label is no more than a number.
+     */
     private static String name(DicomDataSet segment) {
         String label = segment.text(DicomTag.SEGMENT_LABEL, "");
         if (!LabelVolume.isNumber(label)) {
-            return label;
+            return SIDE.matcher(label).find() ? label : side(segment) + label;
         }
         String meaning = segment.items(DicomTag.SEGMENTED_PROPERTY_TYPE_CODE_SEQUENCE).stream()
                 .flatMap(type -> Stream.concat(
@@ -101,6 +111,16 @@ final class DicomSegmentation {
                 .collect(Collectors.joining(" "))
                 .strip();
         return meaning.isEmpty() ? label : meaning;
+    }
+
+    /** The side of a segment by the modifiers of its type, with a space after it; empty for none or both. */
+    private static String side(DicomDataSet segment) {
+        List<String> sides = segment.items(DicomTag.SEGMENTED_PROPERTY_TYPE_CODE_SEQUENCE).stream()
+                .flatMap(type -> type.items(DicomTag.SEGMENTED_PROPERTY_TYPE_MODIFIER_CODE_SEQUENCE).stream())
+                .map(code -> code.text(DicomTag.CODE_MEANING, "").strip())
+                .filter(meaning -> meaning.equalsIgnoreCase("left") || meaning.equalsIgnoreCase("right"))
+                .toList();
+        return sides.size() == 1 ? sides.get(0) + " " : "";
     }
 
     /** Each pixel of a label map is the number of its segment. */

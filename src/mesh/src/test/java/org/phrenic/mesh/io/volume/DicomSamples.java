@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.IntStream;
 
@@ -87,6 +88,22 @@ final class DicomSamples {
      * @param fractions pixels, frame after frame
      */
     static byte[] segmentation(String type, int maximum, byte[] measures, byte[][] frames, int... fractions) {
+        byte[] segments = sequence(0x00620002, segment(1, "liver"), segment(2, "cyst"));
+        return segmentation(segments, type, maximum, measures, frames, fractions);
+    }
+
+    /** A segment whose coded type has these modifiers. */
+    static byte[] segment(int number, String label, String... modifiers) {
+        byte[][] codes = Arrays.stream(modifiers)
+                .map(meaning -> text(0x00080104, "LO", meaning))
+                .toArray(byte[][]::new);
+        byte[] type = joined(text(0x00080104, "LO", "Kidney"), sequence(0x00620011, codes));
+        return joined(segment(number, label), sequence(0x0062000F, type));
+    }
+
+    /** A segmentation as above with other segments. */
+    static byte[] segmentation(
+            byte[] segments, String type, int maximum, byte[] measures, byte[][] frames, int... fractions) {
         byte[] pixels = new byte[fractions.length];
         IntStream.range(0, pixels.length).forEach(n -> pixels[n] = (byte) fractions[n]);
         return file(
@@ -96,7 +113,7 @@ final class DicomSamples {
                 number(0x00280011, COLUMNS),
                 number(0x00280100, Byte.SIZE),
                 text(0x00620001, "CS", type),
-                sequence(0x00620002, segment(1, "liver"), segment(2, "cyst")),
+                segments,
                 number(0x0062000E, maximum),
                 sequence(
                         0x52009229,

@@ -9,6 +9,8 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.voxel.LabelGrid;
 
@@ -42,6 +44,27 @@ class FractionalSegmentationTest {
         LabelGrid grid = LabelVolumeFiles.read(file("FRACTIONAL", 100, 49, 50, 51, 100, 0, 0, 0, 0, 0, 0, 0, 0))
                 .grid();
         assertThat(IntStream.range(0, DicomSamples.COLUMNS).map(grid::label)).containsExactly(0, 1, 1, 1);
+    }
+
+    /** "Kidney" twice, and the side in the modifier of the coded type alone. */
+    @ParameterizedTest
+    @CsvSource({
+        "Kidney, Right, Right Kidney",
+        "Kidney, left, left Kidney",
+        "kidney_left, Left, kidney_left",
+        "Niere links, Left, Niere links",
+        "Kidney_L, Left, Kidney_L",
+        "Kidney, Right and left, Kidney",
+        "Kidney, Upper, Kidney",
+    })
+    void aSideThatTheTypeStatesAloneIsPartOfTheName(String label, String modifier, String name) {
+        byte[] segments = DicomSamples.sequence(0x00620002, DicomSamples.segment(1, label, modifier));
+        byte[][] frames = {DicomSamples.frame(1, 0)};
+        Path file = VolumeSamples.write(
+                folder,
+                "sides.dcm",
+                DicomSamples.segmentation(segments, "FRACTIONAL", 2, new byte[0], frames, 0, 2, 2, 0));
+        assertThat(LabelVolumeFiles.read(file).names()).isEqualTo(Map.of(1, name));
     }
 
     @Test
