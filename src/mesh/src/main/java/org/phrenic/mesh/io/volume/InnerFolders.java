@@ -22,6 +22,9 @@ final class InnerFolders {
     /** Most folders of which the first volumes are read to see whether they are labels. */
     private static final int MAX_LOOKED_INTO = 6;
 
+    /** Number of volumes of such a folder that are read: a scan, and labels beside it. */
+    private static final int FEW = 2;
+
     private static final int MAX_LISTED = 4;
     /** Levels of folders that are looked through for volumes, and most folders. */
     private static final int MAX_DEPTH = 5;
@@ -91,7 +94,9 @@ final class InnerFolders {
     }
 
     private static boolean holdsLabels(Path folder) {
-        return LabelRuns.read(volumes(folder).get(0)).isPresent();
+        return !ofVolumes(folder).isEmpty()
+                || volumes(folder).stream().limit(FEW).anyMatch(file -> LabelRuns.read(file)
+                        .isPresent());
     }
 
     /** The first folder, level by level, that holds volumes somewhere within a folder. */

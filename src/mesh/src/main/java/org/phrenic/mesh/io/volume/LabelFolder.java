@@ -90,8 +90,7 @@ final class LabelFolder {
             }
         }
         return own.merged()
-                .or(() ->
-                        InnerFolders.ofLabels(folder).map(LabelFolder::contents).flatMap(Contents::merged))
+                .or(() -> InnerFolders.ofLabels(folder).map(LabelFolder::read))
                 .orElseThrow(() -> none(folder));
     }
 
@@ -117,6 +116,10 @@ final class LabelFolder {
                 }
             }
             requireOneScan(contents);
+            if (!contents.labelled().isEmpty()) {
+                // Of the masks of many scans the second one is refused here, and the others are not read.
+                new LabelLattice(contents.labelled());
+            }
         }
         return contents;
     }

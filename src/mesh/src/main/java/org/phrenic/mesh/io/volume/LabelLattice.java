@@ -62,7 +62,7 @@ final class LabelLattice {
         }
         if (!(farthest <= TOLERANCE)) {
             throw new BadInputException(volume.file() + ": found other voxels than those of "
-                    + first.file().getFileName() + ", expected masks on one grid");
+                    + first.file().getFileName() + ", expected masks of one scan on one grid");
         }
         return offset;
     }

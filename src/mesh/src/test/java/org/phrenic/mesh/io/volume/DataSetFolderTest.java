@@ -97,6 +97,31 @@ class DataSetFolderTest {
         }
     }
 
+    /** Masks of one structure, each of a scan with its own voxels: the second one tells, and no other is read. */
+    @Test
+    void masksOfSeveralScansAreRefusedBeforeAllAreRead() throws IOException {
+        volume("set/case_1.nii", UINT8, v -> v < 4 ? 1 : 0);
+        byte[] other = VolumeSamples.nifti(UINT8, ByteOrder.LITTLE_ENDIAN, h -> h.putFloat(280 + 12, 3.5f));
+        other[VolumeSamples.NIFTI_HEADER] = 1;
+        Files.write(folder.resolve("set/case_2.nii"), other);
+        Files.write(folder.resolve("set/case_3.nii"), new byte[] {1, 2, 3});
+        assertThatThrownBy(() -> LabelVolumeFiles.read(folder.resolve("set")))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("case_2.nii: found other voxels than those of case_1.nii, expected masks of one"
+                        + " scan on one grid");
+    }
+
+    @Test
+    void theOnlyCaseOfADataSetIsFound() throws IOException {
+        volume("set/s0011/ct.nii.gz", INT16, v -> v - 1000);
+        masks("set/s0011/segmentations");
+        assertIsOfMasks(folder.resolve("set"));
+        masks("set/s0012/segmentations");
+        volume("set/s0012/ct.nii.gz", INT16, v -> v - 1000);
+        assertThatThrownBy(() -> LabelVolumeFiles.read(folder.resolve("set")))
+                .hasMessageContaining("found volumes in 2 folders (s0011, s0012), expected the labels of one scan");
+    }
+
     @Test
     void aFolderOfManyCasesAsksForOne() throws IOException {
         for (int scan = 10; scan < 30; scan++) {
