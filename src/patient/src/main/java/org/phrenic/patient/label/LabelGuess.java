@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.phrenic.file.BadInputException;
@@ -36,11 +35,10 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
 
     /** Guesses the table of a volume. */
     public static LabelGuess of(LabelVolume volume) {
-        Map<Integer, String> present = new TreeMap<>(volume.names());
         int[] counts = volume.grid().counts();
-        present.keySet().removeIf(label -> label >= counts.length || counts[label] == 0);
-        Map<Integer, String> known = new TreeMap<>();
-        present.forEach((label, name) -> LabelNames.structure(name).ifPresent(s -> known.put(label, s)));
+        NamedLabels named = NamedLabels.of(volume);
+        Map<Integer, String> present = named.names();
+        Map<Integer, String> known = named.structures();
         if (!known.isEmpty()) {
             return new LabelGuess(
                     Source.NAMES,

@@ -86,6 +86,9 @@ public final class LabelNames {
     private static final Pattern CARTILAGE =
             Pattern.compile("(?=.*cartilage)(.*\\b(costal|ribs?\\d*\\b).*|cartilages?[ \\d]*)");
     private static final Pattern RIB = Pattern.compile("(.* )?rib(s|cage)?\\d*( .*)?");
+    /** Ribs that some people have beyond the usual ones. */
+    private static final Pattern EXTRA_RIB = Pattern.compile("(cervical|lumbar) ribs?|ribs? (cervical|lumbar)");
+
     private static final Pattern STERNUM = Pattern.compile("(?!.*malle)(.* )?(sternum|manubrium|xiphoid)( .*)?");
     private static final Pattern LUNG = Pattern.compile("(?!.*\\b(pleurae?|lungen\\w+)\\b)(.* )?lung.*");
     private static final Pattern LUNG_LOBE =
@@ -232,6 +235,11 @@ public final class LabelNames {
         if (CARTILAGE.matcher(rest).matches()) {
             return levelled(words, side, "costal_cartilage", LabelTable.COSTAL_CARTILAGES);
         }
+        Matcher extra = EXTRA_RIB.matcher(rest);
+        if (extra.matches()) {
+            String region = extra.group(1) == null ? extra.group(2) : extra.group(1);
+            return known("bone_" + region + "_rib" + suffix);
+        }
         if (RIB.matcher(rest).matches()) {
             return levelled(words, side, "rib", LabelTable.RIBS);
         }
@@ -251,6 +259,19 @@ public final class LabelNames {
             return Optional.of("lung" + suffix);
         }
         return vertebra(words).or(() -> organ(words, suffix));
+    }
+
+    /** The side of a name such as "Right rib", which may be one rib or all of the side; empty for other names. */
+    static Optional<Side> sideOfRib(String name) {
+        List<String> words = new ArrayList<>(List.of(
+                LabelWords.english(name).replaceAll("[^a-z0-9]+", " ").strip().split(" ", -1)));
+        Side side = side(words);
+        return side != Side.MIDLINE && words.equals(List.of("rib")) ? Optional.of(side) : Optional.empty();
+    }
+
+    /** Whether a word says what lies in or beside a structure. */
+    static boolean isOfAnatomy(String word) {
+        return LESION.matcher(word).find() || BESIDE.matcher(word).find() || FILLERS.contains(word);
     }
 
     private static Side side(List<String> words) {

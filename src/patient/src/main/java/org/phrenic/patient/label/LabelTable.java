@@ -82,7 +82,9 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
             return read(Path.of(asked), volume);
         }
         Map<Integer, String> named = new TreeMap<>();
-        tables.forEach(table -> volume.names().forEach((label, name) -> {
+        Map<Integer, String> names = new TreeMap<>(volume.names());
+        names.putAll(NamedLabels.of(volume).names());
+        tables.forEach(table -> names.forEach((label, name) -> {
             if (table.names().containsKey(name)) {
                 named.putIfAbsent(label, table.names().get(name));
             }
@@ -122,12 +124,13 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     public LabelTable withRest(LabelVolume volume) {
         int[] counts = volume.grid().counts();
         Map<Integer, String> all = new TreeMap<>(structures);
+        NamedLabels named = NamedLabels.of(volume);
         long names = structures.values().stream().distinct().count();
         for (int label = 1; label < counts.length; label++) {
             if (counts[label] > 0 && !all.containsKey(label) && names++ < MAX_STRUCTURES) {
-                String name = volume.names().getOrDefault(label, "");
+                String name = named.names().getOrDefault(label, "");
                 String text = name.isBlank() ? String.valueOf(label) : name;
-                all.put(label, LabelNames.structure(text).orElse(OrganNames.other(text, label)));
+                all.put(label, named.structures().getOrDefault(label, OrganNames.other(text, label)));
             }
         }
         return new LabelTable(all, missing).withOutline(volume);

@@ -248,6 +248,11 @@ class LabelNamesTest {
         "vertebrae_T13, bone_vertebra_T13",
         "IVD, other_intervertebral_discs",
         "vertebrae_S1, vertebra_S1",
+        "cervical rib, bone_cervical_rib",
+        "Left cervical rib, bone_cervical_rib_L",
+        "cervical_rib_right, bone_cervical_rib_R",
+        "Halsrippe links, bone_cervical_rib_L",
+        "lumbar rib left, bone_lumbar_rib_L",
     })
     void namesOfToolsWithCapitalsAreKnown(String name, String structure) {
         assertThat(LabelNames.structure(name)).contains(structure);

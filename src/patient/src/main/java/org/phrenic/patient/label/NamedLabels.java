@@ -1,0 +1,39 @@
+package org.phrenic.patient.label;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.phrenic.anatomy.Side;
+import org.phrenic.mesh.io.volume.LabelVolume;
+
+/**
+ * The labels of a volume that have names.
+ *
+ * @param names names of the labels that have voxels, without the words that only say which case or file it is
+ * @param structures structures by label, of the names that are known
+ */
+record NamedLabels(Map<Integer, String> names, Map<Integer, String> structures) {
+    static NamedLabels of(LabelVolume volume) {
+        int[] counts = volume.grid().counts();
+        Map<Integer, String> present = new TreeMap<>(volume.names());
+        present.keySet().removeIf(label -> label >= counts.length || counts[label] == 0);
+        Map<Integer, String> names = new TreeMap<>();
+        List<String> bare = SharedWords.removed(new ArrayList<>(present.values()));
+        present.keySet().forEach(label -> names.put(label, bare.get(names.size())));
+        Map<Integer, String> structures = new TreeMap<>();
+        names.forEach((label, name) -> LabelNames.structure(name).ifPresent(known -> structures.put(label, known)));
+        Arrays.asList(Side.RIGHT, Side.LEFT).forEach(side -> {
+            List<Integer> ribs = names.keySet().stream()
+                    .filter(label -> !structures.containsKey(label))
+                    .filter(label -> LabelNames.sideOfRib(names.get(label)).equals(Optional.of(side)))
+                    .toList();
+            if (!ribs.isEmpty() && LabelPieces.areSeveral(volume.grid(), ribs)) {
+                ribs.forEach(label -> structures.put(label, LabelTable.RIBS));
+            }
+        });
+        return new NamedLabels(names, structures);
+    }
+}

@@ -1,0 +1,132 @@
+package org.phrenic.patient.label;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.segmentation.CageVoxels;
+
+/** Names of masks in which all share words, and ribs of a side under one name. */
+class NamedLabelsTest {
+    private static List<String> structures(List<String> names) {
+        return SharedWords.removed(names).stream()
+                .map(name -> LabelNames.structure(name).orElse("-"))
+                .toList();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "s0011_%s",
+                "s0011-%s",
+                "case_00012_%s_seg",
+                "case_3_%s",
+                "%s_BDMAP_1",
+                "%s_BDMAP_00000001",
+                "BDMAP_00000001_%s",
+                "LIDC-IDRI-0001_%s_mask",
+                "patient 7 ct %s",
+                "00012_%s",
+                "%s.manual",
+            })
+    void wordsForACaseOrAFileAreNoPartOfNames(String pattern) {
+        List<String> names = List.of("liver", "lung_left", "kidney_right", "rib_left_12", "vertebrae_T5", "spleen");
+        assertThat(structures(
+                        names.stream().map(name -> String.format(pattern, name)).toList()))
+                .containsExactly("liver", "lung_L", "kidney_R", "rib_12_L", "vertebra_T05", "spleen");
+    }
+
+    @Test
+    void theMaskOfOneStructureHasNoNumberOfACase() {
+        assertThat(structures(List.of("s0011_liver"))).containsExactly("liver");
+        assertThat(structures(List.of("liver_BDMAP_00000001"))).containsExactly("liver");
+    }
+
+    @Test
+    void theNumberOfACaseIsNotThatOfARib() {
+        List<String> names = IntStream.rangeClosed(1, 12)
+                .mapToObj(rib -> "case_00011_rib_left_" + rib)
+                .toList();
+        assertThat(structures(names)).doesNotHaveDuplicates().contains("rib_01_L", "rib_12_L");
+        assertThat(structures(List.of("case_3_rib_left_12", "case_3_rib_right_12")))
+                .containsExactly("rib_12_L", "rib_12_R");
+    }
+
+    /** Words that names share and that are of anatomy: side, level, and what makes of an organ something else. */
+    @ParameterizedTest
+    @CsvSource({
+        "left_lung, left_kidney, lung_L, kidney_L",
+        "rib_left_1, rib_left_12, rib_01_L, rib_12_L",
+        "rib_left_1, rib_right_1, rib_01_L, rib_01_R",
+        "5_rib_left, 5_rib_right, rib_05_L, rib_05_R",
+        "vertebrae_T1, vertebrae_L1, vertebra_T01, vertebra_L01",
+        "T5_vertebra, T5_rib_left, vertebra_T05, -",
+        "liver_tumor, lung_tumor, lesion_liver_tumor, lesion_lung_tumor",
+        "liver_effusion, lung_effusion, -, -",
+        "liver_wall, heart_wall, -, heart",
+        "liver_implant, hip_implant, -, -",
+        "ptv_liver, ptv_spleen, lesion_ptv_liver, lesion_ptv_spleen",
+        "cystic_artery, cystic_duct, -, -",
+    })
+    void wordsOfAnatomyStay(String one, String other, String ofOne, String ofOther) {
+        assertThat(structures(List.of(one, other))).containsExactly(ofOne, ofOther);
+    }
+
+    @Test
+    void namesOfWhichNoneBecomesKnownStayAsTheyAre() {
+        assertThat(SharedWords.removed(List.of("case_0001", "case_0002"))).containsExactly("case_0001", "case_0002");
+        assertThat(SharedWords.removed(List.of("Label 1", "Label 2"))).containsExactly("Label 1", "Label 2");
+    }
+
+    @Test
+    void aTableOfAVolumeTakesTheNamesWithoutTheCase() {
+        LabelGrid grid = LabelGrid.of(3, 1, 1, new byte[] {1, 2, 3}, new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+        LabelVolume volume = new LabelVolume(
+                grid, Map.of(1, "s0011_liver", 2, "s0011_quux", 3, "s0011_spleen", 9, "absent"), List.of());
+        Map<Integer, String> expected = Map.of(1, "liver", 2, "other_quux", 3, "spleen");
+        assertThat(LabelGuess.of(volume).require("scan").structures()).isEqualTo(expected);
+        assertThat(LabelTable.of("totalsegmentator", volume).structures()).isEqualTo(expected);
+    }
+
+    private static Map<Integer, String> sides(CageVoxels cage, boolean oneLabel) {
+        Map<Integer, String> names = new TreeMap<>();
+        byte[] labels = cage.labels.clone();
+        for (int v = 0; v < labels.length; v++) {
+            int label = labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            if (label > 0) {
+                boolean right = label >= CageVoxels.rib(1, true);
+                int own = oneLabel ? right ? 2 : 1 : label;
+                names.put(own, right ? "Right rib" : "Left rib");
+                labels[v] = (byte) own;
+            }
+        }
+        LabelGrid grid = cage.volume().grid();
+        return LabelGuess.of(new LabelVolume(
+                        LabelGrid.of(grid.columns(), grid.rows(), grid.slices(), labels, grid.toMm()),
+                        names,
+                        List.of()))
+                .table()
+                .map(LabelTable::structures)
+                .orElse(Map.of());
+    }
+
+    /** One label for the ribs of a side, or a segment for each rib with no number in its name. */
+    @Test
+    void theRibsOfASideMayHaveTheNameOfOne() {
+        assertThat(sides(new CageVoxels().withRibs(1), true)).isEqualTo(Map.of(1, "ribs", 2, "ribs"));
+        assertThat(sides(new CageVoxels().withRibs(1), false))
+                .hasSize(24)
+                .allSatisfy((label, structure) -> assertThat(structure).isEqualTo("ribs"));
+        assertThat(sides(new CageVoxels().withRibs(12), true))
+                .as("one rib a side")
+                .isEmpty();
+    }
+}
