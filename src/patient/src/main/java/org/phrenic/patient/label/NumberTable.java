@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.phrenic.document.CsvTable;
 import org.phrenic.document.ShippedFile;
 
@@ -23,12 +24,16 @@ record NumberTable(
         Map<Integer, String> structures,
         Map<Integer, Integer> below,
         Map<String, String> names) {
-    /** The shipped tables. */
-    static final List<NumberTable> ALL = all();
+    /** The shipped tables that a volume is held against. */
+    static final List<NumberTable> ALL = all("yes");
+    /** Tables that have to be asked for, because other orders of organs fit them as well. */
+    private static final List<NumberTable> ASKED_FOR = all("no");
 
-    private static List<NumberTable> all() {
+    /** @param guessed yes or no */
+    private static List<NumberTable> all(String guessed) {
         CsvTable index = shipped("numbers.csv");
         return IntStream.range(0, index.texts("file").size())
+                .filter(row -> index.texts("guessed").get(row).equals(guessed))
                 .mapToObj(row -> read(
                         index.texts("name").get(row),
                         index.texts("title").get(row),
@@ -65,13 +70,17 @@ record NumberTable(
         return CsvTable.parse(file, ShippedFile.text("labels/" + file));
     }
 
+    private static Stream<NumberTable> every() {
+        return Stream.concat(ALL.stream(), ASKED_FOR.stream());
+    }
+
     /** The tables of a name. */
     static List<NumberTable> named(String name) {
-        return ALL.stream().filter(table -> table.name().equals(name)).toList();
+        return every().filter(table -> table.name().equals(name)).toList();
     }
 
     /** Names of tables in order of preference. */
     static List<String> distinctNames() {
-        return ALL.stream().map(NumberTable::name).distinct().toList();
+        return every().map(NumberTable::name).distinct().toList();
     }
 }

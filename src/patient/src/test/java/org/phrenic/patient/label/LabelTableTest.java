@@ -60,6 +60,17 @@ class LabelTableTest {
                 .hasMessageContaining("found 70000, expected a whole number from 1 to 65535");
     }
 
+    /**
+     * Kidneys of both sides have one label, and other orders of the four organs fit as well: it has to be asked for.
+     */
+    @Test
+    void theFourLabelsOfFlare21AreTakenWhereTheyAreAskedFor() {
+        LabelVolume trunk = TrunkVoxels.labelled(NumberTable.named("flare21").get(0));
+        assertThat(LabelGuess.of(trunk).source()).isEqualTo(LabelGuess.Source.NONE);
+        assertThat(LabelTable.of("flare21", trunk).structures())
+                .isEqualTo(Map.of(1, "liver", 2, "organ_kidneys", 3, "spleen", 4, "pancreas"));
+    }
+
     /** Programs that write a tool's labels again often name them otherwise, but keep their numbers. */
     @Test
     void aToolThatIsAskedForTellsLabelsByNumbersWhereNoneHasANameOfIts() {
