@@ -2,7 +2,6 @@ package org.phrenic.fit;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Random;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
@@ -42,21 +41,14 @@ public record GroundTruth(List<FitTarget> targets, double domeRightMm, double do
      * @param seed random seed of the noise
      */
     public static GroundTruth of(SyntheticPatient patient, Resolution resolution, double noiseMm, long seed) {
-        return of(patient, resolution, List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT), noiseMm, seed);
+        List<FitPart> lungs = List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT);
+        return of(patient, patient.settings(resolution), lungs, noiseMm, seed);
     }
 
-    /** Like {@link #of(SyntheticPatient, Resolution, double, long)}, with a choice of visible parts. */
+    /** Like {@link #of(SyntheticPatient, Resolution, double, long)}, with a choice of mesh and visible parts. */
     static GroundTruth of(
-            SyntheticPatient patient, Resolution resolution, List<FitPart> parts, double noiseMm, long seed) {
-        return of(
-                patient.body(resolution),
-                List.of(
-                        "anatomy=" + patient.anatomy(),
-                        "resolution=" + resolution.name().toLowerCase(Locale.ROOT)),
-                patient.hidden(),
-                parts,
-                noiseMm,
-                seed);
+            SyntheticPatient patient, List<String> settings, List<FitPart> parts, double noiseMm, long seed) {
+        return of(patient.body(settings), settings, patient.hidden(), parts, noiseMm, seed);
     }
 
     /**

@@ -61,9 +61,18 @@ public record SyntheticPatient(
 
     /** The body at a resolution. Meshes of different resolutions share no vertices. */
     public Thorax body(Resolution resolution) {
-        Thorax plain = SimulationRun.loadThorax(Scenario.defaults()
-                .with("anatomy=" + anatomy, "resolution=" + resolution.name().toLowerCase(Locale.ROOT)));
+        return body(settings(resolution));
+    }
+
+    /** The body that settings of a scenario name, shaped. */
+    Thorax body(List<String> settings) {
+        Thorax plain = SimulationRun.loadThorax(Scenario.defaults().with(settings.toArray(String[]::new)));
         return new Thorax(name, plain.structures().stream().map(this::shaped).toList(), plain.notes());
+    }
+
+    /** Settings of a scenario that name the virtual body at a resolution. */
+    List<String> settings(Resolution resolution) {
+        return List.of("anatomy=" + anatomy, "resolution=" + resolution.name().toLowerCase(Locale.ROOT));
     }
 
     private Structure shaped(Structure structure) {

@@ -14,7 +14,6 @@ import java.util.Optional;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.engine.kinematics.RigidMotion;
@@ -34,8 +33,10 @@ import org.phrenic.scenario.Scenario;
  * --synthetic 5} is the long one.
  */
 class FitTest {
+    private static final String MESH = "mesh_vertices=5000";
+
     private static final String[] SHEET_ALONE = {
-        "preset=deep", "resolution=low", "lungs=off", "sternum=off", "liver=false", "threads=1"
+        "preset=deep", MESH, "lungs=off", "sternum=off", "liver=false", "threads=1"
     };
 
     private static Scenario base;
@@ -60,9 +61,10 @@ class FitTest {
                         "rib_rotation=0.6",
                         "lungs=off",
                         "liver=false"));
-        truth = GroundTruth.of(patient, Resolution.LOW, List.of(FitPart.DIAPHRAGM), 1, 1);
+        List<String> settings = List.of("anatomy=" + patient.anatomy(), MESH);
+        truth = GroundTruth.of(patient, settings, List.of(FitPart.DIAPHRAGM), 1, 1);
         base = Scenario.defaults().with(SHEET_ALONE);
-        body = patient.body(Resolution.LOW);
+        body = patient.body(settings);
     }
 
     private static FitSetup setup(int evaluations, int threads) {
@@ -88,6 +90,10 @@ class FitTest {
         assertThat(result.ratio()).isLessThan(0.35);
         assertThat(result.search().trials()).hasSize(11);
         assertThat(result.bestMm()).isLessThan(result.search().trials()[0]);
+        double[] trials = result.search().trials();
+        assertThat(Arrays.stream(trials, 7, 11).min().orElseThrow())
+                .as("the step goes below all breaths that it follows from")
+                .isLessThan(Arrays.stream(trials, 0, 7).min().orElseThrow());
 
         // Killed while the last evaluations were written.
         String whole = Files.readString(journal);
@@ -177,8 +183,7 @@ class FitTest {
     /** Pairs of points give no linear model, so that what a parameter does takes a breath. */
     @Test
     void whatAParameterDoesIsSeenWhenTheBestBreathIsAndLeavesTheLandmarksToIt() {
-        Scenario withLungs =
-                Scenario.defaults().with("preset=deep", "resolution=low", "sternum=off", "liver=false", "threads=1");
+        Scenario withLungs = Scenario.defaults().with("preset=deep", MESH, "sternum=off", "liver=false", "threads=1");
         FitParameter parameter = greatestActivation(withLungs);
         double[] values = {parameter.start()};
         double[] less = {parameter.fromUnit(0.95)};
