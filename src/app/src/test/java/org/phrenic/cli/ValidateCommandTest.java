@@ -23,11 +23,13 @@ import picocli.CommandLine;
 
 /** {@code phrenic validate}: exit codes and files. */
 class ValidateCommandTest {
-    /** A breath of one second of the sheet alone. */
+    /** A breath of one second of a coarse sheet alone. */
     private static final String[] FAST = {
         "validate",
         "--resolution",
         "low",
+        "--set",
+        "mesh_vertices=2000",
         "--set",
         "lungs=embedded",
         "--set",
