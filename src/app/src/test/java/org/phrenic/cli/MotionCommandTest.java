@@ -18,12 +18,15 @@ import org.phrenic.mesh.io.image.VoxelSeries;
 import org.phrenic.mesh.voxel.VoxelBox;
 
 class MotionCommandTest {
+    private static final List<String> COARSE = List.of("--resolution", "low", "--set", "mesh_vertices=2000");
+
     @TempDir
     private Path folder;
 
     private CommandLineRun motion(String... more) {
-        List<String> args = new ArrayList<>(List.of("motion", "--resolution", "low", "--no-organs", "--out"));
+        List<String> args = new ArrayList<>(List.of("motion", "--no-organs", "--out"));
         args.add(folder.resolve("out").toString());
+        args.addAll(COARSE);
         args.addAll(List.of(more));
         return CommandLineRun.of(args.toArray(new String[0]));
     }
@@ -120,15 +123,16 @@ class MotionCommandTest {
     @Test
     void theTimesOfARunAreThoseOfTheMotionOfTheSameScenario() throws IOException {
         Path run = folder.resolve("run");
-        String[] scenario = {"--resolution", "low", "--duration", "0.052"};
+        List<String> scenario = new ArrayList<>(COARSE);
+        scenario.addAll(List.of("--duration", "0.052"));
         List<String> args = new ArrayList<>(List.of("run", "--out", run.toString()));
-        args.addAll(List.of(scenario));
+        args.addAll(scenario);
         assertThat(CommandLineRun.of(args.toArray(new String[0])).exitCode()).isZero();
         Path points = Files.writeString(folder.resolve("points.csv"), "x_mm,y_mm,z_mm\n-60,0,0\n");
         args = new ArrayList<>(List.of("motion", "--no-organs", "--out"));
         args.addAll(List.of(folder.resolve("out").toString(), "--points", points.toString(), "--times"));
         args.add(run.resolve("observables.csv").toString());
-        args.addAll(List.of(scenario));
+        args.addAll(scenario);
         CommandLineRun motion = CommandLineRun.of(args.toArray(new String[0]));
         assertThat(motion.exitCode()).as(motion.err()).isZero();
         assertThat(Files.readString(folder.resolve("out").resolve("trajectories.csv")))
