@@ -29,6 +29,9 @@ class HeadlessTest {
     /** For a process of some seconds the optimizing compiler takes more time than it gains. */
     private static final String SHORT_LIVED = "-XX:TieredStopAtLevel=1";
 
+    private static final List<String> COARSE_RENDER =
+            List.of("render", "--resolution", "low", "--set", "mesh_vertices=2000", "--set", "lungs=embedded");
+
     @TempDir
     Path folder;
 
@@ -69,6 +72,8 @@ class HeadlessTest {
                 "run",
                 "--resolution",
                 "low",
+                "--set",
+                "mesh_vertices=2000",
                 "--duration",
                 "0.02",
                 "--threads",
@@ -169,7 +174,7 @@ class HeadlessTest {
 
     /** Starts {@code render} in a process without a display and returns its exit code. */
     private int render(Map<String, String> environment, String... options) throws IOException, InterruptedException {
-        List<String> arguments = new ArrayList<>(List.of("render", "--resolution", "low", "--set", "lungs=embedded"));
+        List<String> arguments = new ArrayList<>(COARSE_RENDER);
         arguments.addAll(Arrays.asList(options));
         return execute(environment, arguments);
     }
@@ -214,13 +219,11 @@ class HeadlessTest {
     @Test
     void amongThingsThatAreOnlyKnownOfTheBodyAWrongOneIsToldAndNothingIsWritten() throws Exception {
         Path out = folder.resolve("pictures");
-        List<String> coarse =
-                List.of("render", "--resolution", "low", "--set", "lungs=embedded", "--out", out.toString());
-        CommandLineRun hidden = CommandLineRun.of(with(coarse, "--hide", "livre"));
+        CommandLineRun hidden = CommandLineRun.of(with(COARSE_RENDER, "--out", out.toString(), "--hide", "livre"));
         assumeThat(hidden.exitCode()).as("something here draws").isNotEqualTo(ExitCode.NO_GRAPHICS);
         assertThat(hidden.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(hidden.err()).contains("did you mean 'liver'?");
-        CommandLineRun late = CommandLineRun.of(with(coarse, "--at", "1e6"));
+        CommandLineRun late = CommandLineRun.of(with(COARSE_RENDER, "--out", out.toString(), "--at", "1e6"));
         assertThat(late.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
         assertThat(late.err()).contains("--at: found 1000000.0 s, expected 0 to 8");
         assertThat(out).doesNotExist();
