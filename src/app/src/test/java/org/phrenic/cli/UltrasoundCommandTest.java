@@ -20,8 +20,9 @@ class UltrasoundCommandTest {
     Path folder;
 
     private CommandLineRun ultrasound(String out, String... more) {
-        List<String> args = new ArrayList<>(
-                List.of("ultrasound", "--resolution", "low", "--set", "lungs=embedded", "--set", "sternum=kinematic"));
+        List<String> args =
+                new ArrayList<>(List.of("ultrasound", "--resolution", "low", "--set", "mesh_vertices=2000"));
+        args.addAll(List.of("--set", "lungs=embedded", "--set", "sternum=kinematic"));
         args.addAll(List.of("--preset", "rapid-shallow", "--set", "rate_per_min=70", "--duration", "0.9"));
         args.addAll(List.of("--out", folder.resolve(out).toString()));
         args.addAll(List.of(more));
