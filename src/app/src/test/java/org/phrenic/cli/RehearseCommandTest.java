@@ -21,7 +21,7 @@ import org.phrenic.access.plan.RehearsalPlan;
 class RehearseCommandTest {
     /** Fast breaths of the coarse body without what an attempt does not need. */
     private static final String BODY =
-            "set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, mesh_vertices: 3000, lungs: embedded, sternum: kinematic}\n"
+            "set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, mesh_vertices: 2000, lungs: embedded, sternum: kinematic}\n"
                     + "phases: 4\n";
 
     private static final String TARGET = "target: {rest_mm: [-90, 0, 50], diameter_mm: 30}\n";
