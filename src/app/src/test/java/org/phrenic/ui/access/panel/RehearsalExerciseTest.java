@@ -35,7 +35,7 @@ class RehearsalExerciseTest {
     private static final String PLAN =
             """
             title: Own plan
-            set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, mesh_vertices: 3000, lungs: embedded,
+            set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, mesh_vertices: 2000, lungs: embedded,
               sternum: kinematic, threads: 1, repeat_breath: false}
             phases: 6
             target: {rest_mm: [%s], diameter_mm: 20}

@@ -33,7 +33,7 @@ final class RehearsalHarness {
                         "preset=rapid-shallow",
                         "rate_per_min=70",
                         "resolution=low",
-                        "mesh_vertices=3000",
+                        "mesh_vertices=2000",
                         "lungs=embedded",
                         "sternum=kinematic",
                         "threads=1");
@@ -58,15 +58,35 @@ final class RehearsalHarness {
         return window.window().docks().attempts();
     }
 
+    /**
+     * Waits until something holds. The run stands still while a body is loaded or a map worked out, for which it is not
+     * needed; it plays again when a breath is recorded or an attempt begins.
+     */
     void until(String what, BooleanSupplier holds) throws InterruptedException {
+        WindowHarness.await(
+                what,
+                () -> WindowHarness.onEdt(() -> {
+                    RehearsalStage stage = rehearsal().stage();
+                    boolean needed = stage != RehearsalStage.LOADING && stage != RehearsalStage.MAPPING;
+                    if (!needed && window.session().live().isPlaying()) {
+                        rest();
+                    }
+                    return holds.getAsBoolean();
+                }));
+    }
+
+    /** Waits until something holds, and lets the run go on meanwhile in any stage. */
+    static void untilWhileItRuns(String what, BooleanSupplier holds) throws InterruptedException {
         WindowHarness.await(what, () -> WindowHarness.onEdt(holds::getAsBoolean));
     }
 
     void ready() throws InterruptedException {
-        until(
-                "the needle",
-                () -> rehearsal().stage() == RehearsalStage.READY
-                        && rehearsal().state().isPresent());
+        until("the needle", this::isReady);
+    }
+
+    boolean isReady() {
+        return rehearsal().stage() == RehearsalStage.READY
+                && rehearsal().state().isPresent();
     }
 
     NeedleState state() {
@@ -99,7 +119,9 @@ final class RehearsalHarness {
         until(
                 "an entry",
                 () -> rehearsal().state().filter(NeedleState::hasNeedle).isPresent());
+        rest();
         until("advice", () -> rehearsal().entrySelection().advice().isPresent());
+        goOn();
     }
 
     /** Takes the needle out; the attempt that ends with that. */
@@ -111,7 +133,7 @@ final class RehearsalHarness {
                 () -> attempts().attempts().get(before).whole().orElseThrow());
     }
 
-    /** Lets the run stand still, which flat out would take the processor from what works on a finished attempt. */
+    /** Lets the run stand still, which would take the processor from what works on advice or a finished attempt. */
     void rest() {
         WindowHarness.doOnEdt(() -> window.session().live().pause());
     }

@@ -207,7 +207,7 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
     private static final String PROBE_PLAN =
             """
             title: Probe shown
-            set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, mesh_vertices: 3000, lungs: embedded,
+            set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, mesh_vertices: 2000, lungs: embedded,
               sternum: kinematic, threads: 1}
             target: {rest_mm: [%s], diameter_mm: 14}
             steps:
