@@ -10,11 +10,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.access.TargetLesion;
-import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
@@ -25,6 +24,7 @@ import org.phrenic.ui.window.WindowHarness;
 class LesionTargetTest {
     private static final double SMALL = 0.06;
     private static final double LARGE = 0.12;
+    private static final MeshBudget COARSE = new MeshBudget(2000);
 
     @TempDir
     private static Path folder;
@@ -43,7 +43,7 @@ class LesionTargetTest {
     @Test
     void theLargestLesionIsTheTargetAndAnotherIsChosenFromTheList() throws Exception {
         WindowHarness.assumeDisplay();
-        Thorax man = VirtualThorax.generate(VirtualThoraxParameters.preset("adult-male"), Resolution.LOW);
+        Thorax man = VirtualThorax.ofPreset("adult-male", COARSE);
         for (Structure s : man.structures()) {
             MeshFiles.write(folder.resolve(s.name() + ".ply"), s.mesh());
         }
