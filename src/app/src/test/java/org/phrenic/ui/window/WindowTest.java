@@ -36,8 +36,12 @@ import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import javax.swing.TransferHandler;
 import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.MethodOrderer;
+import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.patient.ScanSamples;
@@ -54,6 +58,7 @@ import org.phrenic.ui.widget.Theme;
  * do is looked for in the observables of the run.
  */
 @Timeout(120)
+@TestMethodOrder(MethodOrderer.OrderAnnotation.class)
 class WindowTest {
     /** By this time the first quiet breath is in, s. */
     private static final double IN_S = 2.2;
@@ -79,6 +84,11 @@ class WindowTest {
     }
 
     private static Scenario start() {
+        return onMeshOfLow().with("mesh_vertices=3000");
+    }
+
+    /** The same with as many vertices as its resolution states. */
+    private static Scenario onMeshOfLow() {
         return Scenario.read(Path.of("data", "scenarios", "paper-quiet.yaml")).with("resolution=low", "threads=1");
     }
 
@@ -89,9 +99,18 @@ class WindowTest {
         }
     }
 
+    /** No test computes beside the next one. */
+    @AfterEach
+    void rest() {
+        window.session().live().pause();
+    }
+
     /** The first scene from its beginning, flat out; it is loaded anew only where another one runs. */
     private static void asAtFirst() throws Exception {
-        Scenario first = start();
+        begin(start());
+    }
+
+    private static void begin(Scenario first) throws Exception {
         long before = id();
         boolean same = WindowHarness.onEdt(() -> {
             Map<String, Object> has =
@@ -140,6 +159,8 @@ class WindowTest {
         return WindowHarness.onEdt(() -> window.session().scene().orElseThrow().scenario());
     }
 
+    /** Before another test has begun or ended a run. */
+    @Order(1)
     @Test
     void theThoraxBreathesAtOnce() throws Exception {
         double step = WindowHarness.onEdt(() -> (double) window.window().view().shownStep());
@@ -233,9 +254,11 @@ class WindowTest {
         assertThat(window.observed("phase")).isNotCloseTo(held, within(STILL));
     }
 
+    /** After the test that has loaded the scene from which this one begins. */
+    @Order(3)
     @Test
     void anotherResolutionIsAnotherScene() throws Exception {
-        asAtFirst();
+        begin(onMeshOfLow());
         int nodes =
                 WindowHarness.onEdt(() -> window.session().scene().orElseThrow().nodes());
         long before = id();
@@ -367,7 +390,10 @@ class WindowTest {
     @Test
     void aDroppedScenarioIsOpened() throws Exception {
         Path file = folder.resolve("dropped.yaml");
-        Files.writeString(file, "preset: deep\nmaterial: paper\nresolution: low\nlungs: off\nrib_rotation: 0.5\n");
+        Files.writeString(
+                file,
+                "preset: deep\nmaterial: paper\nresolution: low\nmesh_vertices: 3000\nlungs: off\nrib_rotation: 0.5\n");
+        window.session().live().play();
         assertThat(drop(file)).isTrue();
         WindowHarness.await("the dropped scene", () -> running().name().equals("dropped"));
         assertThat(window.set("rib_rotation")).isEqualTo(0.5);
@@ -444,11 +470,13 @@ class WindowTest {
         window.screenshot("refused");
     }
 
+    @Order(2)
     @Test
     void theWindowStaysResponsiveWhileItRunsFlatOutAndLoads() throws Exception {
+        asAtFirst();
         window.breathe(0.5);
         window.forgetDispatches();
-        WindowHarness.doOnEdt(() -> window.session().open(EditName.of("Again"), start()));
+        WindowHarness.doOnEdt(() -> window.session().open(EditName.of("Again"), onMeshOfLow()));
         window.breathe(1);
         slide("Damping", 0.4);
         window.breathe(1);
@@ -477,6 +505,7 @@ class WindowTest {
 
     @Test
     void aDivergenceIsNamedAndTakenBackAndNeverSeen() throws Exception {
+        window.session().live().play();
         long before = id();
         Scenario brittle = brittle();
         WindowHarness.doOnEdt(() -> window.session().open(EditName.of("Brittle"), brittle));
@@ -598,7 +627,13 @@ class WindowTest {
         long before = id();
         WindowHarness.doOnEdt(() -> {
             Scenario cough = Scenario.defaults()
-                    .with("resolution=low", "lungs=embedded", "sternum=kinematic", "threads=1", "preset=cough");
+                    .with(
+                            "resolution=low",
+                            "mesh_vertices=3000",
+                            "lungs=embedded",
+                            "sternum=kinematic",
+                            "threads=1",
+                            "preset=cough");
             window.session().open(EditName.of("Cough"), cough);
             window.session().live().setSpeed(Double.POSITIVE_INFINITY);
             window.session().live().play();
@@ -640,6 +675,7 @@ class WindowTest {
 
     @Test
     void lightAndDarkChangeWithoutKeepingTheWindowAndReachWhatIsPutAway() throws Exception {
+        window.session().live().play();
         boolean dark = WindowHarness.onEdt(Theme::isDark);
         // Once each way, for Java to know what there is to do.
         for (int i = 0; i < 2; i++) {
