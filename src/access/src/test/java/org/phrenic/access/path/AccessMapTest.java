@@ -20,7 +20,7 @@ import org.phrenic.access.MovingStructure;
 import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.access.TargetLesion;
-import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.breathing.RespiratoryPhase;
@@ -49,8 +49,8 @@ class AccessMapTest {
     static void breathe() {
         workers = Workers.of(2);
         Scenario deep = Scenario.defaults()
-                .with("preset=deep", "rate_per_min=20", "resolution=low", "lungs=embedded", "sternum=kinematic");
-        try (Simulation simulation = Simulation.of(deep, VirtualThorax.ofPreset("adult-male", Resolution.LOW))) {
+                .with("preset=deep", "rate_per_min=20", "mesh_vertices=5000", "lungs=embedded", "sternum=kinematic");
+        try (Simulation simulation = Simulation.of(deep, VirtualThorax.ofPreset("adult-male", new MeshBudget(5000)))) {
             SceneSurfaces surfaces = SceneSurfaces.withOrgans(simulation);
             cycle = BreathCycle.record(simulation, surfaces, MOMENTS);
             scene = new MovingAnatomy(surfaces.surfaces());

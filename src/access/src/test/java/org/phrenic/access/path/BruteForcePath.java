@@ -22,8 +22,45 @@ import org.phrenic.simulation.observe.Surface;
 final class BruteForcePath {
     private static final double GOLDEN = 0.5 * (Math.sqrt(5) - 1);
     private static final int SECTIONS = 60;
+    /** Triangles are looked at that may be this much farther from a path than the limit. */
+    private static final double NEAR_MM = 0.01;
 
-    private record Part(NoGoZone what, String name, double limit, double[] corners) {}
+    /** Of each triangle, nine coordinates of corners, and its centre with the radius of the sphere around it. */
+    private record Part(NoGoZone what, String name, double limit, double[] corners, double[] spheres) {
+        Part(NoGoZone what, String name, double limit, double[] corners) {
+            this(what, name, limit, corners, spheres(corners));
+        }
+
+        private static double[] spheres(double[] c) {
+            double[] out = new double[c.length / 9 * 4];
+            for (int o = 0, s = 0; o < c.length; o += 9, s += 4) {
+                for (int axis = 0; axis < 3; axis++) {
+                    out[s + axis] = (c[o + axis] + c[o + 3 + axis] + c[o + 6 + axis]) / 3;
+                }
+                for (int k = 0; k < 9; k += 3) {
+                    double x = c[o + k] - out[s];
+                    double y = c[o + k + 1] - out[s + 1];
+                    double z = c[o + k + 2] - out[s + 2];
+                    out[s + 3] = Math.max(out[s + 3], Math.sqrt(x * x + y * y + z * z));
+                }
+            }
+            return out;
+        }
+
+        /** Whether a path comes nearer to the sphere around a triangle than a limit. */
+        boolean isNear(int triangle, double[] from, double[] d, double limit) {
+            double mx = spheres[4 * triangle] - from[0];
+            double my = spheres[4 * triangle + 1] - from[1];
+            double mz = spheres[4 * triangle + 2] - from[2];
+            double s = (mx * d[0] + my * d[1] + mz * d[2]) / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+            s = Math.max(0, Math.min(1, s));
+            double gx = mx - s * d[0];
+            double gy = my - s * d[1];
+            double gz = mz - s * d[2];
+            double reach = limit + spheres[4 * triangle + 3];
+            return gx * gx + gy * gy + gz * gz <= reach * reach;
+        }
+    }
 
     private final List<Part> parts = new ArrayList<>();
     private final TriangleTree.Hit hit = new TriangleTree.Hit();
@@ -73,7 +110,9 @@ final class BruteForcePath {
             double least = Double.POSITIVE_INFINITY;
             double[] c = part.corners;
             for (int o = 0; o < c.length; o += 9) {
-                least = Math.min(least, distance(c, o, from, d, part.limit + 0.01));
+                if (part.isNear(o / 9, from, d, part.limit + NEAR_MM)) {
+                    least = Math.min(least, pierces(c, o, from, d) ? 0 : alongPath(c, o, from, d));
+                }
             }
             slack = Math.min(slack, Math.abs(least - part.limit));
             if (least < part.limit) {
@@ -89,36 +128,12 @@ final class BruteForcePath {
         double[] d = Vectors.subtract(to, from);
         for (Part part : parts) {
             for (int o = 0; o < part.corners.length && zones.contains(part.what); o += 9) {
-                if (pierces(part.corners, o, from, d)) {
+                if (part.isNear(o / 9, from, d, NEAR_MM) && pierces(part.corners, o, from, d)) {
                     out.add(part.name);
                 }
             }
         }
         return out;
-    }
-
-    /** Distance of a path from a triangle, or anything greater than the limit where it is beyond it. */
-    private double distance(double[] c, int o, double[] from, double[] d, double limit) {
-        double mx = (c[o] + c[o + 3] + c[o + 6]) / 3 - from[0];
-        double my = (c[o + 1] + c[o + 4] + c[o + 7]) / 3 - from[1];
-        double mz = (c[o + 2] + c[o + 5] + c[o + 8]) / 3 - from[2];
-        double r2 = 0;
-        for (int k = 0; k < 9; k += 3) {
-            double x = c[o + k] - from[0] - mx;
-            double y = c[o + k + 1] - from[1] - my;
-            double z = c[o + k + 2] - from[2] - mz;
-            r2 = Math.max(r2, x * x + y * y + z * z);
-        }
-        double s = (mx * d[0] + my * d[1] + mz * d[2]) / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-        s = Math.max(0, Math.min(1, s));
-        double gx = mx - s * d[0];
-        double gy = my - s * d[1];
-        double gz = mz - s * d[2];
-        double reach = limit + Math.sqrt(r2);
-        if (gx * gx + gy * gy + gz * gz > reach * reach) {
-            return Double.POSITIVE_INFINITY;
-        }
-        return pierces(c, o, from, d) ? 0 : alongPath(c, o, from, d);
     }
 
     private static boolean pierces(double[] c, int o, double[] from, double[] d) {

@@ -20,7 +20,7 @@ import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
 
-/** The free ways of the left lobe's exercise at low resolution, against every triangle of every surface. */
+/** The free ways of the left lobe's exercise on a coarse mesh, against every triangle of every surface. */
 class FreeWaysTest {
     private static final int MOMENTS = 5;
     private static final Set<NoGoZone> SURFACES = EnumSet.of(NoGoZone.LUNG, NoGoZone.BONE, NoGoZone.ORGAN);
@@ -34,7 +34,7 @@ class FreeWaysTest {
         RehearsalPlan plan = RehearsalPlan.exercises()
                 .get(3)
                 .with(List.of(
-                        "resolution=low", "lungs=embedded", "sternum=kinematic", "preset=deep", "rate_per_min=20"));
+                        "mesh_vertices=5000", "lungs=embedded", "sternum=kinematic", "preset=deep", "rate_per_min=20"));
         try (Simulation simulation = Simulation.of(plan.scenario(), SimulationRun.loadThorax(plan.scenario()));
                 Workers workers = Workers.of(2)) {
             surfaces = SceneSurfaces.withOrgans(simulation);
