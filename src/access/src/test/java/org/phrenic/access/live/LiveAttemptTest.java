@@ -14,6 +14,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.access.BreathMoment;
@@ -60,6 +62,12 @@ class LiveAttemptTest {
                     + "target: {rest_mm: [-90, 0, 50], diameter_mm: 20}\n";
     private static final double[] ENTRY = {-38.9, -121.2, 26.6};
 
+    private static LiveRun run;
+    private static LiveScene scene;
+    private static Frame ofScene;
+    private static MovingAnatomy mapped;
+    private static TargetAccess study;
+
     @TempDir
     Path folder;
 
@@ -67,7 +75,38 @@ class LiveAttemptTest {
 
     private final CompletableFuture<Void> stopped = new CompletableFuture<>();
 
+    /** As the window does: one breath looked at, and the map computed. */
+    @BeforeAll
+    static void look(@TempDir Path folder) throws Exception {
+        RehearsalPlan plan = plan(folder, "steps: []\n");
+        CompletableFuture<LiveScene> loaded = new CompletableFuture<>();
+        CompletableFuture<List<BreathMoment>> cycle = new CompletableFuture<>();
+        run = new LiveRun(plan.scenario(), new Listener(loaded));
+        run.showOrgans();
+        run.setSpeed(Double.POSITIVE_INFINITY);
+        run.play();
+        scene = loaded.get(PATIENCE_S, TimeUnit.SECONDS);
+        ofScene = scene.newFrame().get();
+        CycleRecorder recorder = new CycleRecorder(run, ofScene, plan.moments(), share -> {}, cycle::complete);
+        run.restart(recorder, recorder);
+        mapped = new MovingAnatomy(scene.surfaces());
+        List<BreathMoment> moments = cycle.get(PATIENCE_S, TimeUnit.SECONDS);
+        run.pause();
+        try (Workers workers = Workers.of(2)) {
+            study = TargetAccess.of(mapped, moments, plan.target(mapped), plan.needle(), plan.avoided(), workers);
+        }
+    }
+
+    @AfterAll
+    static void end() {
+        run.close();
+    }
+
     private RehearsalPlan plan(String steps) throws IOException {
+        return plan(folder, steps);
+    }
+
+    private static RehearsalPlan plan(Path folder, String steps) throws IOException {
         return RehearsalPlan.read(Files.writeString(folder.resolve("plan.yaml"), BODY + steps));
     }
 
@@ -184,46 +223,28 @@ class LiveAttemptTest {
         }
     }
 
-    /**
-     * As the window does: one breath looked at, the map computed, the run at its start again, and then by plan or by
-     * hand.
-     */
+    /** As the window does: the run that was looked at is at its start again, and then played by plan or by hand. */
     private Rehearsal live(RehearsalPlan plan, boolean played, Consumer<LiveRehearsal> hand) throws Exception {
-        CompletableFuture<LiveScene> loaded = new CompletableFuture<>();
-        CompletableFuture<List<BreathMoment>> cycle = new CompletableFuture<>();
         CompletableFuture<LiveAttempt> ended = new CompletableFuture<>();
-        try (LiveRun run = new LiveRun(plan.scenario(), new Listener(loaded));
-                Workers workers = Workers.of(2)) {
-            run.showOrgans();
-            run.setSpeed(Double.POSITIVE_INFINITY);
-            run.play();
-            LiveScene scene = loaded.get(PATIENCE_S, TimeUnit.SECONDS);
-            Frame ofScene = scene.newFrame().get();
-            CycleRecorder recorder = new CycleRecorder(run, ofScene, plan.moments(), share -> {}, cycle::complete);
-            run.restart(recorder, recorder);
-            MovingAnatomy mapped = new MovingAnatomy(scene.surfaces());
-            TargetAccess study = TargetAccess.of(
-                    mapped,
-                    cycle.get(PATIENCE_S, TimeUnit.SECONDS),
-                    plan.target(mapped),
-                    plan.needle(),
-                    plan.avoided(),
-                    workers);
-            LiveRehearsal needle = new LiveRehearsal(
-                    run,
-                    new MovingAnatomy(scene.surfaces()),
-                    ofScene,
-                    plan,
-                    study.target(),
-                    played ? Optional.of(study.map()) : Optional.empty(),
-                    new Ended(ended, stopped));
-            StepListener watching = needle.andThen(
-                    (frame, label) -> needle.imageMoment().ifPresent(moment -> moments.put(frame.timeS(), moment)));
-            run.restart(StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), watching);
+        LiveRehearsal needle = new LiveRehearsal(
+                run,
+                new MovingAnatomy(scene.surfaces()),
+                ofScene,
+                plan,
+                study.target(),
+                played ? Optional.of(study.map()) : Optional.empty(),
+                new Ended(ended, stopped));
+        StepListener watching = needle.andThen(
+                (frame, label) -> needle.imageMoment().ifPresent(moment -> moments.put(frame.timeS(), moment)));
+        run.restart(StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), watching);
+        run.play();
+        try {
             hand.accept(needle);
             LiveAttempt attempt = ended.get(PATIENCE_S, TimeUnit.SECONDS);
             RehearsalPlan done = played ? plan : attempt.toPlan(plan);
             return attempt.toRehearsal(done, scene.surfaces(), study, mapped);
+        } finally {
+            run.pause();
         }
     }
 
