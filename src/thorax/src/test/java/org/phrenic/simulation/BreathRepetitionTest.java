@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.phrenic.anatomy.MeshBudget;
-import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
@@ -27,7 +25,7 @@ class BreathRepetitionTest {
     private static final double PERIOD_S = 2;
 
     private static Simulation simulation(Scenario scenario) {
-        return Simulation.of(scenario, VirtualThorax.ofPreset("adult-male", new MeshBudget(3000)));
+        return Runs.simulation(scenario);
     }
 
     private static double[] distances(Simulation one, Simulation other) {

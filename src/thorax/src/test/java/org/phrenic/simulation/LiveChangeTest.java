@@ -44,6 +44,9 @@ class LiveChangeTest {
     /** A held time is a difference of two. */
     private static final double ROUNDING = 1e-12;
 
+    /** A mesh for equal bits: four blocks of nodes on the sheet, which two threads share. */
+    private static final String SMALL = "mesh_vertices=3000";
+
     /** Steps between two changes: a ramp takes thirteen times as long, so that several are always on their way. */
     private static final int BETWEEN = 15;
     /**
@@ -93,7 +96,7 @@ class LiveChangeTest {
     void theSameChangesAtTheSameStepsGiveTheSameBitsFromAScenarioAndLiveOnAnyThreads(String name, int threads)
             throws IOException {
         TissueMaterial material = Materials.MATERIAL.named(name);
-        String[] set = {"material=" + material.label(), "duration_s=9", "threads=2"};
+        String[] set = {"material=" + material.label(), "duration_s=9", SMALL, "threads=2"};
         Scenario start = Runs.scenario(Runs.sheetAlone(set));
         List<ScheduledChange> changes = new ArrayList<>();
         for (String key : liveKeys(material)) {
@@ -128,7 +131,7 @@ class LiveChangeTest {
     void afterADivergenceARunGoesOnFromTheChangeBitForBitAsBefore(String lungs) {
         int before = 100;
         int after = 200;
-        Scenario start = Runs.scenario("preset=deep", "lungs=" + lungs, "threads=2");
+        Scenario start = Runs.scenario("preset=deep", "lungs=" + lungs, SMALL, "threads=2");
         try (Simulation simulation = Runs.simulation(start)) {
             steps(simulation, before);
             simulation.change(List.of(
@@ -379,8 +382,8 @@ class LiveChangeTest {
 
     @Test
     void aRestartGivesTheBitsOfASceneThatWasPutTogetherWithWhatIsSet() {
-        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone()));
-                Simulation fresh = Runs.simulation(Runs.scenario(Runs.sheetAlone("depth=1.5", "preset=deep")))) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone(SMALL)));
+                Simulation fresh = Runs.simulation(Runs.scenario(Runs.sheetAlone(SMALL, "depth=1.5", "preset=deep")))) {
             steps(simulation, 77);
             simulation.change(Assignment.parse("preset=deep"));
             simulation.change(Assignment.parse("depth=1.5"));

@@ -18,6 +18,7 @@ import org.phrenic.file.UnfinishedFiles;
 import org.phrenic.file.UserCache;
 import org.phrenic.mesh.edit.Remesher;
 import org.phrenic.model.assembly.Scene;
+import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.simulation.observe.SceneObserver;
@@ -47,9 +48,10 @@ public final class Runs {
         }
     }
 
-    /** The scene of a scenario with the coarse virtual adult male, which several tests settle once. */
+    /** The scene of a scenario with the virtual adult male as finely meshed as it says, settled once for all tests. */
     public static Simulation simulation(Scenario scenario) {
-        return Simulation.of(scenario, male(), SETTLED);
+        Thorax male = VirtualThorax.ofPreset("adult-male", OrganSettings.budget(scenario));
+        return Simulation.of(scenario, male, SETTLED);
     }
 
     /** What was seen of a run, and what was in it. */
