@@ -284,7 +284,7 @@ class BodyMotionTest {
             double[] p = new double[3];
             double[] w = new double[3];
             double moved = 0;
-            for (int v = 0; v < now.length; v++) {
+            for (int v = 0; v < now.length; v += 3) {
                 if (Byte.toUnsignedInt(now[v]) != BodyRegions.FIRST + s) {
                     continue;
                 }
