@@ -1,5 +1,6 @@
 package org.phrenic.patient.label;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -68,17 +69,22 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
 
     /**
      * The table that {@code --labels} asks for: {@link #LUNGS} for a mask of both lungs, the name of a tool or a data
-     * set ({@link #byTool}), or a file. Names of the volume that are the tool's tell its labels; if there are none,
-     * that one of the tool's versions does whose numbers fit the volume.
+     * set ({@link #byTool}) in upper or lower case, or a file. Names of the volume that are the tool's tell its labels;
+     * if there are none, that one of the tool's versions does whose numbers fit the volume.
      *
      * @throws BadInputException as {@link #read}
      */
     public static LabelTable of(String asked, LabelVolume volume) {
-        if (asked.equals(LUNGS)) {
+        if (asked.equalsIgnoreCase(LUNGS)) {
             return new LabelTable(Map.of(1, LUNGS));
         }
         List<NumberTable> tables = NumberTable.named(asked);
         if (tables.isEmpty()) {
+            if (!asked.contains(".") && !Files.exists(Path.of(asked))) {
+                throw new BadInputException("--labels " + asked + ": found neither a file nor a table of this name,"
+                        + " expected a CSV file, " + LUNGS + " or one of "
+                        + String.join(", ", NumberTable.distinctNames()));
+            }
             return read(Path.of(asked), volume);
         }
         Map<Integer, String> named = new TreeMap<>();

@@ -74,9 +74,9 @@ record NumberTable(
         return Stream.concat(ALL.stream(), ASKED_FOR.stream());
     }
 
-    /** The tables of a name. */
+    /** The tables of a name in upper or lower case. */
     static List<NumberTable> named(String name) {
-        return every().filter(table -> table.name().equals(name)).toList();
+        return every().filter(table -> table.name().equalsIgnoreCase(name)).toList();
     }
 
     /** Names of tables in order of preference. */

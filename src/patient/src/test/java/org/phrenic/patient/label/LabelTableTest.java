@@ -71,6 +71,20 @@ class LabelTableTest {
                 .isEqualTo(Map.of(1, "liver", 2, "organ_kidneys", 3, "spleen", 4, "pancreas"));
     }
 
+    @Test
+    void theNameOfATableIsTakenInAnyCaseAndAnotherIsAnsweredWithTheNamesThereAre() {
+        LabelGrid grid = LabelGrid.of(3, 1, 1, new byte[] {5, 6, 0}, new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+        LabelVolume volume = new LabelVolume(grid, Map.of(), List.of());
+        assertThat(LabelTable.of("TotalSegmentator", volume).structures()).containsEntry(5, "liver");
+        assertThatThrownBy(() -> LabelTable.of("amos22", volume))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("--labels amos22: found neither a file nor a table of this name, expected a CSV"
+                        + " file, lungs or one of totalsegmentator,")
+                .hasMessageContaining("amos, btcv, flare,");
+        assertThatThrownBy(() -> LabelTable.of("none.csv", volume))
+                .hasMessageContaining("none.csv: found no such file");
+    }
+
     /** Programs that write a tool's labels again often name them otherwise, but keep their numbers. */
     @Test
     void aToolThatIsAskedForTellsLabelsByNumbersWhereNoneHasANameOfIts() {
