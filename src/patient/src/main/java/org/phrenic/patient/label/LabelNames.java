@@ -87,7 +87,8 @@ public final class LabelNames {
             Pattern.compile("(?=.*cartilage)(.*\\b(costal|ribs?\\d*\\b).*|cartilages?[ \\d]*)");
     private static final Pattern RIB = Pattern.compile("(.* )?rib(s|cage)?\\d*( .*)?");
     /** Ribs that some people have beyond the usual ones. */
-    private static final Pattern EXTRA_RIB = Pattern.compile("(cervical|lumbar) ribs?|ribs? (cervical|lumbar)");
+    private static final Pattern EXTRA_RIB =
+            Pattern.compile("(?=.*\\bribs?\\b)(?!.*\\bvertebra)(.* )?(cervical|lumbar)( .*)?");
 
     private static final Pattern STERNUM = Pattern.compile("(?!.*malle)(.* )?(sternum|manubrium|xiphoid)( .*)?");
     private static final Pattern LUNG = Pattern.compile("(?!.*\\b(pleurae?|lungen\\w+)\\b)(.* )?lung.*");
@@ -237,8 +238,7 @@ public final class LabelNames {
         }
         Matcher extra = EXTRA_RIB.matcher(rest);
         if (extra.matches()) {
-            String region = extra.group(1) == null ? extra.group(2) : extra.group(1);
-            return known("bone_" + region + "_rib" + suffix);
+            return known("bone_" + extra.group(2) + "_rib" + suffix);
         }
         if (RIB.matcher(rest).matches()) {
             return levelled(words, side, "rib", LabelTable.RIBS);

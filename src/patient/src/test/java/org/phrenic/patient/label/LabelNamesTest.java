@@ -251,6 +251,8 @@ class LabelNamesTest {
         "cervical rib, bone_cervical_rib",
         "Left cervical rib, bone_cervical_rib_L",
         "cervical_rib_right, bone_cervical_rib_R",
+        "rib_cervical_left_1, bone_cervical_rib_L",
+        "cervical rib 7 right, bone_cervical_rib_R",
         "Halsrippe links, bone_cervical_rib_L",
         "lumbar rib left, bone_lumbar_rib_L",
     })
