@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -130,19 +131,31 @@ public final class AtomicFile {
 
     /**
      * Makes a change again that is refused: Windows refuses while another program, such as a scanner, reads the file.
+     * It does so as a denial of access or as a sharing violation, which Java has no class for: a
+     * {@link FileSystemException} itself.
      */
     static void retrying(Change change) throws IOException {
         for (int attempt = 1; ; attempt++) {
             try {
                 change.make();
                 return;
-            } catch (AccessDeniedException refused) {
-                if (attempt == REPLACEMENTS) {
-                    throw refused;
+            } catch (FileSystemException refused) {
+                boolean isViolation = refused.getClass() == FileSystemException.class;
+                boolean mayPass = isViolation || refused instanceof AccessDeniedException;
+                if (!mayPass || attempt == REPLACEMENTS) {
+                    throw isViolation ? withCause(refused) : refused;
                 }
                 LockSupport.parkNanos(attempt * PAUSE_NS);
             }
         }
+    }
+
+    /** A refusal of the system with what is the likely cause before its own reason. */
+    private static FileSystemException withCause(FileSystemException refused) {
+        FileSystemException told = new FileSystemException(
+                null, null, "another program may have the file open (" + refused.getReason() + ")");
+        told.initCause(refused);
+        return told;
     }
 
     private static void createFolder(Path folder) throws IOException {

@@ -6,9 +6,14 @@ import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.DirectoryNotEmptyException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -59,6 +64,43 @@ class AtomicFileTest {
                 .isThrownBy(() -> AtomicFile.retrying(() -> {
                     throw new AccessDeniedException("curves.csv");
                 }));
+    }
+
+    /** Windows tells an open file of another program so, where the program shares it with nobody. */
+    @Test
+    void aFileThatAnotherProgramKeepsOpenIsTriedAgainAndThenSaidToBeOpen() throws IOException {
+        FileSystemException violation =
+                new FileSystemException(".curves.csv.part0", "curves.csv", "The process cannot access the file");
+        int[] refusals = {2};
+        AtomicFile.retrying(() -> {
+            if (refusals[0]-- > 0) {
+                throw violation;
+            }
+        });
+        assertThat(refusals[0]).isEqualTo(-1);
+        assertThatExceptionOfType(FileSystemException.class)
+                .isThrownBy(() -> AtomicFile.retrying(() -> {
+                    throw violation;
+                }))
+                .withMessage("another program may have the file open (The process cannot access the file)");
+    }
+
+    @Test
+    void aChangeThatCannotSucceedLaterIsTriedOnce() {
+        for (FileSystemException lasting : List.of(
+                new NoSuchFileException("gone"),
+                new FileAlreadyExistsException("taken"),
+                new NotDirectoryException("file"),
+                new DirectoryNotEmptyException("full"))) {
+            int[] attempts = {0};
+            assertThatExceptionOfType(FileSystemException.class)
+                    .isThrownBy(() -> AtomicFile.retrying(() -> {
+                        attempts[0]++;
+                        throw lasting;
+                    }))
+                    .isSameAs(lasting);
+            assertThat(attempts[0]).isEqualTo(1);
+        }
     }
 
     @Test
