@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Test;
 
 /** The walls inside the Maven modules, and what no compiler holds: no cycles, no screen in a headless run. */
 class ArchitectureTest {
-    private static final JavaClasses PROGRAM = new ClassFileImporter()
+    static final JavaClasses PROGRAM = new ClassFileImporter()
             .withImportOption(new ImportOption.DoNotIncludeTests())
             .withImportOption(location -> !location.contains("-tests.jar") && !location.contains("test-classes"))
             // The module of clusters stands above the program and is built by a profile alone.
