@@ -13,10 +13,8 @@ public final class MeshMeasure {
 
     private MeshMeasure() {}
 
-    /**
-     * Statistics of edge lengths, mm; {@code deviation} is the population standard deviation. All zero without edges.
-     */
-    public record EdgeLengths(double minimum, double mean, double maximum, double deviation) {}
+    /** Statistics of edge lengths, mm. All zero without edges. */
+    public record EdgeLengths(double minimum, double mean, double maximum) {}
 
     /** Total area, mm^2. */
     public static double area(TriangleMesh mesh) {
@@ -177,7 +175,7 @@ public final class MeshMeasure {
     public static EdgeLengths edgeLengthSummary(TriangleMesh mesh, MeshTopology topology) {
         double[] lengths = edgeLengths(mesh, topology);
         if (lengths.length == 0) {
-            return new EdgeLengths(0, 0, 0, 0);
+            return new EdgeLengths(0, 0, 0);
         }
         double minimum = Double.POSITIVE_INFINITY;
         double maximum = 0;
@@ -187,12 +185,7 @@ public final class MeshMeasure {
             maximum = Math.max(maximum, length);
             sum += length;
         }
-        double mean = sum / lengths.length;
-        double squares = 0;
-        for (double length : lengths) {
-            squares += (length - mean) * (length - mean);
-        }
-        return new EdgeLengths(minimum, mean, maximum, Math.sqrt(squares / lengths.length));
+        return new EdgeLengths(minimum, sum / lengths.length, maximum);
     }
 
     /** Writes (p1 - p0) x (p2 - p0) to {@code out} and returns its length, twice the triangle area. */

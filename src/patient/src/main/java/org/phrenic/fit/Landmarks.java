@@ -47,12 +47,7 @@ public record Landmarks(double[] from, double[] scanned, RigidMotion motion) {
             BySurface bySurface,
             DistanceSummary fitted,
             DistanceSummary fittedLessMean,
-            Shifts shifts) {
-        /** Fitted over rigid mean error. */
-        public double ratio() {
-            return fitted.mean() / rigid.mean();
-        }
-    }
+            Shifts shifts) {}
 
     /**
      * Errors of points that follow the surface of a lung, mm.

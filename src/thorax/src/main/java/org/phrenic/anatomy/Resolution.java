@@ -30,14 +30,4 @@ public enum Resolution {
     public int diaphragmVertices() {
         return budget.diaphragmVertices();
     }
-
-    /** Number of vertices on both lungs. */
-    public int lungVertices() {
-        return budget.lungVertices();
-    }
-
-    /** Number of vertices on sternum and costal cartilages. */
-    public int sternumVertices() {
-        return budget.sternumVertices();
-    }
 }

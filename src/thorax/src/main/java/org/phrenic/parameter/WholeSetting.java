@@ -19,11 +19,6 @@ public final class WholeSetting extends Setting<Integer> {
         this.defaultValue = defaultValue;
     }
 
-    /** Largest value. */
-    public int maximum() {
-        return maximum;
-    }
-
     @Override
     public List<String> options() {
         return maximum > MAX_OPTIONS

@@ -46,10 +46,6 @@ public final class RunSummary {
         }
     }
 
-    int breathCount() {
-        return breaths.size();
-    }
-
     /** Sample of a breath with the lowest mean height of the two domes. */
     private int endInspiration(int[] breath) {
         int best = breath[0];

@@ -69,11 +69,6 @@ public enum Tissue {
         this.echogenicity = echogenicity;
     }
 
-    /** Density, g/cm3. */
-    public double density() {
-        return density;
-    }
-
     /** Acoustic impedance, MRayl. */
     public double impedance() {
         return impedance;

@@ -22,10 +22,6 @@ final class ManualStepRecorder {
         done.removeIf(timed -> !(timed.step() instanceof PlanStep.HoldBreath));
     }
 
-    boolean isEmpty() {
-        return done.isEmpty();
-    }
-
     /** Clears the recording after the run has restarted. */
     void clear() {
         done.clear();

@@ -57,16 +57,6 @@ public final class BModeImage {
         return raster.pixel(p[0], p[1]);
     }
 
-    /** Number of scan lines; line 0 is the farthest from the marker. */
-    public int lines() {
-        return SectorGrid.LINES;
-    }
-
-    /** Samples of a scan line, evenly from the face to the depth of the image. */
-    public int samples() {
-        return SectorGrid.SAMPLES;
-    }
-
     /**
      * Intensity before compensation and compression, relative to a perfect mirror in front of the face, at the sample
      * nearest to a depth.

@@ -105,10 +105,6 @@ public final class Ultrasound {
         return List.copyOf(leftOut);
     }
 
-    public CurvilinearProbe probe() {
-        return probe;
-    }
-
     /**
      * Takes an image.
      *

@@ -217,10 +217,6 @@ public final class DockManager {
         return attempts;
     }
 
-    BreathDock breath() {
-        return breath;
-    }
-
     PlotDock plots() {
         return plots;
     }

@@ -83,17 +83,11 @@ public final class NewtonEquilibrium {
      * @param activeSetSettled whether the active set is consistent with the solution
      * @param residualsMn residual force on free nodes, rms, before each Newton step of the last round and after the
      *     last step, mN
-     * @param rounds number of Newton solves, one for each active set
      * @param activeRows active rows at the end
      * @param activeSetChanges rows whose active state is inconsistent with the solution
      */
     public record Result(
-            boolean converged,
-            boolean activeSetSettled,
-            double[] residualsMn,
-            int rounds,
-            int activeRows,
-            int activeSetChanges) {}
+            boolean converged, boolean activeSetSettled, double[] residualsMn, int activeRows, int activeSetChanges) {}
 
     /**
      * @param system a system near equilibrium; its positions are changed
@@ -160,7 +154,6 @@ public final class NewtonEquilibrium {
                 converged,
                 settled,
                 history.stream().mapToDouble(Double::doubleValue).toArray(),
-                rounds,
                 rows.activeCount(),
                 settled ? 0 : changed);
     }

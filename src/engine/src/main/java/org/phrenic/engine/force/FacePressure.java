@@ -107,10 +107,6 @@ public final class FacePressure implements ForceField {
         secondaryPressure = value;
     }
 
-    public double pressure() {
-        return pressure;
-    }
-
     @Override
     public void addForces(double[] x, double[] v, double[] force, int block) {
         if (pressure == 0 && secondaryPressure == 0) {

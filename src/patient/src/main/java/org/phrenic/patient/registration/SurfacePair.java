@@ -33,7 +33,6 @@ final class SurfacePair {
     private final StructureKind kind;
     private final TriangleMesh scan;
     private final TriangleTree scanTree;
-    private final boolean guidesBones;
     private final boolean whole;
     private final boolean[] atCut;
     /** Triangles of the scan at the border of an open surface or at the end of the scan. */
@@ -55,7 +54,6 @@ final class SurfacePair {
     SurfacePair(PatientStructure organ, TriangleMesh scan, TriangleMesh template, boolean guidesBones) {
         kind = organ.structure().kind();
         this.scan = scan;
-        this.guidesBones = guidesBones;
         scanTree = new TriangleTree(scan);
         whole = organ.isComplete();
         atCut = atCut(organ, scan);
@@ -110,20 +108,8 @@ final class SurfacePair {
         return kind;
     }
 
-    boolean guidesBones() {
-        return guidesBones;
-    }
-
     boolean isComplete() {
         return whole;
-    }
-
-    TriangleMesh scan() {
-        return scan;
-    }
-
-    TriangleMesh template() {
-        return template;
     }
 
     /** Moves the surface of the template from its original place. */

@@ -7,7 +7,6 @@ import org.phrenic.document.CsvTable;
 import org.phrenic.document.ShippedFile;
 import org.phrenic.engine.kinematics.HelicalAxis;
 import org.phrenic.file.BadInputException;
-import org.phrenic.mesh.TriangleMesh;
 
 /**
  * Rotation of each rib from end-expiration to full inspiration.
@@ -33,23 +32,12 @@ public final class RibAxisTable {
     /**
      * Motion of one rib.
      *
-     * @param level 1 to 12
      * @param pumpDeg rotation about the transverse axis; positive raises the anterior end
      * @param bucketDeg rotation about the antero-posterior axis; positive raises the lateral arc
      * @param swingDeg rotation about the superior axis; positive moves the anterior end toward the midline
      * @param slideMm translation along the axis (right rib; mirrored for the left)
-     * @param confidence good, fair or weak
-     * @param source source of the numbers
      */
-    public record Row(
-            int level,
-            double pumpDeg,
-            double bucketDeg,
-            double swingDeg,
-            double slideMm,
-            String confidence,
-            String source) {
-
+    public record Row(double pumpDeg, double bucketDeg, double swingDeg, double slideMm) {
         /** Length of the rotation vector, degrees. */
         public double angleDeg() {
             return Math.sqrt(pumpDeg * pumpDeg + bucketDeg * bucketDeg + swingDeg * swingDeg);
@@ -86,8 +74,6 @@ public final class RibAxisTable {
         double[] swing = table.numbers("swing_deg");
         double[] slide = table.numbers("slide_mm");
         double[] angle = table.numbers("angle_deg");
-        List<String> confidence = table.texts("confidence");
-        List<String> source = table.texts("source");
         Row[] rows = new Row[LEVELS];
         for (int i = 0; i < level.length; i++) {
             int at = (int) level[i] - 1;
@@ -97,7 +83,7 @@ public final class RibAxisTable {
             if (rows[at] != null) {
                 throw table.badCell(i, "rib", "found rib " + (at + 1) + " a second time, expected it once");
             }
-            rows[at] = new Row(at + 1, pump[i], bucket[i], swing[i], slide[i], confidence.get(i), source.get(i));
+            rows[at] = new Row(pump[i], bucket[i], swing[i], slide[i]);
             if (Math.abs(angle[i] - rows[at].angleDeg()) > ANGLE_TOLERANCE_DEG) {
                 throw table.badCell(
                         i,
@@ -116,11 +102,6 @@ public final class RibAxisTable {
                     name + ": found no line for rib " + (missing + 1) + ", expected ribs 1 to " + LEVELS);
         }
         return new RibAxisTable(Arrays.asList(rows));
-    }
-
-    /** Rows of ribs 1 to 12. */
-    public List<Row> rows() {
-        return rows;
     }
 
     /** Row of a rib, level 1 to 12. */
@@ -142,10 +123,5 @@ public final class RibAxisTable {
         double[] rightHead = side == Side.LEFT ? new double[] {-head[0], head[1], head[2]} : head;
         HelicalAxis right = HelicalAxis.through(direction, rightHead, angle, row.slideMm());
         return side == Side.LEFT ? right.mirroredX() : right;
-    }
-
-    /** Motion of a rib to full inspiration, with its head located on the surface (LPS, mm). */
-    public HelicalAxis axis(int level, Side side, TriangleMesh rib) {
-        return axis(level, side, RibEnds.find(rib, side).head());
     }
 }

@@ -307,14 +307,9 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /**
-     * Sets the step listener and calls it at multiples of an interval of simulated time, rounded to whole steps, also
-     * after a reset and in later scenes. Replaces the previous listener. {@link StepListener} says on which thread.
+     * Sets the step listener and what triggers its calls, rounded to whole steps, also after a reset and in later
+     * scenes. Replaces the previous listener. {@link StepListener} says on which thread it is called.
      */
-    public void listenToSteps(double everyS, StepListener watch) {
-        listenToSteps(StepListener.Trigger.every(everyS), watch);
-    }
-
-    /** As {@link #listenToSteps(double, StepListener)}, with any trigger. */
     public void listenToSteps(StepListener.Trigger when, StepListener watch) {
         loop.commands.submit(() -> loop.notifyStepListener(watch, when));
     }

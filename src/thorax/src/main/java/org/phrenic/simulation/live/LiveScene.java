@@ -17,7 +17,6 @@ import org.phrenic.simulation.observe.Surface;
  * @param overlays that can be drawn over the surfaces
  * @param newFrame creates a matching frame that holds the scene at rest; callable on any thread
  * @param nodes number of nodes
- * @param springs number of springs
  * @param body the body as loaded, with its notes
  * @param id unique in a run: its scenes count from 1 up, bodies at rest from -1 down
  */
@@ -27,7 +26,6 @@ public record LiveScene(
         List<Overlay> overlays,
         Supplier<Frame> newFrame,
         int nodes,
-        int springs,
         Thorax body,
         long id) {
     private static final AtomicLong BODIES_AT_REST = new AtomicLong();
@@ -39,14 +37,7 @@ public record LiveScene(
                         s.name(), s.kind(), s.level(), s.side(), s.mesh(), Surface.Motion.STILL, new boolean[0]))
                 .toList();
         return new LiveScene(
-                scenario,
-                surfaces,
-                List.of(),
-                () -> Frame.still(surfaces),
-                0,
-                0,
-                body,
-                BODIES_AT_REST.decrementAndGet());
+                scenario, surfaces, List.of(), () -> Frame.still(surfaces), 0, body, BODIES_AT_REST.decrementAndGet());
     }
 
     /** Whether this is a body that is shown before its scene runs. */

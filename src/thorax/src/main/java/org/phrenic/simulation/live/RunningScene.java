@@ -63,9 +63,8 @@ final class RunningScene implements AutoCloseable {
         pipe = new FrameTripleBuffer(rest);
         history = new RunHistory(rest);
         int nodes = simulation.system().nodeCount();
-        int springs = simulation.springCount();
         scene = new LiveScene(
-                simulation.start(), surfaces.surfaces(), surfaces.overlays(), rest::copy, nodes, springs, body, id);
+                simulation.start(), surfaces.surfaces(), surfaces.overlays(), rest::copy, nodes, body, id);
         sample();
         publish();
     }

@@ -34,7 +34,9 @@ class RibMotionOnPeopleTest {
             for (Side side : new Side[] {Side.RIGHT, Side.LEFT}) {
                 TriangleMesh rib = SharedRibs.rib("anatomy/male-thorax/watertight", level, side);
                 double[] before = RibEnds.find(rib, side).anterior();
-                double[] after = table.axis(level, side, rib).motion().apply(before[0], before[1], before[2]);
+                double[] after = table.axis(level, side, RibEnds.find(rib, side).head())
+                        .motion()
+                        .apply(before[0], before[1], before[2]);
                 assertThat(after[2] - before[2])
                         .as("rise of rib %d %s, mm", level, side)
                         .isBetween(rise[0], rise[1]);
@@ -51,7 +53,9 @@ class RibMotionOnPeopleTest {
             RibAxisTable table = RibAxisTable.preset(name);
             for (int level = 2; level <= 12; level++) {
                 TriangleMesh rib = SharedRibs.rib("anatomy/male-thorax/watertight", level, Side.LEFT);
-                RigidMotion motion = table.axis(level, Side.LEFT, rib).motion();
+                RigidMotion motion = table.axis(
+                                level, Side.LEFT, RibEnds.find(rib, Side.LEFT).head())
+                        .motion();
                 double[] moved = rib.positions().clone();
                 motion.apply(moved);
                 assertThat(rib.withPositions(moved).bounds()[3] - rib.bounds()[3])

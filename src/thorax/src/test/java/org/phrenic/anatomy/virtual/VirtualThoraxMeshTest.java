@@ -37,7 +37,7 @@ class VirtualThoraxMeshTest {
         double tolerance = BUDGET_TOLERANCE * resolution.vertices();
         assertThat((double) sheet + lungs + sternum).isCloseTo(resolution.vertices(), within(tolerance));
         assertThat((double) sheet).isCloseTo(resolution.diaphragmVertices(), within(tolerance));
-        assertThat((double) lungs).isCloseTo(resolution.lungVertices(), within(tolerance));
+        assertThat((double) lungs).isCloseTo(resolution.budget().lungVertices(), within(tolerance));
     }
 
     @ParameterizedTest
