@@ -1,6 +1,7 @@
 package org.phrenic.mesh;
 
 import java.util.Arrays;
+import java.util.stream.Stream;
 
 /**
  * Axis-aligned bounding boxes, six numbers each in a longer array: minimum x, y, z, then maximum x, y, z, mm.
@@ -44,6 +45,19 @@ public final class BoundingBoxes {
             boxes[at + axis] = low;
             boxes[at + 3 + axis] = high;
         }
+    }
+
+    /** Box of meshes; empty, with minimum greater than maximum, without any. */
+    public static double[] of(Stream<TriangleMesh> meshes) {
+        double[] box = new double[6];
+        setEmpty(box, 0);
+        meshes.map(TriangleMesh::bounds).forEach(one -> {
+            for (int axis = 0; axis < 3; axis++) {
+                box[axis] = Math.min(box[axis], one[axis]);
+                box[3 + axis] = Math.max(box[3 + axis], one[3 + axis]);
+            }
+        });
+        return box;
     }
 
     /** Squared distance of a point from a box; 0 inside. */

@@ -27,7 +27,6 @@ import org.phrenic.scene.style.StructureSelection;
 import org.phrenic.scene.style.SurfaceMaterial;
 import org.phrenic.scene.style.Transparency;
 import org.phrenic.scene.surface.Markers;
-import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
@@ -163,7 +162,7 @@ public final class NeedlePictures implements AutoCloseable {
     private record Series(Path folder, Renderer renderer, Frame frame, String timestamp) {}
 
     private String write(Series series, String name, AnatomicalView view, SceneStyle style, String title) {
-        Camera camera = Camera.of(view, SceneBounds.of(body));
+        Camera camera = Camera.of(view, Surface.bounds(body));
         BufferedImage picture = gl.render(series.renderer, series.frame, camera, style, size, size);
         Annotations.of(style).withTitle(title).withTimestamp(series.timestamp).draw(picture, camera);
         String file = name + ".png";

@@ -24,7 +24,6 @@ import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.style.StructureSelection;
 import org.phrenic.scene.style.SurfaceMaterial;
 import org.phrenic.scene.style.Transparency;
-import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
@@ -208,7 +207,7 @@ public final class PaperFigures {
 
     private BufferedImage picture(
             Renderer renderer, Frame frame, AnatomicalView view, SceneStyle style, List<Surface> framed) {
-        Camera camera = Camera.of(view, SceneBounds.of(framed), (double) width / height);
+        Camera camera = Camera.of(view, Surface.bounds(framed), (double) width / height);
         BufferedImage image = gl.render(renderer, frame, camera, style, width, height);
         gl.release(renderer);
         Annotations.of(style).draw(image, camera);

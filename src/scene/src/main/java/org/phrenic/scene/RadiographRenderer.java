@@ -12,9 +12,9 @@ import org.phrenic.access.imaging.Radiograph;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.annotate.Annotations;
 import org.phrenic.scene.camera.Camera;
-import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Surface;
 
 /**
  * Simulates a scenario and makes radiographs of it as pictures, without OpenGL. Times must be requested in ascending
@@ -62,7 +62,7 @@ public final class RadiographRenderer implements AutoCloseable {
     public RadiographRenderer(Scenario scenario, SimulationRun.Progress progress, double energyKev, int threads) {
         player = new ScenePlayer(scenario, progress);
         fluoroscope = new Fluoroscope(player.surfaces(), threads);
-        bounds = SceneBounds.of(player.surfaces());
+        bounds = Surface.bounds(player.surfaces());
         this.energyKev = energyKev;
         if (!fluoroscope.leftOut().isEmpty()) {
             progress.note("Not in the radiographs, as they are not closed: " + String.join(", ", fluoroscope.leftOut())

@@ -14,7 +14,6 @@ import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.scene.gl.Renderer;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.SceneStyle;
-import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
@@ -69,7 +68,7 @@ public final class ScenarioRenderer implements AutoCloseable {
     }
 
     private BufferedImage render(Frame frame, PictureSettings settings, SceneStyle style) {
-        Camera camera = settings.camera(SceneBounds.of(style.visible(surfaces())));
+        Camera camera = settings.camera(Surface.bounds(style.visible(surfaces())));
         if (style.field() == ColourField.DISTANCE) {
             String structure = style.colouring().structure();
             distances.ifPresent(field -> field.upload(renderer, frame, structure));

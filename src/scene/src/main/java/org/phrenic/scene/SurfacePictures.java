@@ -18,7 +18,6 @@ import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.ColourScale;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.style.Transparency;
-import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
@@ -62,7 +61,7 @@ public final class SurfacePictures implements AutoCloseable {
                 .withTransparency(Transparency.PEELED)
                 .withAppearances(
                         surfaces, (s, any) -> layers.get(surfaces.indexOf(s)).appearance());
-        return picture(new Renderer(surfaces, List.of()), style, settings, SceneBounds.of(surfaces));
+        return picture(new Renderer(surfaces, List.of()), style, settings, Surface.bounds(surfaces));
     }
 
     /** The mesh as a surface with outward faces, because inward faces are not lit. */

@@ -3,8 +3,8 @@ package org.phrenic.anatomy;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
@@ -177,12 +177,8 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
     }
 
     private static double extent(List<Structure> structures, int axis) {
-        double[] ends = structures.stream()
-                .map(s -> s.mesh().bounds())
-                .flatMapToDouble(box -> DoubleStream.of(box[axis], box[3 + axis]))
-                .sorted()
-                .toArray();
-        return ends.length == 0 ? 0 : ends[ends.length - 1] - ends[0];
+        double[] box = BoundingBoxes.of(structures.stream().map(Structure::mesh));
+        return structures.isEmpty() ? 0 : box[3 + axis] - box[axis];
     }
 
     /** Describes the difference if the detected axes differ from these; empty if they agree or cannot be detected. */
@@ -250,15 +246,8 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
     }
 
     private static double width(List<Structure> all, int axis) {
-        double low = Double.POSITIVE_INFINITY;
-        double high = Double.NEGATIVE_INFINITY;
-        for (Structure s : all) {
-            if (s.kind() == StructureKind.RIB) {
-                double[] box = s.mesh().bounds();
-                low = Math.min(low, box[axis]);
-                high = Math.max(high, box[3 + axis]);
-            }
-        }
-        return high - low;
+        double[] box = BoundingBoxes.of(
+                all.stream().filter(s -> s.kind() == StructureKind.RIB).map(Structure::mesh));
+        return box[3 + axis] - box[axis];
     }
 }

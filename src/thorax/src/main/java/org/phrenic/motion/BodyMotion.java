@@ -189,15 +189,7 @@ public final class BodyMotion implements AutoCloseable {
 
     /** Box of the body at rest: three least, three greatest coordinates, mm. */
     public double[] bounds() {
-        double[] box = surfaces.get(0).rest().bounds();
-        for (Surface s : surfaces) {
-            double[] b = s.rest().bounds();
-            for (int axis = 0; axis < 3; axis++) {
-                box[axis] = Math.min(box[axis], b[axis]);
-                box[3 + axis] = Math.max(box[3 + axis], b[3 + axis]);
-            }
-        }
-        return box;
+        return Surface.bounds(surfaces);
     }
 
     BodyRegions regions() {

@@ -91,15 +91,7 @@ final class SoftTissue {
 
     /** Wall and abdomen of a body on the same lattice. */
     static SoftTissue[] of(List<Surface> surfaces, BodyRegions regions) {
-        double[] box = {1e9, 1e9, 1e9, -1e9, -1e9, -1e9};
-        for (Surface s : surfaces) {
-            double[] b = s.rest().bounds();
-            for (int axis = 0; axis < 3; axis++) {
-                box[axis] = Math.min(box[axis], b[axis]);
-                box[3 + axis] = Math.max(box[3 + axis], b[3 + axis]);
-            }
-        }
-        VectorLattice wall = VectorLattice.covering(box, MARGIN_MM, EDGE_MM);
+        VectorLattice wall = VectorLattice.covering(Surface.bounds(surfaces), MARGIN_MM, EDGE_MM);
         List<double[]> rest = surfaces.stream().map(s -> s.rest().positions()).toList();
         byte[] labels = regions.label(wall.box(), rest);
         SoftTissue outer = new SoftTissue(surfaces, regions, labels, wall, BodyRegions.WALL, new int[0]);

@@ -5,6 +5,7 @@ import java.util.List;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.LungPart;
 
@@ -27,14 +28,7 @@ final class ChestBox {
     private static double[] box(Scene scene, LungPart lungs) {
         List<Structure> inside = new ArrayList<>(scene.thorax().structuresOf(StructureKind.RIB));
         inside.addAll(lungs.structures);
-        double[] box = inside.get(0).mesh().bounds().clone();
-        for (Structure structure : inside) {
-            double[] bounds = structure.mesh().bounds();
-            for (int axis = 0; axis < 3; axis++) {
-                box[axis] = Math.min(box[axis], bounds[axis]);
-                box[3 + axis] = Math.max(box[3 + axis], bounds[3 + axis]);
-            }
-        }
+        double[] box = BoundingBoxes.of(inside.stream().map(Structure::mesh));
         for (int axis = 0; axis < 3; axis++) {
             box[axis] -= MARGIN_MM;
             box[3 + axis] += MARGIN_MM;

@@ -9,6 +9,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.simulation.observe.Surface;
 
 /**
  * Where a needle may enter the skin of a body that lies on its back, at rest. Cut ends are faces within
@@ -68,19 +69,11 @@ public final class SkinEntries {
     /** Box of all structures of a kind at rest; infinite, low above high, if there are none. */
     private static double[] bounds(List<MovingStructure> structures, StructureKind kind) {
         double inf = Double.POSITIVE_INFINITY;
-        double[] all = {-inf, -inf, inf, inf, inf, inf};
-        boolean first = true;
-        for (MovingStructure s : structures) {
-            if (s.surface().kind() == kind) {
-                double[] box = s.surface().rest().bounds();
-                for (int axis = 0; axis < 3; axis++) {
-                    all[axis] = first ? box[axis] : Math.min(all[axis], box[axis]);
-                    all[3 + axis] = first ? box[3 + axis] : Math.max(all[3 + axis], box[3 + axis]);
-                }
-                first = false;
-            }
-        }
-        return all;
+        List<Surface> all = structures.stream()
+                .map(MovingStructure::surface)
+                .filter(s -> s.kind() == kind)
+                .toList();
+        return all.isEmpty() ? new double[] {-inf, -inf, inf, inf, inf, inf} : Surface.bounds(all);
     }
 
     /** What a vertex of the skin is. */

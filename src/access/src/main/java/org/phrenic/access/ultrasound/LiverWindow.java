@@ -66,20 +66,11 @@ public enum LiverWindow {
     }
 
     private static double[] bounds(List<Surface> surfaces, String what, Predicate<Surface> wanted) {
-        double[] box = surfaces.stream()
-                .filter(wanted)
-                .map(s -> s.rest().bounds())
-                .reduce((a, b) -> new double[] {
-                    Math.min(a[0], b[0]),
-                    Math.min(a[1], b[1]),
-                    Math.min(a[2], b[2]),
-                    Math.max(a[3], b[3]),
-                    Math.max(a[4], b[4]),
-                    Math.max(a[5], b[5])
-                })
-                .orElseThrow(() ->
-                        new BadInputException("the body: found no " + what + ", expected one to find this place from"));
-        return box;
+        List<Surface> all = surfaces.stream().filter(wanted).toList();
+        if (all.isEmpty()) {
+            throw new BadInputException("the body: found no " + what + ", expected one to find this place from");
+        }
+        return Surface.bounds(all);
     }
 
     /** The height at the side, near that of the middle of the liver, that is farthest from all ribs. */

@@ -27,7 +27,6 @@ import org.phrenic.scene.style.ColourScale;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.style.StructureLabels;
 import org.phrenic.scene.style.Transparency;
-import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
@@ -231,7 +230,7 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
 
     @Override
     public void onScene(LiveScene scene) {
-        bounds = SceneBounds.of(scene.surfaces());
+        bounds = Surface.bounds(scene.surfaces());
         Object before = structure.getSelectedItem();
         structure.removeAllItems();
         scene.surfaces().stream()

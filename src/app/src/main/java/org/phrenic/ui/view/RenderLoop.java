@@ -26,7 +26,6 @@ import org.phrenic.scene.gl.Renderer;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.scene.style.Transparency;
-import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.live.LiveRun;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunHistory;
@@ -289,7 +288,7 @@ public final class RenderLoop implements AutoCloseable {
     /** Draws a body out of sight before a picture is asked for: meshes are sent and shaders compiled meanwhile. */
     private void prepare(OffscreenContext gl, LiveScene body) {
         setScene(gl, body);
-        Camera camera = Camera.of(AnatomicalView.ANTERIOR, SceneBounds.of(body.surfaces()), 1);
+        Camera camera = Camera.of(AnatomicalView.ANTERIOR, Surface.bounds(body.surfaces()), 1);
         gl.render(renderer, frame, camera, SceneStyle.atlas(body.surfaces()), PREPARED_PIXELS, PREPARED_PIXELS);
     }
 

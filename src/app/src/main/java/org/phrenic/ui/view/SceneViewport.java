@@ -22,7 +22,6 @@ import org.phrenic.scene.camera.PickResult;
 import org.phrenic.scene.gl.GraphicsInfo;
 import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.scene.style.SceneStyle;
-import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.Session;
@@ -92,7 +91,7 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         appearance.setSurfaces(now.surfaces());
         if (otherBody) {
             double aspect = getHeight() > 0 ? (double) getWidth() / getHeight() : 1;
-            homeCamera = Camera.of(AnatomicalView.ANTERIOR, SceneBounds.of(now.surfaces()), aspect);
+            homeCamera = Camera.of(AnatomicalView.ANTERIOR, Surface.bounds(now.surfaces()), aspect);
             setCamera(homeCamera.withProjection(camera.orthographic()));
         } else {
             requestFrame();
@@ -123,7 +122,7 @@ public final class SceneViewport extends JPanel implements Session.Listener {
     public void resetCamera() {
         if (scene != null && getHeight() > 0) {
             homeCamera = Camera.of(
-                    AnatomicalView.ANTERIOR, SceneBounds.of(scene.surfaces()), (double) getWidth() / getHeight());
+                    AnatomicalView.ANTERIOR, Surface.bounds(scene.surfaces()), (double) getWidth() / getHeight());
         }
         setCamera(homeCamera.withProjection(camera.orthographic()));
     }

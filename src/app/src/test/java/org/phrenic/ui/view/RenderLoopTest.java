@@ -18,7 +18,6 @@ import org.phrenic.scene.camera.PickResult;
 import org.phrenic.scene.gl.FrameStatistics;
 import org.phrenic.scene.gl.GraphicsInfo;
 import org.phrenic.scene.style.SceneStyle;
-import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.observe.Surface;
@@ -143,7 +142,7 @@ class RenderLoopTest {
     }
 
     private static RenderLoop.Request request(LiveScene of) {
-        Camera camera = Camera.of(AnatomicalView.ANTERIOR, SceneBounds.of(of.surfaces()), 1);
+        Camera camera = Camera.of(AnatomicalView.ANTERIOR, Surface.bounds(of.surfaces()), 1);
         SceneStyle style = SceneStyle.atlas(of.surfaces());
         return new RenderLoop.Request(of, camera, style, Optional.empty(), Optional.empty(), SIDE, SIDE, -1);
     }

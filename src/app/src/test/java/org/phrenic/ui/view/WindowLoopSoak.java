@@ -11,10 +11,10 @@ import org.phrenic.scene.camera.Camera;
 import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.scene.gl.Renderer;
 import org.phrenic.scene.style.SceneStyle;
-import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.live.LiveRun;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.observe.Frame;
+import org.phrenic.simulation.observe.Surface;
 
 /**
  * The window's loop for a long time without a window: a scene runs in real time, each new frame is drawn, the camera
@@ -64,7 +64,7 @@ public final class WindowLoopSoak implements LiveRun.Listener {
                     renderer = new Renderer(scene.surfaces(), scene.overlays());
                     frame = scene.newFrame().get();
                     camera = Camera.of(
-                            AnatomicalView.ANTERIOR, SceneBounds.of(scene.surfaces()), WIDTH / (double) HEIGHT);
+                            AnatomicalView.ANTERIOR, Surface.bounds(scene.surfaces()), WIDTH / (double) HEIGHT);
                     style = SceneStyle.atlas(scene.surfaces());
                     run.play();
                 }

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.IntPredicate;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.voxel.LabelGrid;
@@ -106,16 +107,10 @@ public final class LungMoments {
         if (lungs.isEmpty()) {
             return Optional.empty();
         }
-        double[] low = new double[3];
+        double[] box = BoundingBoxes.of(lungs.stream());
         int[] size = new int[3];
         for (int axis = 0; axis < 3; axis++) {
-            int a = axis;
-            low[a] = lungs.stream().mapToDouble(lung -> lung.bounds()[a]).min().orElseThrow();
-            double high = lungs.stream()
-                    .mapToDouble(lung -> lung.bounds()[3 + a])
-                    .max()
-                    .orElseThrow();
-            size[a] = (int) Math.ceil((high - low[a]) / VOXEL_MM) + 1;
+            size[axis] = (int) Math.ceil((box[3 + axis] - box[axis]) / VOXEL_MM) + 1;
         }
         byte[] labels = new byte[size[0] * size[1] * size[2]];
         double f = 1 / VOXEL_MM;
@@ -123,11 +118,11 @@ public final class LungMoments {
                 size[0],
                 size[1],
                 size[2],
-                new double[] {f, 0, 0, -f * low[0], 0, f, 0, -f * low[1], 0, 0, f, -f * low[2]},
+                new double[] {f, 0, 0, -f * box[0], 0, f, 0, -f * box[1], 0, 0, f, -f * box[2]},
                 labels);
         lungs.forEach(lung -> voxels.fill(lung, 1));
         LabelGrid grid = LabelGrid.of(size[0], size[1], size[2], labels, new double[] {
-            VOXEL_MM, 0, 0, low[0], 0, VOXEL_MM, 0, low[1], 0, 0, VOXEL_MM, low[2]
+            VOXEL_MM, 0, 0, box[0], 0, VOXEL_MM, 0, box[1], 0, 0, VOXEL_MM, box[2]
         });
         return Optional.of(of(grid, label -> label == 1));
     }

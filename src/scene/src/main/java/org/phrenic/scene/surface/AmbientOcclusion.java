@@ -28,7 +28,7 @@ public final class AmbientOcclusion {
     public AmbientOcclusion(List<Surface> surfaces) {
         List<Surface> occluders =
                 surfaces.stream().filter(s -> occludes(s.kind())).toList();
-        double[] box = SceneBounds.of(occluders);
+        double[] box = Surface.bounds(occluders);
         int even = 1 << LEVELS;
         for (int i = 0; i < 3; i++) {
             origin[i] = box[i] - 2 * CELL_MM;

@@ -16,7 +16,6 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.ScenePlayer;
 import org.phrenic.scene.style.ClipPlane;
-import org.phrenic.scene.surface.SceneBounds;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
@@ -127,7 +126,7 @@ class PickerTest {
 
     @Test
     void fromTheFrontTheLeftOfThePictureIsThePatientsRight() {
-        double[] bounds = SceneBounds.of(player.surfaces());
+        double[] bounds = Surface.bounds(player.surfaces());
         Camera camera = Camera.of(AnatomicalView.ANTERIOR, bounds, (double) WIDTH / HEIGHT);
         PickResult left = sweep(camera, 0, WIDTH / 2 - 20);
         PickResult right = sweep(camera, WIDTH - 1, WIDTH / 2 + 20);
@@ -150,7 +149,7 @@ class PickerTest {
 
     @Test
     void whatIsNearlyTransparentIsLookedThroughUnlessThereIsNothingBehind() {
-        Camera camera = Camera.of(AnatomicalView.ANTERIOR, SceneBounds.of(player.surfaces()), (double) WIDTH / HEIGHT);
+        Camera camera = Camera.of(AnatomicalView.ANTERIOR, Surface.bounds(player.surfaces()), (double) WIDTH / HEIGHT);
         double[] middle = camera.ray(WIDTH / 2.0, HEIGHT / 2.0, WIDTH, HEIGHT);
         ToDoubleFunction<Surface> glassSkin = s -> s.kind() == StructureKind.SKIN ? 0.3 : 1;
         assertThat(pick(middle, glassSkin).orElseThrow().surface().kind()).isNotEqualTo(StructureKind.SKIN);
@@ -165,7 +164,7 @@ class PickerTest {
 
     @Test
     void whatThePlaneCutsAwayIsNotPicked() {
-        double[] box = SceneBounds.of(player.surfaces());
+        double[] box = Surface.bounds(player.surfaces());
         Camera front = Camera.of(AnatomicalView.ANTERIOR, box, (double) WIDTH / HEIGHT);
         double[] middle = front.ray(WIDTH / 2.0, HEIGHT / 2.0, WIDTH, HEIGHT);
         ToDoubleFunction<Surface> skin = only(StructureKind.SKIN);
@@ -220,7 +219,7 @@ class PickerTest {
 
     @Test
     void aRayAlongThePlaneHitsWhatIsBehindItAlone() {
-        double[] box = SceneBounds.of(player.surfaces());
+        double[] box = Surface.bounds(player.surfaces());
         double[] upwards = {0, 0.5 * (box[1] + box[4]), box[2] - 100, 0, 0, 1};
         assertThat(picker.pick(frame, upwards, Optional.of(ClipPlane.coronal(upwards[1] - 1)), s -> 1))
                 .isPresent();
@@ -230,7 +229,7 @@ class PickerTest {
 
     @Test
     void aPickProjectsBackToItsPixel() {
-        Camera camera = Camera.of(AnatomicalView.LEFT, SceneBounds.of(player.surfaces()), (double) WIDTH / HEIGHT);
+        Camera camera = Camera.of(AnatomicalView.LEFT, Surface.bounds(player.surfaces()), (double) WIDTH / HEIGHT);
         double[] xy = new double[2];
         PickResult pick = pick(camera.ray(300, 200, WIDTH, HEIGHT), s -> 1).orElseThrow();
         camera.project(pick.x(), pick.y(), pick.z(), WIDTH, HEIGHT, xy);

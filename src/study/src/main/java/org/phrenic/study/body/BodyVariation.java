@@ -12,6 +12,7 @@ import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.patient.diaphragm.CageEnvelope;
@@ -244,20 +245,11 @@ public record BodyVariation(
         }
 
         private static double[] bounds(Thorax body, StructureKind kind) {
-            double[] all = null;
-            for (Structure s : body.structuresOf(kind)) {
-                TriangleMesh mesh = s.mesh();
-                double[] box = mesh.bounds();
-                for (int i = 0; all != null && i < 3; i++) {
-                    box[i] = Math.min(box[i], all[i]);
-                    box[i + 3] = Math.max(box[i + 3], all[i + 3]);
-                }
-                all = box;
-            }
-            if (all == null) {
+            List<Structure> all = body.structuresOf(kind);
+            if (all.isEmpty()) {
                 throw new IllegalArgumentException(body.name() + ": found no " + kind + ", expected one");
             }
-            return all;
+            return BoundingBoxes.of(all.stream().map(Structure::mesh));
         }
     }
 }

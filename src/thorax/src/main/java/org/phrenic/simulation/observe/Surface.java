@@ -1,7 +1,9 @@
 package org.phrenic.simulation.observe;
 
+import java.util.List;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.mesh.TriangleMesh;
 
 /**
@@ -25,5 +27,10 @@ public record Surface(
         RIGID,
         /** Deformation: a frame holds all vertex positions. */
         DEFORMING
+    }
+
+    /** {@code {minX, minY, minZ, maxX, maxY, maxZ}} at rest, mm; without surfaces, infinite with min above max. */
+    public static double[] bounds(List<Surface> surfaces) {
+        return BoundingBoxes.of(surfaces.stream().map(Surface::rest));
     }
 }
