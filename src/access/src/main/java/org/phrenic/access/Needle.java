@@ -1,8 +1,8 @@
 package org.phrenic.access;
 
-import java.util.Locale;
 import java.util.Map;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.Vectors;
 
 /**
@@ -76,11 +76,9 @@ public record Needle(int gauge, double lengthMm, double coreMm) {
     public void requireReach(double[] from, double[] aim) {
         double path = Vectors.distance(from, aim);
         if (!(path <= lengthMm)) {
-            throw new BadInputException(String.format(
-                    Locale.ROOT,
+            throw new BadInputException(Numbers.format(
                     "needle: found %.1f mm for a path of %.1f mm, expected a longer needle or a nearer entry",
-                    lengthMm,
-                    path));
+                    lengthMm, path));
         }
         if (path < 1) {
             throw new BadInputException(

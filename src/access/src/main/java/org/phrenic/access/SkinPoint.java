@@ -1,7 +1,7 @@
 package org.phrenic.access;
 
-import java.util.Locale;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.query.TriangleTree;
 
 /** A point that moves with the skin, stored as a triangle and barycentric weights. */
@@ -34,14 +34,9 @@ public final class SkinPoint {
         double distance = Math.sqrt(hit.distanceSquared);
         if (distance > TOLERANCE_MM) {
             String side = tree.isInside(local[0], local[1], local[2]) ? "inside the body" : "off the skin";
-            throw new BadInputException(String.format(
-                    Locale.ROOT,
+            throw new BadInputException(Numbers.format(
                     "entry: found (%.1f, %.1f, %.1f), %.1f mm %s, expected a place on the skin",
-                    place[0],
-                    place[1],
-                    place[2],
-                    distance,
-                    side));
+                    place[0], place[1], place[2], distance, side));
         }
         triangle = hit.triangle;
         weights = new double[] {hit.weightA, hit.weightB, hit.weightC};

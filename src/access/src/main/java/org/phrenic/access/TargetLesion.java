@@ -1,8 +1,8 @@
 package org.phrenic.access;
 
-import java.util.Locale;
 import java.util.Random;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.query.SegmentProbe;
@@ -47,13 +47,9 @@ public record TargetLesion(double[] restMm, double diameterMm) {
             TriangleTree.Hit hit = new TriangleTree.Hit();
             tree.closest(restMm[0], restMm[1], restMm[2], hit);
             double outside = Math.sqrt(hit.distanceSquared);
-            throw new BadInputException(String.format(
-                    Locale.ROOT,
+            throw new BadInputException(Numbers.format(
                     "target: found (%.1f, %.1f, %.1f), %.1f mm outside of the liver, expected a place within it",
-                    restMm[0],
-                    restMm[1],
-                    restMm[2],
-                    outside));
+                    restMm[0], restMm[1], restMm[2], outside));
         }
         return new TargetLesion(restMm.clone(), diameterMm);
     }

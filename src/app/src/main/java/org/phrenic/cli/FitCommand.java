@@ -224,9 +224,12 @@ final class FitCommand extends ReportingCommand {
                         out.resolve("landmarks.csv"), setup.thorax().structuresOf(StructureKind.LUNG)));
         writePages(out, "report", report.document(pictures));
         print(report.values(), () -> {
-            String distances = TextTable.of(FitReport.DISTANCES, report.distances());
+            String distances =
+                    new TextTable(FitReport.DISTANCES).rows(report.distances()).text();
             String carried = result.landmarks().map(FitCommand::inside).orElse("");
-            String tuned = TextTable.of(FitReport.PARAMETERS, report.parameters());
+            String tuned = new TextTable(FitReport.PARAMETERS)
+                    .rows(report.parameters())
+                    .text();
             String limits = String.join("\n", report.limits());
             return withDisclaimer(String.join("\n", distances, carried + tuned, report.summary(), limits));
         });
@@ -234,7 +237,7 @@ final class FitCommand extends ReportingCommand {
 
     private static String inside(Landmarks.Errors errors) {
         LandmarkTable table = new LandmarkTable(errors);
-        return TextTable.of(LandmarkTable.COLUMNS, table.rows()) + table.shifts() + "\n\n";
+        return new TextTable(LandmarkTable.COLUMNS).rows(table.rows()).text() + table.shifts() + "\n\n";
     }
 
     private int synthetic(ConsoleProgress printer) {
@@ -252,7 +255,11 @@ final class FitCommand extends ReportingCommand {
             printer.end();
             JsonWriter.write(out.resolve("synthetic.json"), study.values());
             writePages(out, "synthetic", study.document(made.lines()));
-            print(study.values(), () -> withDisclaimer(TextTable.of(SyntheticStudy.COLUMNS, study.cells())));
+            print(
+                    study.values(),
+                    () -> withDisclaimer(new TextTable(SyntheticStudy.COLUMNS)
+                            .rows(study.cells())
+                            .text()));
         }
         return ExitCode.SUCCESS;
     }

@@ -3,7 +3,6 @@ package org.phrenic.cli;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
@@ -16,7 +15,9 @@ import org.phrenic.cli.report.NameRanges;
 import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.file.FileNames;
+import org.phrenic.file.Numbers;
 import org.phrenic.patient.ImportProgress;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.diaphragm.SheetQuality;
@@ -177,8 +178,7 @@ final class ImportCommand extends ReportingCommand {
         }
         StringBuilder text = new StringBuilder();
         result.grid()
-                .ifPresent(grid -> text.append(String.format(
-                        Locale.ROOT,
+                .ifPresent(grid -> text.append(Numbers.format(
                         "%s: %d x %d x %d voxels of %.3g x %.3g x %.3g mm\n\n",
                         result.file(),
                         grid.columns(),
@@ -200,12 +200,12 @@ final class ImportCommand extends ReportingCommand {
     }
 
     private static String text(SheetQuality quality) {
-        TextTable table = new TextTable(false, true, true, false, false).row("diaphragm", "value", "limit", "unit", "");
+        TextTable table = new TextTable(Column.list("diaphragm | # value | # limit | unit | "));
         for (SheetQuality.Measure m : quality.measures()) {
             table.row(
                     m.what(),
-                    String.format(Locale.ROOT, "%.2f", m.value()),
-                    String.format(Locale.ROOT, "%.0f", m.limit()),
+                    Numbers.format("%.2f", m.value()),
+                    Numbers.format("%.0f", m.limit()),
                     m.unit(),
                     m.isGood() ? "" : "beyond");
         }
@@ -214,8 +214,6 @@ final class ImportCommand extends ReportingCommand {
 
     private static String cell(String key, Object value) {
         String format = key.endsWith("mm") || key.endsWith("voxels") ? "%.2f" : "%.1f";
-        return value instanceof Double number
-                ? String.format(Locale.ROOT, format, number)
-                : value == null ? "-" : value.toString();
+        return value instanceof Double number ? Numbers.format(format, number) : value == null ? "-" : value.toString();
     }
 }

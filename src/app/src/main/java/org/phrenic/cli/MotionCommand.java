@@ -2,7 +2,6 @@ package org.phrenic.cli;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Pattern;
 import org.phrenic.anatomy.Thorax;
@@ -15,6 +14,7 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.Numbers;
 import org.phrenic.file.UserCache;
 import org.phrenic.mesh.io.raster.VolumeSource;
 import org.phrenic.motion.BodyMotion;
@@ -115,6 +115,6 @@ final class MotionCommand extends ReportingCommand {
     }
 
     private static String number(Object value) {
-        return String.format(Locale.ROOT, "%.3f", (Double) value);
+        return Numbers.format("%.3f", (Double) value);
     }
 }

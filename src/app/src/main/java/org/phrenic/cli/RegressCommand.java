@@ -2,7 +2,6 @@ package org.phrenic.cli;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import org.phrenic.cli.option.OptionValues;
@@ -11,7 +10,9 @@ import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.OrderedValues;
+import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.file.Numbers;
 import org.phrenic.study.regression.Regression;
 import org.phrenic.study.regression.RegressionComparison;
 import picocli.CommandLine.Command;
@@ -65,8 +66,8 @@ final class RegressCommand extends ReportingCommand {
     }
 
     private static String table(List<RegressionComparison> comparisons, boolean hold) {
-        TextTable table = new TextTable(false, false, true, true, true, false, true, true)
-                .row("scene", "verdict", "worst mm", "node", "at s", "worst observable", "share", "at s");
+        TextTable table = new TextTable(
+                Column.list("scene | verdict | # worst mm | # node | # at s | worst observable | # share | # at s"));
         StringBuilder told = new StringBuilder();
         for (RegressionComparison c : comparisons) {
             table.row(
@@ -86,7 +87,7 @@ final class RegressCommand extends ReportingCommand {
     }
 
     private static String number(String format, double value) {
-        return Double.isNaN(value) ? "-" : String.format(Locale.ROOT, format, value);
+        return Double.isNaN(value) ? "-" : Numbers.format(format, value);
     }
 
     private static Map<String, Object> values(List<RegressionComparison> comparisons, boolean hold) {

@@ -19,6 +19,7 @@ import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.HtmlPage;
+import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.scene.NeedlePictures;
@@ -101,7 +102,7 @@ final class RehearseCommand extends ReportingCommand {
         StringBuilder text = new StringBuilder(table.text());
         List<Goals.GoalResult> goals = rehearsal.plan().goals().evaluate(rehearsal.record());
         if (!goals.isEmpty()) {
-            TextTable asked = new TextTable(false, true, true, false).row("goal", "asked", "reached", "");
+            TextTable asked = new TextTable(Column.list("goal | # asked | # reached | "));
             for (Goals.GoalResult g : goals) {
                 String value = QuantityKey.format(g.value());
                 asked.row(g.goal(), QuantityKey.format(g.limit()), value, g.reached() ? "yes" : "NO");

@@ -20,8 +20,10 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FileNames;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.RadiographRenderer;
@@ -208,7 +210,7 @@ final class RenderCommand extends ReportingCommand {
 
     private Path picture(NamedShot shot, int index, double[] times) {
         String suffix = timeOptions.isSequence()
-                ? String.format(Locale.ROOT, "_%04d", index + 1)
+                ? Numbers.format("_%04d", index + 1)
                 : times.length == 1 ? "" : "_" + TimeOptions.label(times[index]);
         return out.resolve(shot.file() + suffix + ".png");
     }
@@ -234,7 +236,7 @@ final class RenderCommand extends ReportingCommand {
         OrderedValues report = new OrderedValues().with("pictures", written);
         graphics.ifPresent(info -> report.with("graphics", info.renderer()).with("opengl", info.version()));
         report.with("notice", Disclaimer.TEXT);
-        TextTable table = new TextTable(false, false, true, true, true).row("file", "view", "time_s", "size", "frames");
+        TextTable table = new TextTable(Column.list("file | view | # time_s | # size | # frames"));
         for (OrderedValues row : written) {
             table.row(
                     row.get("file").toString(),

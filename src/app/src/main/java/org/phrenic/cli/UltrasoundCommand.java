@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.phrenic.access.ultrasound.BModeImage;
@@ -22,7 +21,9 @@ import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.file.AtomicFile;
+import org.phrenic.file.Numbers;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.ScenePlayer;
 import org.phrenic.scene.UltrasoundPicture;
@@ -85,7 +86,7 @@ final class UltrasoundCommand extends ReportingCommand {
                         place.pose(frame, probeOptions.angles()),
                         probeOptions.settings(),
                         probeOptions.needle());
-                String file = String.format(Locale.ROOT, "ultrasound_%04d.png", written.size() + 1);
+                String file = Numbers.format("ultrasound_%04d.png", written.size() + 1);
                 UltrasoundPicture.write(out.resolve(file), image);
                 list(file, frame.timeS(), image);
             }
@@ -138,15 +139,13 @@ final class UltrasoundCommand extends ReportingCommand {
     }
 
     private String table() {
-        TextTable table = new TextTable(false, true, true).row("file", "time_s", "face_mm");
+        TextTable table = new TextTable(Column.list("file | # time_s | # face_mm"));
         for (OrderedValues row : written) {
             List<?> face = (List<?>) row.get("face_mm");
             table.row(
                     row.get("file").toString(),
-                    String.format(Locale.ROOT, "%.3f", (Double) row.get("time_s")),
-                    face.stream()
-                            .map(mm -> String.format(Locale.ROOT, "%.1f", (Double) mm))
-                            .collect(Collectors.joining(", ")));
+                    Numbers.format("%.3f", (Double) row.get("time_s")),
+                    face.stream().map(mm -> Numbers.format("%.1f", (Double) mm)).collect(Collectors.joining(", ")));
         }
         return withDisclaimer(table.text());
     }

@@ -16,6 +16,7 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.RunSettings;
@@ -170,8 +171,8 @@ final class ValidateCommand extends ReportingCommand {
     }
 
     private static String table(Validation.Body body) {
-        TextTable table = new TextTable(false, false, true, true, false, false, false)
-                .row("quantity", "preset", "value", "range", "unit", "confidence", "verdict");
+        TextTable table =
+                new TextTable(Column.list("quantity | preset | # value | # range | unit | confidence | verdict"));
         for (Finding f : body.findings()) {
             boolean none = f.verdict() == Finding.Verdict.NOT_MEASURABLE;
             table.row(

@@ -1,5 +1,6 @@
 package org.phrenic.file;
 
+import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
 
@@ -40,6 +41,11 @@ public final class Numbers {
         } catch (NumberFormatException notWhole) {
             return OptionalLong.empty();
         }
+    }
+
+    /** A text in the format of {@link String#format}, with decimal points in every locale. */
+    public static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
     }
 
     /** Puts {@code text} in single quotes for a message; long text is shortened and control characters are replaced. */

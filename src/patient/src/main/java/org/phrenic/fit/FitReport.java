@@ -5,7 +5,6 @@ import java.math.MathContext;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.IntStream;
 import org.phrenic.document.CsvWriter;
@@ -16,6 +15,7 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.document.report.ReportDocument.Picture;
+import org.phrenic.file.Numbers;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.mesh.query.DistanceSummary;
 
@@ -25,24 +25,12 @@ public record FitReport(FitResult result) {
     private static final double AT_BOUND = 1e-6;
 
     /** Columns of {@link #distances}. */
-    public static final List<Column> DISTANCES = List.of(
-            Column.text("target"),
-            Column.text("body"),
-            Column.number("mean"),
-            Column.number("SD"),
-            Column.number("RMS"),
-            Column.number("95 %"),
-            Column.number("residual / initial"));
+    public static final List<Column> DISTANCES =
+            Column.list("target | body | # mean | # SD | # RMS | # 95 % | # residual / initial");
     /** Columns of {@link #parameters}. */
-    public static final List<Column> PARAMETERS = List.of(
-            Column.text("parameter"),
-            Column.text("unit"),
-            Column.number("bounds"),
-            Column.number("start"),
-            Column.number("fitted"),
-            Column.number("step"),
-            Column.number("distance with a step less"),
-            Column.number("with a step more"));
+    public static final List<Column> PARAMETERS =
+            Column.list("parameter | unit | # bounds | # start | # fitted | # step"
+                    + " | # distance with a step less | # with a step more");
 
     /** Distances before and after the fit, mm, one row per target. */
     public List<List<String>> distances() {
@@ -67,7 +55,7 @@ public record FitReport(FitResult result) {
     }
 
     private static String ratio(double value) {
-        return Double.isFinite(value) ? String.format(Locale.ROOT, "%.3f", value) : "";
+        return Double.isFinite(value) ? Numbers.format("%.3f", value) : "";
     }
 
     /** A number for JSON; null where there is none, such as a ratio to a distance of 0. */
@@ -108,8 +96,7 @@ public record FitReport(FitResult result) {
     /** The result in a few sentences. */
     public String summary() {
         FitSetup setup = result.setup();
-        return String.format(
-                Locale.ROOT,
+        return Numbers.format(
                 "The mean distance to the fitted targets fell from %.2f mm (body at end-expiration; %s) to %.2f mm%s."
                         + " %d parameters, %d evaluations in generations of %d, seed %d; it ended because %s. %s",
                 result.initialMm(),
@@ -288,7 +275,7 @@ public record FitReport(FitResult result) {
     }
 
     static String mm(double value) {
-        return String.format(Locale.ROOT, "%.2f", value);
+        return Numbers.format("%.2f", value);
     }
 
     /** Formats a number with four significant digits. */

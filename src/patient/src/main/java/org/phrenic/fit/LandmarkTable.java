@@ -1,21 +1,16 @@
 package org.phrenic.fit;
 
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.query.DistanceSummary;
 
 /** Errors of landmarks as a table, a sentence and JSON values. */
 public record LandmarkTable(Landmarks.Errors errors) {
     /** Columns of {@link #rows}. */
-    public static final List<Column> COLUMNS = List.of(
-            Column.text("landmarks"),
-            Column.number("mean"),
-            Column.number("SD"),
-            Column.number("RMS"),
-            Column.number("95 %"),
-            Column.number("over aligned"));
+    public static final List<Column> COLUMNS =
+            Column.list("landmarks | # mean | # SD | # RMS | # 95 % | # over aligned");
 
     /** Errors, mm, one row per way to predict the points. */
     public List<List<String>> rows() {
@@ -37,7 +32,7 @@ public record LandmarkTable(Landmarks.Errors errors) {
                 FitReport.mm(d.deviation()),
                 FitReport.mm(d.rms()),
                 FitReport.mm(d.percentile95()),
-                String.format(Locale.ROOT, "%.3f", ratio));
+                Numbers.format("%.3f", ratio));
     }
 
     /** The shift of the patient between the scans and the displacement that is left, as a sentence. */
@@ -49,7 +44,7 @@ public record LandmarkTable(Landmarks.Errors errors) {
     }
 
     private static String vector(double[] v) {
-        return String.format(Locale.ROOT, "%.1f, %.1f, %.1f", v[0], v[1], v[2]);
+        return Numbers.format("%.1f, %.1f, %.1f", v[0], v[1], v[2]);
     }
 
     /** The errors as JSON values. */

@@ -11,6 +11,7 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.file.Numbers;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.fit.search.FitSearch;
 import org.phrenic.scenario.Scenario;
@@ -18,19 +19,10 @@ import org.phrenic.scenario.Scenario;
 /** Fits of {@link SyntheticPatient synthetic patients}. The study compares the fitted breath with the known one. */
 public record SyntheticStudy(List<Case> cases) {
     /** Columns of {@link #cells}. */
-    public static final List<Column> COLUMNS = List.of(
-            Column.text("patient"),
-            Column.number("initial"),
-            Column.number("residual"),
-            Column.number("residual / initial"),
-            Column.number("bases, initial"),
-            Column.number("bases, residual"),
-            Column.number("floor of the noise"),
-            Column.number("dome right, true"),
-            Column.number("fitted"),
-            Column.number("dome left, true"),
-            Column.number("fitted"),
-            Column.number("breaths"));
+    public static final List<Column> COLUMNS =
+            Column.list("patient | # initial | # residual | # residual / initial | # bases, initial"
+                    + " | # bases, residual | # floor of the noise | # dome right, true | # fitted"
+                    + " | # dome left, true | # fitted | # breaths");
 
     private static final double NOISE_MM = 1;
 
@@ -120,7 +112,7 @@ public record SyntheticStudy(List<Case> cases) {
                 c.patient.name(),
                 FitReport.mm(c.initialMm(false)),
                 FitReport.mm(c.residualMm(false)),
-                String.format(Locale.ROOT, "%.3f", c.ratio()),
+                Numbers.format("%.3f", c.ratio()),
                 FitReport.mm(c.initialMm(true)),
                 FitReport.mm(c.residualMm(true)),
                 FitReport.mm(c.truth.floorMm()),

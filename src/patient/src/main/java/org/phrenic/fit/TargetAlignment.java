@@ -4,11 +4,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.engine.kinematics.RigidMotion;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 
 /**
  * Rigid motion that brought the scan of the targets to the axes of the body: a shift or turn of the patient between two
@@ -54,11 +54,8 @@ public record TargetAlignment(RigidMotion motion, String sentence) {
         RigidMotion motion = RigidMotion.of(map.numbers("rotation"), map.numbers("translation_mm"));
         return new TargetAlignment(
                 motion,
-                String.format(
-                        Locale.ROOT,
+                Numbers.format(
                         "by %s, turned by %.2f deg; the nearer 70 %% of its points then lie %.2f mm apart (rms)",
-                        map.text("fixed_part"),
-                        map.number("turn_deg"),
-                        map.number("inlier_residual_rms_mm")));
+                        map.text("fixed_part"), map.number("turn_deg"), map.number("inlier_residual_rms_mm")));
     }
 }

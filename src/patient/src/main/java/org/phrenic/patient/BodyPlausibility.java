@@ -1,9 +1,9 @@
 package org.phrenic.patient;
 
 import java.util.Arrays;
-import java.util.Locale;
 import java.util.Optional;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 
 /**
  * Size of a scanned body relative to a template, from side to side, from back to front and along the body. Sizes and
@@ -33,14 +33,10 @@ public final class BodyPlausibility {
     public void require() {
         double size = StrictMath.cbrt(factors[0] * factors[1] * factors[2]);
         if (!(size >= MIN_SIZE && size <= MAX_SIZE)) {
-            throw new BadInputException(String.format(
-                    Locale.ROOT,
+            throw new BadInputException(Numbers.format(
                     "found a body %.2g times as large as %s, expected %.1f to %.1f times; is the spacing right? see"
                             + " --spacing",
-                    size,
-                    template,
-                    MIN_SIZE,
-                    MAX_SIZE));
+                    size, template, MIN_SIZE, MAX_SIZE));
         }
         if (ratio() > MAX_RATIO) {
             throw new BadInputException("found " + sentence());
@@ -59,13 +55,9 @@ public final class BodyPlausibility {
     }
 
     private String sentence() {
-        return String.format(
-                Locale.ROOT,
+        return Numbers.format(
                 "a body %.2f times as wide, %.2f times as deep and %.2f times as tall as %s, expected more even"
                         + " proportions; is the spacing right? see --spacing",
-                factors[0],
-                factors[1],
-                factors[2],
-                template);
+                factors[0], factors[1], factors[2], template);
     }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.file.Numbers;
 
 /** The structures expected in a complete thorax. */
 public final class ExpectedStructures {
@@ -20,7 +21,7 @@ public final class ExpectedStructures {
         levels(present, missing, StructureKind.RIB, "rib", RIBS);
         levels(present, missing, StructureKind.COSTAL_CARTILAGE, "costal_cartilage", CARTILAGES);
         for (int level = 1; level <= THORACIC_VERTEBRAE; level++) {
-            String name = String.format(Locale.ROOT, "vertebra_T%02d", level);
+            String name = Numbers.format("vertebra_T%02d", level);
             check(present, missing, StructureKind.VERTEBRA, level, Side.MIDLINE, name);
         }
         check(present, missing, StructureKind.LUNG, 0, Side.RIGHT, "lung_R");
@@ -36,7 +37,7 @@ public final class ExpectedStructures {
             List<PatientStructure> present, List<String> missing, StructureKind kind, String stem, int last) {
         for (Side side : List.of(Side.RIGHT, Side.LEFT)) {
             for (int level = 1; level <= last; level++) {
-                String name = String.format(Locale.ROOT, "%s_%02d_%s", stem, level, side == Side.RIGHT ? "R" : "L");
+                String name = Numbers.format("%s_%02d_%s", stem, level, side == Side.RIGHT ? "R" : "L");
                 check(present, missing, kind, level, side, name);
             }
         }

@@ -2,12 +2,12 @@ package org.phrenic.patient;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
@@ -98,25 +98,19 @@ final class LungPlausibility {
             findings.add("the right lung lies on the left of the left one: labels are exchanged, or the volume states"
                     + " its axes wrongly (mirrored), see --axes");
         } else if (volumes && leftMl > MAX_LEFT * rightMl) {
-            findings.add(String.format(
-                    Locale.ROOT,
+            findings.add(Numbers.format(
                     "the left lung is larger than the right (%.0f and %.0f ml): the volume may state its axes wrongly"
                             + " (turned or mirrored), see --axes",
-                    leftMl,
-                    rightMl));
+                    leftMl, rightMl));
         }
     }
 
     private static void size(String side, TriangleMesh lung, List<String> findings) {
         double ml = MeshMeasure.signedVolumeMl(lung);
         if (ml < MIN_ML || ml > MAX_ML) {
-            findings.add(String.format(
-                    Locale.ROOT,
+            findings.add(Numbers.format(
                     "the %s lung holds %.3g ml: people's hold %.0f to %.0f ml; is the spacing right? see --spacing",
-                    side,
-                    ml,
-                    MIN_ML,
-                    MAX_ML));
+                    side, ml, MIN_ML, MAX_ML));
         }
     }
 
@@ -125,14 +119,10 @@ final class LungPlausibility {
         double height = box[5] - box[2];
         double depth = box[4] - box[1];
         if (height < MIN_HEIGHT * depth || height > MAX_HEIGHT * depth) {
-            findings.add(String.format(
-                    Locale.ROOT,
+            findings.add(Numbers.format(
                     "lungs %.0f mm tall and %.0f mm deep: people's are %.1f to %.1f times as tall as deep;"
                             + " is the spacing right? see --spacing, or --axes",
-                    height,
-                    depth,
-                    MIN_HEIGHT,
-                    MAX_HEIGHT));
+                    height, depth, MIN_HEIGHT, MAX_HEIGHT));
         }
     }
 }

@@ -3,12 +3,12 @@ package org.phrenic.patient;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
@@ -69,7 +69,7 @@ public final class ScanFragments {
                 .filter(s -> fragments.stream().noneMatch(fragment -> fragment.structure.isSameAs(s.structure())))
                 .toList();
         List<String> names = fragments.stream()
-                .map(r -> String.format(Locale.ROOT, "%s (%.2g ml)", r.structure.name(), r.ml))
+                .map(r -> Numbers.format("%s (%.2g ml)", r.structure.name(), r.ml))
                 .toList();
         return new PatientBody(body.name(), rest, ExpectedStructures.missing(rest), body.notes())
                 .withNotes(List.of("left out, too small for what their labels name though the scan does not cut them: "

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ForkJoinPool;
@@ -16,6 +15,7 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
@@ -253,12 +253,9 @@ public final class ScanImport {
                 cut.add(name + " (" + scan.cutAt() + ")");
             }
             if (scan.meshed().discardedMm3() > MIN_DISCARDED * MeshMeasure.MM3_PER_ML * scan.volumeMl()) {
-                notes.add(String.format(
-                        Locale.ROOT,
+                notes.add(Numbers.format(
                         "%s: of %d pieces the largest was taken, %.1f ml left out",
-                        name,
-                        scan.meshed().components(),
-                        scan.meshed().discardedMm3() / MeshMeasure.MM3_PER_ML));
+                        name, scan.meshed().components(), scan.meshed().discardedMm3() / MeshMeasure.MM3_PER_ML));
             }
         }
         if (!cut.isEmpty()) {

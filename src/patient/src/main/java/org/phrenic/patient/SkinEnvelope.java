@@ -3,11 +3,11 @@ package org.phrenic.patient;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 
@@ -61,10 +61,8 @@ public final class SkinEnvelope {
                 Optional.empty(),
                 Optional.empty()));
         return new PatientBody(body.name(), all, ExpectedStructures.missing(all), body.notes())
-                .withNotes(List.of(String.format(
-                        Locale.ROOT,
-                        "the skin is a smooth envelope of bones and organs, %.0f mm outside them",
-                        WALL_MM)));
+                .withNotes(List.of(Numbers.format(
+                        "the skin is a smooth envelope of bones and organs, %.0f mm outside them", WALL_MM)));
     }
 
     private static boolean contains(double[] skin, double[] ribs) {

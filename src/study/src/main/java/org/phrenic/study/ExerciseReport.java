@@ -1,6 +1,6 @@
 package org.phrenic.study;
 
-import static org.phrenic.study.ReportNumbers.format;
+import static org.phrenic.file.Numbers.format;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -91,16 +91,8 @@ public record ExerciseReport(RobotOperator.Hand hand, List<ExerciseStudy.Result>
                         + " 10 mm, fewer hits and greater distances in free than in held breath. The numbers of"
                         + " attempts are those in either way of breathing; of 50, a rate of 70 % has a standard error"
                         + " of 6.5 %.");
-        List<Column> columns = List.of(
-                Column.text("exercise"),
-                Column.text("body"),
-                Column.number("target mm"),
-                Column.number("attempts"),
-                Column.number("free: hits %"),
-                Column.number("median mm"),
-                Column.number("held: hits %"),
-                Column.number("median mm"),
-                Column.text("within"));
+        List<Column> columns = Column.list("exercise | body | # target mm | # attempts | # free: hits % | # median mm"
+                + " | # held: hits % | # median mm | within");
         report.table("", columns, rows);
         Attempts.addFailures(report, "Not done", failures);
         return report;

@@ -1,15 +1,11 @@
 package org.phrenic.study;
 
 import java.util.Locale;
+import org.phrenic.file.Numbers;
 
 /** Number formats of reports. */
 public final class ReportNumbers {
     private ReportNumbers() {}
-
-    /** A text in the format of {@link String#format}, with decimal points in every locale. */
-    public static String format(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
-    }
 
     /** Two decimals below 10, one below 100, none from 100 on: 0.12, 12.3, 123; empty for NaN and infinity. */
     public static String number(double value) {
@@ -17,20 +13,20 @@ public final class ReportNumbers {
             return "";
         }
         double size = Math.abs(value);
-        String text = String.format(Locale.ROOT, size >= 100 ? "%.0f" : size >= 10 ? "%.1f" : "%.2f", value);
+        String text = Numbers.format(size >= 100 ? "%.0f" : size >= 10 ? "%.1f" : "%.2f", value);
         return text.matches("-0(\\.0+)?") ? text.substring(1) : text;
     }
 
     /** At most {@code digits} significant digits, without trailing zeros: 0.05, 0.00125. */
     public static String trimmed(double value, int digits) {
-        return String.format(Locale.ROOT, "%." + digits + "g", value)
+        return Numbers.format("%." + digits + "g", value)
                 .replaceFirst("(\\.\\d*?)0+$", "$1")
                 .replaceFirst("\\.$", "");
     }
 
     /** A whole number with thousands separators: 20,909. */
     public static String grouped(double value) {
-        return String.format(Locale.ROOT, "%,.0f", value);
+        return Numbers.format("%,.0f", value);
     }
 
     /** An enum constant as in files: {@code HIGH} as "high". */

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.mesh.TriangleMesh;
 
@@ -150,10 +151,8 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
                 return unit;
             }
         }
-        throw new IllegalArgumentException(String.format(
-                Locale.ROOT,
-                "units: found structures over %.4g units, expected 80 to 1200 mm (or that in cm or m)",
-                extent));
+        throw new IllegalArgumentException(Numbers.format(
+                "units: found structures over %.4g units, expected 80 to 1200 mm (or that in cm or m)", extent));
     }
 
     /** Whether right and left, upper and lower structures lie as the axes say, as far as there are any. */
@@ -214,10 +213,8 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
                 return unit;
             }
         }
-        throw new IllegalArgumentException(String.format(
-                Locale.ROOT,
-                "units: found a rib cage %.4g units wide, expected 100 to 500 mm (or that in cm or m)",
-                width));
+        throw new IllegalArgumentException(Numbers.format(
+                "units: found a rib cage %.4g units wide, expected 100 to 500 mm (or that in cm or m)", width));
     }
 
     private static void markAxis(char[] letters, double[] positive, double[] negative, char plus, char minus) {

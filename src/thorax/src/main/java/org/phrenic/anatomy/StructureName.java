@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.phrenic.file.FileNames;
+import org.phrenic.file.Numbers;
 
 /**
  * Kind, level and side of a structure, parsed from its name: {@code rib_05_R}, {@code costal_cartilage_02_L},
@@ -84,16 +85,12 @@ public record StructureName(StructureKind kind, int level, Side side) {
     private String spelling(String lower) {
         return switch (kind) {
             case RIB, COSTAL_CARTILAGE ->
-                String.format(
-                        Locale.ROOT,
-                        "%s_%02d_%s",
-                        kind.name().toLowerCase(Locale.ROOT),
-                        level,
-                        side == Side.RIGHT ? "R" : "L");
+                Numbers.format(
+                        "%s_%02d_%s", kind.name().toLowerCase(Locale.ROOT), level, side == Side.RIGHT ? "R" : "L");
             case VERTEBRA ->
                 level < FIRST_LUMBAR
-                        ? String.format(Locale.ROOT, "vertebra_T%02d", level)
-                        : String.format(Locale.ROOT, "vertebra_L%02d", level - FIRST_LUMBAR + 1);
+                        ? Numbers.format("vertebra_T%02d", level)
+                        : Numbers.format("vertebra_L%02d", level - FIRST_LUMBAR + 1);
             default -> {
                 Matcher spinal = SPINAL.matcher(lower);
                 yield spinal.matches()

@@ -15,9 +15,9 @@ import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import org.phrenic.file.AtomicFile;
+import org.phrenic.file.Numbers;
 import org.phrenic.file.OutputException;
 
 /**
@@ -96,7 +96,7 @@ public final class JsonWriter {
             boolean escaped = Character.isISOControl(character)
                     || character == LINE_SEPARATOR
                     || character == PARAGRAPH_SEPARATOR;
-            return escaped ? new SerializedString(String.format(Locale.ROOT, "\\u%04X", character)) : null;
+            return escaped ? new SerializedString(Numbers.format("\\u%04X", character)) : null;
         }
     }
 

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.phrenic.document.JsonWriter;
@@ -14,6 +13,7 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.file.OutputException;
 import org.phrenic.file.ScalarType;
 import org.phrenic.mesh.io.image.VoxelFiles;
@@ -126,13 +126,9 @@ public final class MotionExport {
             }
             long free = Files.getFileStore(there).getUsableSpace();
             if (needed > free) {
-                throw new BadInputException(String.format(
-                        Locale.ROOT,
+                throw new BadInputException(Numbers.format(
                         "--out %s: found %d MB of free space, expected about %.0f MB for %d times",
-                        out,
-                        free >> 20,
-                        needed / (1 << 20),
-                        times));
+                        out, free >> 20, needed / (1 << 20), times));
             }
         } catch (IOException unknown) {
             throw new OutputException(out + ": free space cannot be read: " + unknown.getMessage(), unknown);
@@ -157,7 +153,7 @@ public final class MotionExport {
 
     /** A time in file names. */
     private static String label(double timeS) {
-        return String.format(Locale.ROOT, "%.3f", timeS);
+        return Numbers.format("%.3f", timeS);
     }
 
     /**

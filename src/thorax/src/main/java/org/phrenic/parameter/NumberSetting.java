@@ -1,9 +1,9 @@
 package org.phrenic.parameter;
 
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import org.phrenic.document.YamlMap;
+import org.phrenic.file.Numbers;
 
 /** A real-valued setting, such as a time above 0. NaN if a scenario states no value and there is no default. */
 public class NumberSetting extends Setting<Double> {
@@ -76,7 +76,7 @@ public class NumberSetting extends Setting<Double> {
     /** Formats a number for display; a whole number has no fraction digits. */
     public static String number(double value) {
         return value == Math.rint(value) && Math.abs(value) < 1e9
-                ? String.format(Locale.ROOT, "%.0f", value)
+                ? Numbers.format("%.0f", value)
                 : Double.toString(value);
     }
 }

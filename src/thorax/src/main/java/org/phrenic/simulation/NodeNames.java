@@ -1,8 +1,8 @@
 package org.phrenic.simulation;
 
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.anatomy.Structure;
+import org.phrenic.file.Numbers;
 import org.phrenic.model.assembly.Scene;
 
 /** Names the nodes of a scene by their structure and place at rest, for messages. */
@@ -16,14 +16,9 @@ final class NodeNames {
      */
     static String of(Scene scene, int node) {
         double[] p = scene.restPositions();
-        return String.format(
-                Locale.ROOT,
+        return Numbers.format(
                 "node %d of %s (x %.0f, y %.0f, z %.0f mm at rest)",
-                node,
-                structure(scene, node),
-                p[3 * node],
-                p[3 * node + 1],
-                p[3 * node + 2]);
+                node, structure(scene, node), p[3 * node], p[3 * node + 1], p[3 * node + 2]);
     }
 
     private static String structure(Scene scene, int node) {

@@ -8,7 +8,6 @@ import java.util.Arrays;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.regex.Pattern;
@@ -19,6 +18,7 @@ import org.phrenic.document.JsonWriter;
 import org.phrenic.document.YamlWriter;
 import org.phrenic.file.Hashes;
 import org.phrenic.file.InputBytes;
+import org.phrenic.file.Numbers;
 import org.phrenic.file.OutputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.PvdSeries;
@@ -154,7 +154,7 @@ final class RunRecorder {
         List<TriangleMesh> meshes = surfaces.meshes();
         for (int i = 0; i < meshes.size(); i++) {
             Surface surface = surfaces.surfaces().get(i);
-            String file = String.format(Locale.ROOT, FRAME_NAME, surface.name(), frame);
+            String file = Numbers.format(FRAME_NAME, surface.name(), frame);
             VtpWriter.write(unfinished().resolve(file), meshes.get(i), pointData(surface, meshes.get(i)));
             series.add(time, i, out.resolve(MESHES).resolve(file));
         }

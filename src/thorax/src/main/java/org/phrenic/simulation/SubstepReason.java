@@ -1,8 +1,8 @@
 package org.phrenic.simulation;
 
-import java.util.Locale;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.file.Numbers;
 
 /**
  * Why each step is split into substeps.
@@ -37,8 +37,7 @@ public record SubstepReason(
     public String message() {
         String reason = cause.isEmpty()
                 ? limitMessage
-                : String.format(
-                        Locale.ROOT, "time step %.6g s is too long for what the scene has become (%s)", dtS, cause);
+                : Numbers.format("time step %.6g s is too long for what the scene has become (%s)", dtS, cause);
         String own = sternumSubsteps == substeps ? "" : ", those of sternum and cartilages into " + sternumSubsteps;
         return reason + ": split into " + substeps + " substeps" + own;
     }

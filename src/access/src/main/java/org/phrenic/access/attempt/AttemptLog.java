@@ -5,7 +5,6 @@ import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -17,6 +16,7 @@ import org.phrenic.access.path.Approach;
 import org.phrenic.access.path.PathAnalysis;
 import org.phrenic.access.path.PathAnalyzer;
 import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
@@ -189,8 +189,7 @@ final class AttemptLog {
         List<String> warnings = new ArrayList<>();
         needle.ifPresent(n -> warnings.addAll(n.touches(avoided)));
         if (pullMm > AttemptRecord.PULL_WARNING_MM) {
-            warnings.add(String.format(
-                    Locale.ROOT, "the moving liver pulls the capsule %.0f mm aside of the needle", pullMm));
+            warnings.add(Numbers.format("the moving liver pulls the capsule %.0f mm aside of the needle", pullMm));
         }
         return warnings;
     }

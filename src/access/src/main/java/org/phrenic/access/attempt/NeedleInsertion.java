@@ -2,7 +2,6 @@ package org.phrenic.access.attempt;
 
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import org.phrenic.access.LiverTissue;
@@ -17,6 +16,7 @@ import org.phrenic.access.path.PathAnalyzer;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.simulation.observe.Frame;
 
@@ -262,11 +262,8 @@ public final class NeedleInsertion {
             throw new BadInputException("speed: found " + speedMmPerS + " mm/s, expected more than 0");
         }
         if (!(toDepthMm >= 0) || toDepthMm > needle.lengthMm()) {
-            throw new BadInputException(String.format(
-                    Locale.ROOT,
-                    "depth: found %.1f mm, expected 0 to the needle's %.0f mm",
-                    toDepthMm,
-                    needle.lengthMm()));
+            throw new BadInputException(Numbers.format(
+                    "depth: found %.1f mm, expected 0 to the needle's %.0f mm", toDepthMm, needle.lengthMm()));
         }
         turned = false;
         goal = toDepthMm;

@@ -1,9 +1,9 @@
 package org.phrenic.access.attempt;
 
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.phrenic.document.OrderedValues;
+import org.phrenic.file.Numbers;
 
 /**
  * The greatest loads on a needle in an attempt; see {@link NeedleLoad}.
@@ -24,7 +24,7 @@ public record NeedleLoads(
     /** Text such as "skin 3.8, wall 1.4, capsule 2.9". */
     public String peaks() {
         return peakN.entrySet().stream()
-                .map(e -> String.format(Locale.ROOT, "%s %.1f", e.getKey(), e.getValue()))
+                .map(e -> Numbers.format("%s %.1f", e.getKey(), e.getValue()))
                 .collect(Collectors.joining(", "));
     }
 

@@ -2,7 +2,6 @@ package org.phrenic.access.path;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -10,6 +9,7 @@ import java.util.stream.Collectors;
 import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.document.OrderedValues;
+import org.phrenic.file.Numbers;
 
 /**
  * The structures that a straight path from the skin crosses or approaches at one moment.
@@ -56,7 +56,7 @@ public record PathAnalysis(
     public List<String> reasons(Set<NoGoZone> avoided, Needle needle) {
         List<String> reasons = new ArrayList<>();
         if (needle.isShorterThan(lengthMm)) {
-            reasons.add(String.format(Locale.ROOT, "is longer than the needle of %.0f mm", needle.lengthMm()));
+            reasons.add(Numbers.format("is longer than the needle of %.0f mm", needle.lengthMm()));
         }
         reasons.addAll(touches(avoided));
         return reasons;

@@ -1,12 +1,12 @@
 package org.phrenic.access.path;
 
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.MovingStructure;
 import org.phrenic.access.SkinPoint;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Surface;
@@ -91,13 +91,9 @@ public final class SkinEntries {
         SkinPoint point = SkinPoint.atRest(anatomy.skin(), atRest);
         Place place = new SkinEntries(anatomy).place(point.nearestVertex());
         if (place != Place.ENTRY) {
-            throw new BadInputException(String.format(
-                    Locale.ROOT,
+            throw new BadInputException(Numbers.format(
                     "entry: found (%.1f, %.1f, %.1f), %s, expected skin that a needle may enter",
-                    atRest[0],
-                    atRest[1],
-                    atRest[2],
-                    place.label()));
+                    atRest[0], atRest[1], atRest[2], place.label()));
         }
         return point;
     }

@@ -3,7 +3,6 @@ package org.phrenic.access.path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -14,6 +13,7 @@ import org.phrenic.access.NoGoZone;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.engine.parallel.Workers;
+import org.phrenic.file.Numbers;
 
 /**
  * Access to a target, computed before a needle is placed.
@@ -63,7 +63,7 @@ public record TargetAccess(TargetLesion target, AccessMap map, List<SpaceCount> 
                 int number = way.space()
                         .map(IntercostalSpace::number)
                         .orElse(90 + way.kind().ordinal());
-                String key = String.format(Locale.ROOT, "%02d %s", number, way.label());
+                String key = Numbers.format("%02d %s", number, way.label());
                 counts.computeIfAbsent(key, k -> new int[3])[map.access(v).ordinal()]++;
             }
         }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -13,6 +12,7 @@ import org.phrenic.access.path.PathAnalysis;
 import org.phrenic.access.path.PathAnalyzer;
 import org.phrenic.access.path.PathOverBreath;
 import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.file.Numbers;
 
 /**
  * Advice about a path over one breath, in clinical terms.
@@ -75,14 +75,14 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
         if (marginMm >= PathAnalyzer.MAX_DISTANCE_MM) {
             return "no structure at risk within " + Math.round(PathAnalyzer.MAX_DISTANCE_MM) + " mm";
         }
-        return String.format(Locale.ROOT, "%.1f mm from %s", marginMm, nearest);
+        return Numbers.format("%.1f mm from %s", marginMm, nearest);
     }
 
     private static String way(PathAnalysis path) {
         double angle = path.capsuleAngleDeg();
-        return String.format(Locale.ROOT, "%.0f mm to the target", path.lengthMm())
+        return Numbers.format("%.0f mm to the target", path.lengthMm())
                 + ", " + path.way().label()
-                + (Double.isNaN(angle) ? "" : String.format(Locale.ROOT, ", %.0f\u00b0 to the liver's surface", angle));
+                + (Double.isNaN(angle) ? "" : Numbers.format(", %.0f\u00b0 to the liver's surface", angle));
     }
 
     private static String words(Set<RespiratoryPhase> phases) {

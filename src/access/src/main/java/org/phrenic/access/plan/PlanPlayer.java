@@ -1,12 +1,12 @@
 package org.phrenic.access.plan;
 
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.access.attempt.NeedleInsertion;
 import org.phrenic.access.attempt.NeedleSnapshots;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
@@ -94,11 +94,9 @@ public final class PlanPlayer {
                 String missed = step instanceof PlanStep.WaitFor w
                         ? ", there was no " + w.event().text()
                         : "";
-                throw new BadInputException(String.format(
-                        Locale.ROOT,
+                throw new BadInputException(Numbers.format(
                         "found it not done after %.0f s%s, expected it sooner (give_up_after_s)",
-                        plan.timeoutS(),
-                        missed));
+                        plan.timeoutS(), missed));
             }
             boolean first = !begun;
             if (first) {
@@ -164,8 +162,8 @@ public final class PlanPlayer {
             return true;
         }
         if (event.breath().isPresent() && breath > event.breath().getAsInt()) {
-            throw new BadInputException(String.format(
-                    Locale.ROOT, "found %s over at %.1f s, expected a later breath", event.text(), needle.timeS()));
+            throw new BadInputException(
+                    Numbers.format("found %s over at %.1f s, expected a later breath", event.text(), needle.timeS()));
         }
         return false;
     }

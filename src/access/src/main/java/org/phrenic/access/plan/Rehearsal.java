@@ -1,7 +1,6 @@
 package org.phrenic.access.plan;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import org.phrenic.access.BreathCycle;
 import org.phrenic.access.BreathMoment;
@@ -19,6 +18,7 @@ import org.phrenic.access.path.TargetAccess;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.file.UserCache;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
@@ -74,13 +74,9 @@ public record Rehearsal(
             TargetAccess access = TargetAccess.of(anatomy, cycle, target, plan.needle(), plan.avoided(), workers);
             int reached = access.map().counts().inReach();
             double tookS = 1e-9 * (System.nanoTime() - begun);
-            progress.note(String.format(
-                    Locale.ROOT,
+            progress.note(Numbers.format(
                     "Access map: %d points of the skin, %s of them in reach, at %d moments in %.2f s.",
-                    access.map().size(),
-                    reached,
-                    cycle.size(),
-                    tookS));
+                    access.map().size(), reached, cycle.size(), tookS));
             Optional<PathOverBreath> path = plannedPath(plan, access, anatomy);
             if (simulation.restart()) {
                 NeedleSnapshots snapshots = new NeedleSnapshots();

@@ -2,7 +2,6 @@ package org.phrenic.access.plan;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.phrenic.access.MovingAnatomy;
@@ -15,6 +14,7 @@ import org.phrenic.access.ultrasound.SonatedNeedle;
 import org.phrenic.access.ultrasound.Ultrasound;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.simulation.observe.Surface;
 
 /**
@@ -59,7 +59,7 @@ public record RehearsalImage(
                     needle,
                     moment.target());
             BModeImage image = what.take(ultrasound, moment.frame());
-            String file = String.format(Locale.ROOT, "ultrasound_%04d.png", images.size() + 1);
+            String file = Numbers.format("ultrasound_%04d.png", images.size() + 1);
             images.add(new RehearsalImage(file, moment.frame().timeS(), probe, image, needle));
         }
         return images;

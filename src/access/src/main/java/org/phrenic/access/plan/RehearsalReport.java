@@ -32,6 +32,7 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.document.report.ReportDocument.Picture;
+import org.phrenic.file.Numbers;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Surface;
 
@@ -223,7 +224,7 @@ public final class RehearsalReport {
         document.section(rehearsal.goalsReached() ? "Done" : "Not done");
         document.table(
                 "What counts as done; chosen, not validated.",
-                List.of(Column.text("Goal"), Column.number("Asked"), Column.number("Reached"), Column.text("")),
+                Column.list("Goal | # Asked | # Reached | "),
                 results.stream()
                         .map(r -> List.of(
                                 r.label(),
@@ -264,10 +265,10 @@ public final class RehearsalReport {
         if (probe.isUsed()) {
             rows.add(List.of("Probe on the skin, s", number(probe.probeS())));
             rows.add(List.of("Tip in the body and out of the beam, s", number(probe.tipUnseenS())));
-            String share = String.format(Locale.ROOT, " (%.0f %%)", 100 * probe.needleInBeamShare());
+            String share = Numbers.format(" (%.0f %%)", 100 * probe.needleInBeamShare());
             rows.add(List.of("Needle in the beam on average, mm", number(probe.needleInBeamMm()) + share));
         }
-        document.table("", List.of(Column.text("Measure"), Column.number("Value")), rows);
+        document.table("", Column.list("Measure | # Value"), rows);
         List<Column> columns = new ArrayList<>(List.of(Column.text("Event")));
         List.of("Depth, mm", "Time, s", "Breath", "Phase").forEach(name -> columns.add(Column.number(name)));
         columns.add(Column.text("Breathing"));
@@ -277,7 +278,7 @@ public final class RehearsalReport {
                 record.events().stream().map(RehearsalReport::row).toList());
         document.table(
                 "Closest approaches of the needle",
-                List.of(Column.text("Structure"), Column.number("Distance, mm")),
+                Column.list("Structure | # Distance, mm"),
                 record.closest().stream()
                         .sorted(Comparator.comparingDouble(Approach::distanceMm))
                         .limit(MAX_APPROACHES)
@@ -315,14 +316,7 @@ public final class RehearsalReport {
             String free = reasons.isEmpty() ? "free" : reasons;
             rows.add(List.of(number(moment.timeS()), moment.label().label(), free, mm(path.marginsMm()[m])));
         }
-        document.table(
-                "",
-                List.of(
-                        Column.number("Time, s"),
-                        Column.text("Breathing"),
-                        Column.text("Path"),
-                        Column.number("Margin, mm")),
-                rows);
+        document.table("", Column.list("# Time, s | Breathing | Path | # Margin, mm"), rows);
     }
 
     private void accessTable(ReportDocument document) {
@@ -333,18 +327,18 @@ public final class RehearsalReport {
                 + " in part of it.");
         document.table(
                 "Points in reach, by where their path passes the cage at end-expiration",
-                List.of(Column.text("Where"), Column.number("Free"), Column.number("In part"), Column.number("Never")),
+                Column.list("Where | # Free | # In part | # Never"),
                 rehearsal.targetAccess().bySpace().stream()
                         .map(r -> List.of(r.space(), "" + r.free(), "" + r.part(), "" + r.never()))
                         .toList());
     }
 
     private static String mm(double value) {
-        return String.format(Locale.ROOT, "%.1f", value);
+        return Numbers.format("%.1f", value);
     }
 
     private static String number(double value) {
         boolean whole = value == Math.rint(value) && Math.abs(value) < 1e6;
-        return String.format(Locale.ROOT, whole ? "%.0f" : "%.2f", value);
+        return Numbers.format(whole ? "%.0f" : "%.2f", value);
     }
 }

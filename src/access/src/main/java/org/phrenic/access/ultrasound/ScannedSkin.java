@@ -1,9 +1,9 @@
 package org.phrenic.access.ultrasound;
 
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
@@ -87,8 +87,7 @@ public final class ScannedSkin {
         TriangleTree.Hit hit = nearest(restMm);
         double distance = Math.sqrt(hit.distanceSquared);
         if (distance > TOLERANCE_MM) {
-            throw new BadInputException(String.format(
-                    Locale.ROOT,
+            throw new BadInputException(Numbers.format(
                     "probe: found (%.1f, %.1f, %.1f), %.1f mm %s, expected a place on the skin; the nearest is"
                             + " %.1f,%.1f,%.1f",
                     restMm[0],

@@ -12,6 +12,7 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.file.BadInputException;
 import org.phrenic.study.Attempts;
 import org.phrenic.study.access.AccessReport;
@@ -85,19 +86,9 @@ final class BenchAccessCommand extends ReportingCommand {
     }
 
     private String table(AccessReport report) {
-        TextTable table = new TextTable(false, true, true, true, true, true, true, true, true, true, true)
-                .row(
-                        "exercise",
-                        "in_reach",
-                        "without_organs",
-                        "free",
-                        "percent",
-                        "in_part",
-                        "pleura",
-                        "ways",
-                        "crossing",
-                        "on_cut_end",
-                        "map_s");
+        TextTable table = new TextTable(
+                Column.list("exercise | # in_reach | # without_organs | # free | # percent | # in_part | # pleura"
+                        + " | # ways | # crossing | # on_cut_end | # map_s"));
         report.table().forEach(row -> table.row(row.toArray(String[]::new)));
         StringBuilder text = new StringBuilder(table.text());
         report.failures()

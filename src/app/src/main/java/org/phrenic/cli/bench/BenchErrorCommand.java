@@ -263,7 +263,11 @@ final class BenchErrorCommand extends ReportingCommand {
             writePages(out, "error", report.document(provenance.lines(), drawn ? "error.png" : ""));
             JsonWriter.write(out.resolve("error.json"), report.values());
         }
-        print(report.values(), () -> withDisclaimer(TextTable.of(BudgetReport.COLUMNS, report.cells(false))));
+        print(
+                report.values(),
+                () -> withDisclaimer(new TextTable(BudgetReport.COLUMNS)
+                        .rows(report.cells(false))
+                        .text()));
         return ExitCode.SUCCESS;
     }
 
@@ -330,7 +334,9 @@ final class BenchErrorCommand extends ReportingCommand {
         StringBuilder text = new StringBuilder();
         for (ErrorStudy study : studies) {
             text.append(ErrorReport.heading(study)).append("\n\n");
-            text.append(TextTable.of(ErrorReport.COLUMNS, ErrorReport.cells(study)));
+            text.append(new TextTable(ErrorReport.COLUMNS)
+                    .rows(ErrorReport.cells(study))
+                    .text());
             study.equilibrium().forEach(q -> text.append(ErrorReport.lagSentence(study, q) + "\n"));
             study.skipped().forEach(line -> text.append("not run: " + line + "\n"));
             text.append('\n');

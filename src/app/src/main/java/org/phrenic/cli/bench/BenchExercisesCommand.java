@@ -3,7 +3,6 @@ package org.phrenic.cli.bench;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RobotOperator;
 import org.phrenic.cli.option.ProvenanceOption;
@@ -14,7 +13,9 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.study.Attempts;
 import org.phrenic.study.ExerciseReport;
 import org.phrenic.study.ExerciseStudy;
@@ -89,15 +90,15 @@ final class BenchExercisesCommand extends ReportingCommand {
     }
 
     private String table(List<ExerciseStudy.Result> results) {
-        TextTable table = new TextTable(false, false, true, true, true)
-                .row("exercise", "breath", "attempts", "hit_percent", "median_error_mm");
+        TextTable table =
+                new TextTable(Column.list("exercise | breath | # attempts | # hit_percent | # median_error_mm"));
         for (ExerciseStudy.Result r : results) {
             table.row(
                     r.exercise(),
                     r.held() ? "held" : "free",
                     Integer.toString(r.attempts()),
-                    String.format(Locale.ROOT, "%.0f", 100 * r.hitShare()),
-                    String.format(Locale.ROOT, "%.1f", r.medianMm()));
+                    Numbers.format("%.0f", 100 * r.hitShare()),
+                    Numbers.format("%.1f", r.medianMm()));
         }
         return withDisclaimer(table.text());
     }

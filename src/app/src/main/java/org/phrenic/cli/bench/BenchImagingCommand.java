@@ -10,6 +10,7 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
@@ -80,18 +81,9 @@ final class BenchImagingCommand extends ReportingCommand {
     }
 
     private String table(ImagingReport report) {
-        TextTable table = new TextTable(false, true, true, true, true, true, true, true, true, false)
-                .row(
-                        "body",
-                        "triangles",
-                        "xray_ms",
-                        "xray_p95",
-                        "alone_ms",
-                        "beside_ms",
-                        "beside_p95",
-                        "images_per_s",
-                        "realtime",
-                        "within");
+        TextTable table =
+                new TextTable(Column.list("body | # triangles | # xray_ms | # xray_p95 | # alone_ms | # beside_ms"
+                        + " | # beside_p95 | # images_per_s | # realtime | within"));
         report.table().forEach(row -> table.row(row.toArray(String[]::new)));
         return table.text() + "\n" + withDisclaimer(report.summary() + ".\n");
     }

@@ -16,6 +16,7 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.file.BadInputException;
 import org.phrenic.study.scan.ImportCost;
 import org.phrenic.study.scan.ImportCostReport;
@@ -115,8 +116,8 @@ final class BenchImportCommand extends ReportingCommand {
     }
 
     private static String table(ImportCostReport report) {
-        TextTable table = new TextTable(false, true, true, true, true, true, true)
-                .row("voxels", "labels", "structures", "first_line_s", "clock_s", "processor_s", "memory_gb");
+        TextTable table = new TextTable(Column.list(
+                "voxels | # labels | # structures | # first_line_s | # clock_s | # processor_s | # memory_gb"));
         report.table().forEach(row -> table.row(row.toArray(String[]::new)));
         return withDisclaimer(table.text());
     }

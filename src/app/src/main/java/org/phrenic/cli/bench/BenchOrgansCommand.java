@@ -11,6 +11,7 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.body.OrganReport;
@@ -66,8 +67,8 @@ final class BenchOrgansCommand extends ReportingCommand {
     }
 
     private String table(OrganReport report) {
-        TextTable table = new TextTable(false, false, true, true, false, true, false, false)
-                .row("body", "moment", "pairs", "overlap_percent", "of", "depth_mm", "of", "within");
+        TextTable table = new TextTable(
+                Column.list("body | moment | # pairs | # overlap_percent | of | # depth_mm | of | within"));
         report.table().forEach(row -> table.row(row.toArray(String[]::new)));
         return table.text() + "\n" + withDisclaimer(report.summary() + ".\n");
     }

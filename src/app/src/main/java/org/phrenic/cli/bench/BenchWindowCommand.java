@@ -3,7 +3,6 @@ package org.phrenic.cli.bench;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.phrenic.cli.option.ProvenanceOption;
@@ -17,6 +16,7 @@ import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.scene.gl.NoGraphicsException;
@@ -142,18 +142,14 @@ final class BenchWindowCommand extends ReportingCommand {
                 + " steps: the bare workload on the sheet of this scene, on one thread and on two.");
         List<List<String>> rows = new ArrayList<>();
         values.forEach((key, value) -> rows.add(List.of(key.replace('_', ' '), String.valueOf(value))));
-        page.table("", List.of(Column.text("quantity"), Column.text("value")), rows);
+        page.table("", Column.list("quantity | value"), rows);
         return page;
     }
 
     private static String text(WindowBenchmark.Interval interval) {
-        return String.format(
-                Locale.ROOT,
+        return Numbers.format(
                 "%.3f x real time, %.1f frames/s, %.2f processors, drawn at %.2f",
-                interval.realtimeFactor(),
-                interval.framesPerS(),
-                interval.processors(),
-                interval.resolution());
+                interval.realtimeFactor(), interval.framesPerS(), interval.processors(), interval.resolution());
     }
 
     private OrderedValues values(WindowBenchmark.Result result) {

@@ -4,12 +4,12 @@ import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import org.jfree.chart.axis.LogAxis;
 import org.jfree.chart.axis.NumberTick;
 import org.jfree.chart.axis.TickType;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.TextAnchor;
+import org.phrenic.file.Numbers;
 
 /** A logarithmic axis with labels at 1, 2 and 5 times each power of ten, or only at the powers over a wide range. */
 final class DecadeAxis extends LogAxis {
@@ -54,6 +54,6 @@ final class DecadeAxis extends LogAxis {
 
     private static String name(double value) {
         int digits = Math.max(0, (int) -Math.floor(Math.log10(value * SLACK)));
-        return String.format(Locale.ROOT, "%." + digits + "f", value);
+        return Numbers.format("%." + digits + "f", value);
     }
 }

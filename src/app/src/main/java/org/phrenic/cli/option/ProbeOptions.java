@@ -2,7 +2,6 @@ package org.phrenic.cli.option;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.phrenic.access.Needle;
@@ -13,6 +12,7 @@ import org.phrenic.access.ultrasound.ProbePose;
 import org.phrenic.access.ultrasound.SonatedNeedle;
 import org.phrenic.access.ultrasound.UltrasoundSettings;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.simulation.observe.Surface;
 import picocli.CommandLine.Option;
 
@@ -106,12 +106,9 @@ public final class ProbeOptions {
             double[] p = numbers("--needle", text, 6);
             double lengthMm = StrictMath.hypot(StrictMath.hypot(p[3] - p[0], p[4] - p[1]), p[5] - p[2]);
             if (lengthMm < LEAST_NEEDLE_MM || lengthMm > MOST_NEEDLE_MM) {
-                throw new BadInputException(String.format(
-                        Locale.ROOT,
+                throw new BadInputException(Numbers.format(
                         "--needle: found entry and tip %.3g mm apart, expected %.0f to %.0f mm",
-                        lengthMm,
-                        LEAST_NEEDLE_MM,
-                        MOST_NEEDLE_MM));
+                        lengthMm, LEAST_NEEDLE_MM, MOST_NEEDLE_MM));
             }
             return new SonatedNeedle(Arrays.copyOfRange(p, 0, 3), Arrays.copyOfRange(p, 3, 6), Needle.standard());
         });

@@ -1,10 +1,10 @@
 package org.phrenic.cli.option;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import picocli.CommandLine.Option;
 
 /** Options for the times of pictures. */
@@ -49,7 +49,7 @@ public class TimeOptions {
 
     /** A time in a file name, such as {@code 1.500s}. */
     public static String label(double timeS) {
-        return String.format(Locale.ROOT, "%.3fs", timeS);
+        return Numbers.format("%.3fs", timeS);
     }
 
     private double[] singleTimes() {

@@ -3,10 +3,10 @@ package org.phrenic.cli.report;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.query.DistanceHistogram;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
@@ -62,13 +62,13 @@ public record CompareReport(Path a, Path b, SurfaceComparison comparison) {
         row(table, "", "area", comparison.byArea(), Double.NaN);
         comparison.corresponding().ifPresent(d -> row(table, "same number", "vertex", d, Double.NaN));
         return "A  " + a + "\nB  " + b + "\n\n" + table.text()
-                + String.format(Locale.ROOT, "\nHausdorff distance %.3f mm, at vertices\n", comparison.hausdorff());
+                + Numbers.format("\nHausdorff distance %.3f mm, at vertices\n", comparison.hausdorff());
     }
 
     private static void row(TextTable table, String way, String weight, DistanceSummary d, double signedMean) {
         List<String> cells = new ArrayList<>(List.of(way, weight, Integer.toString(d.points())));
-        d.values().values().forEach(value -> cells.add(String.format(Locale.ROOT, "%.3f", value)));
-        cells.add(Double.isNaN(signedMean) ? "" : String.format(Locale.ROOT, "%+.3f", signedMean));
+        d.values().values().forEach(value -> cells.add(Numbers.format("%.3f", value)));
+        cells.add(Double.isNaN(signedMean) ? "" : Numbers.format("%+.3f", signedMean));
         table.row(cells.toArray(String[]::new));
     }
 }

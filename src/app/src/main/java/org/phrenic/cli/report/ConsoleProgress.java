@@ -2,8 +2,8 @@ package org.phrenic.cli.report;
 
 import java.io.Console;
 import java.io.PrintWriter;
-import java.util.Locale;
 import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.file.Numbers;
 import org.phrenic.fit.FitProgress;
 import org.phrenic.patient.ImportProgress;
 import org.phrenic.simulation.SimulationRun;
@@ -77,7 +77,7 @@ public class ConsoleProgress implements SimulationRun.Progress, ProgressListener
             return;
         }
         last = now;
-        String line = String.format(Locale.ROOT, format, figures);
+        String line = Numbers.format(format, figures);
         err.print(terminal ? "\r" + line + "  " : line + "\n");
         err.flush();
         drawn = terminal;

@@ -19,6 +19,7 @@ import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
@@ -179,7 +180,7 @@ public final class FileInfo {
             String suffix = side == Side.RIGHT ? "_R" : "_L";
             for (int level = 1; level <= RIBS; level++) {
                 if (thorax.find(StructureKind.RIB, level, side).isEmpty()) {
-                    missing.add(String.format(Locale.ROOT, "rib_%02d%s", level, suffix));
+                    missing.add(Numbers.format("rib_%02d%s", level, suffix));
                 }
             }
             if (thorax.structuresOf(StructureKind.LUNG).stream().noneMatch(lung -> lung.side() == side)) {

@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.RunSummary;
 import org.phrenic.simulation.SimulationRun;
@@ -66,7 +67,7 @@ public final class RunReport {
      * performance, then the hash of the state at the end and the disclaimer.
      */
     public static String table(Map<String, Object> summary) {
-        TextTable table = new TextTable(false, true, false, true).row("quantity", "value", "unit", "peak to peak");
+        TextTable table = new TextTable(Column.list("quantity | # value | unit | # peak to peak"));
         Map<String, Object> breath = new LinkedHashMap<>(summary);
         breath.keySet().removeAll(PERFORMANCE_KEYS);
         breath.values().removeIf(value -> !(value instanceof Number));

@@ -5,13 +5,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.patient.label.LabelGuess;
 import org.phrenic.patient.label.LabelTable;
@@ -53,8 +53,7 @@ final class ScanInfo {
     static String line(Map<?, ?> label) {
         String name = String.valueOf(label.get("name"));
         String structure = String.valueOf(label.get("structure"));
-        return String.format(
-                Locale.ROOT,
+        return Numbers.format(
                 "%3s %s%s, %s voxels, %s ml",
                 label.get("label"),
                 structure.isEmpty() ? "unknown" : structure,

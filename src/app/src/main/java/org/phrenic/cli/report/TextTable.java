@@ -17,13 +17,12 @@ public final class TextTable {
     }
 
     /** A table with headings and right-aligned numbers. */
-    public static String of(List<Column> columns, List<List<String>> rows) {
-        boolean[] right = new boolean[columns.size()];
-        for (int i = 0; i < right.length; i++) {
-            right[i] = columns.get(i).number();
+    public TextTable(List<Column> columns) {
+        rightAligned = new boolean[columns.size()];
+        for (int i = 0; i < rightAligned.length; i++) {
+            rightAligned[i] = columns.get(i).number();
         }
-        String[] headings = columns.stream().map(Column::heading).toArray(String[]::new);
-        return new TextTable(right).row(headings).rows(rows).text();
+        row(columns.stream().map(Column::heading).toArray(String[]::new));
     }
 
     /** A table in which all columns except the first are right-aligned. */

@@ -104,7 +104,7 @@ public record AttemptHistory(Path file, String session) {
     }
 
     private static String number(double value) {
-        return String.format(Locale.ROOT, "%.2f", value);
+        return Numbers.format("%.2f", value);
     }
 
     private List<String> lines() {
@@ -161,21 +161,16 @@ public record AttemptHistory(Path file, String session) {
         long sessions = IntStream.of(rows).mapToObj(begun::get).distinct().count();
         String ends = mm.length < 2 * ENDS
                 ? ""
-                : String.format(
-                        Locale.ROOT,
+                : Numbers.format(
                         "; the first %d %.1f mm, the last %d %.1f mm",
-                        ENDS,
-                        StatUtils.mean(mm, 0, ENDS),
-                        ENDS,
-                        StatUtils.mean(mm, mm.length - ENDS, ENDS));
-        return String.format(
-                Locale.ROOT,
+                        ENDS, StatUtils.mean(mm, 0, ENDS), ENDS, StatUtils.mean(mm, mm.length - ENDS, ENDS));
+        return Numbers.format(
                 "This exercise: %s in %s, %s, %.1f%s mm off%s.",
                 count(mm.length, "sample"),
                 count(sessions, "session"),
                 count(hits, "hit"),
                 StatUtils.mean(mm),
-                mm.length < 2 ? "" : String.format(Locale.ROOT, " \u00b1 %.1f", new StandardDeviation().evaluate(mm)),
+                mm.length < 2 ? "" : Numbers.format(" \u00b1 %.1f", new StandardDeviation().evaluate(mm)),
                 ends);
     }
 

@@ -7,11 +7,11 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.file.Numbers;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunHistory;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.simulation.observe.Observation;
-import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 
@@ -106,6 +106,6 @@ public final class TimelineDock extends JPanel implements Session.Listener {
         double shown = scrubbing ? history.frameTime(session.historyFrame().getAsInt()) : now;
         bar.setTimeline(from, to, shown, PhaseBands.of(ring, from, to));
         String state = scrubbing ? "recorded" : session.live().isPlaying() ? "live" : "paused";
-        time.setText(NumberFormats.text("%.2f s, %s", shown, state));
+        time.setText(Numbers.format("%.2f s, %s", shown, state));
     }
 }

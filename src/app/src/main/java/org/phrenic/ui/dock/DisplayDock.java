@@ -18,6 +18,7 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.scene.DistanceField;
 import org.phrenic.scene.style.ClipPlane;
@@ -319,7 +320,7 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         double share = selected.forwards ? removed : 1 - removed;
         double low = bounds[selected.axis];
         double place = low + share * (bounds[3 + selected.axis] - low);
-        clipSlider.setToolTipText(NumberFormats.text("Where the plane is: %.0f mm", place));
+        clipSlider.setToolTipText(Numbers.format("Where the plane is: %.0f mm", place));
         ClipPlane plane = selected.plane.apply(place);
         change(style -> style.withClip(Optional.of(plane)));
     }

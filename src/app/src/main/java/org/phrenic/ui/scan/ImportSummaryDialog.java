@@ -15,6 +15,7 @@ import javax.swing.table.DefaultTableModel;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.access.AbsentObstacles;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
@@ -67,8 +68,8 @@ final class ImportSummaryDialog {
         String[][] rows = quality.measures().stream()
                 .map(m -> new String[] {
                     Controls.capitalise(m.what()),
-                    String.format(Locale.ROOT, "%.2f", m.value()),
-                    String.format(Locale.ROOT, "%s %.0f", m.atMost() ? "at most" : "at least", m.limit()),
+                    Numbers.format("%.2f", m.value()),
+                    Numbers.format("%s %.0f", m.atMost() ? "at most" : "at least", m.limit()),
                     m.unit(),
                     m.isGood() ? "" : "beyond"
                 })
@@ -108,8 +109,8 @@ final class ImportSummaryDialog {
 
     private static Object[] row(PatientStructure s) {
         String off = s.scan()
-                .map(scan -> String.format(
-                        Locale.ROOT, "%.2f", scan.meshed().distanceToLabel().mean()))
+                .map(scan ->
+                        Numbers.format("%.2f", scan.meshed().distanceToLabel().mean()))
                 .orElse("");
         return new Object[] {
             s.structure().name(),

@@ -3,10 +3,10 @@ package org.phrenic.ui.session;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
-import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.phrenic.file.Numbers;
 
 /**
  * Numbers as the window shows and reads them: few significant digits, a decimal point whatever the locale, the unit.
@@ -55,7 +55,7 @@ public final class NumberFormats {
         if (!Double.isFinite(value)) {
             return "-";
         }
-        String text = text("%." + decimals + "f", value);
+        String text = Numbers.format("%." + decimals + "f", value);
         return text.matches("-[0.]+") ? text.substring(1) : text;
     }
 
@@ -98,10 +98,5 @@ public final class NumberFormats {
 
     private static String bare(String unit) {
         return unit.replace("\u00b2", "^2").replace(" ", "").replaceFirst("^1(?=/)", "");
-    }
-
-    /** {@link String#format} with a decimal point whatever the locale. */
-    public static String text(String pattern, Object... values) {
-        return String.format(Locale.ROOT, pattern, values);
     }
 }

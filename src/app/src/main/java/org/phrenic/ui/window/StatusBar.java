@@ -10,6 +10,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.file.Numbers;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.ui.widget.Controls;
@@ -98,7 +99,7 @@ final class StatusBar extends JPanel {
         set("step", "step " + withThousands(s.step()));
         set("dt", "dt " + trimmed(1000 * s.dtS()) + " ms" + (s.substeps() > 1 ? " / " + s.substeps() : ""));
         set("steps", s.playing() ? withThousands(Math.round(s.stepsPerS())) + " steps/s" : " ");
-        set("realtime", s.playing() ? String.format(Locale.ROOT, "%.2fx real time", s.realtimeFactor()) : idle(s));
+        set("realtime", s.playing() ? Numbers.format("%.2fx real time", s.realtimeFactor()) : idle(s));
         JLabel dt = fields.get("dt");
         dt.setToolTipText(s.stabilityMessage().isEmpty() ? "Time step" : s.stabilityMessage());
         dt.setForeground(s.stabilityMessage().isEmpty() ? Theme.SECONDARY_TEXT : Theme.WARNING_TEXT);
@@ -114,7 +115,7 @@ final class StatusBar extends JPanel {
     }
 
     private static String time(double s) {
-        return String.format(Locale.ROOT, "t %.2f s", s);
+        return Numbers.format("t %.2f s", s);
     }
 
     private static String idle(RunStatus s) {
@@ -140,7 +141,7 @@ final class StatusBar extends JPanel {
     }
 
     void showFrameRate(double perSecond) {
-        set("frames", perSecond < 0.5 ? " " : String.format(Locale.ROOT, "%.0f frames/s", perSecond));
+        set("frames", perSecond < 0.5 ? " " : Numbers.format("%.0f frames/s", perSecond));
     }
 
     /** Names the structure under the cursor at the last click. */
@@ -158,10 +159,10 @@ final class StatusBar extends JPanel {
     }
 
     private static String trimmed(double value) {
-        return String.format(Locale.ROOT, "%.3f", value).replaceFirst("\\.?0+$", "");
+        return Numbers.format("%.3f", value).replaceFirst("\\.?0+$", "");
     }
 
     private static String withThousands(long value) {
-        return String.format(Locale.ROOT, "%,d", value).replace(',', ' ');
+        return Numbers.format("%,d", value).replace(',', ' ');
     }
 }

@@ -2,7 +2,6 @@ package org.phrenic.patient.diaphragm;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.Side;
@@ -10,6 +9,7 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
@@ -157,8 +157,7 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
 
     private static String name(double level) {
         boolean lumbar = level >= StructureName.FIRST_LUMBAR;
-        return String.format(
-                Locale.ROOT, lumbar ? "L%.1f" : "T%.1f", lumbar ? level - StructureName.FIRST_LUMBAR + 1 : level);
+        return Numbers.format(lumbar ? "L%.1f" : "T%.1f", lumbar ? level - StructureName.FIRST_LUMBAR + 1 : level);
     }
 
     /**

@@ -3,7 +3,6 @@ package org.phrenic.patient.diaphragm;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -11,6 +10,7 @@ import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
@@ -234,13 +234,11 @@ final class LungBase {
     Optional<String> note() {
         return liesOnDiaphragm()
                 ? Optional.empty()
-                : Optional.of(String.format(
-                        Locale.ROOT,
+                : Optional.of(Numbers.format(
                         "the base of the %s lung reaches %.0f mm above the organs below the diaphragm: the diaphragm is"
                                 + " laid on these, as with fluid in the chest or lung without a label between; with"
                                 + " ascites without a label, or after resection of the liver, it lies higher",
-                        side == Side.RIGHT ? "right" : "left",
-                        partedMm));
+                        side == Side.RIGHT ? "right" : "left", partedMm));
     }
 
     /** Height of the top of the base, or of the organs below if it does not lie on the diaphragm, mm. */

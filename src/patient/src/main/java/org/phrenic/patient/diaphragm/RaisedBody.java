@@ -1,8 +1,8 @@
 package org.phrenic.patient.diaphragm;
 
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
@@ -25,21 +25,14 @@ public record RaisedBody(PatientBody body, double domesMm) {
      */
     RaisedBody withNote(PatientBody scanned, BreathLevel level, double backMm, double share) {
         double left = level.descentMm() - domesMm;
-        String note = String.format(
-                Locale.ROOT,
+        String note = Numbers.format(
                 "the scan is one at inspiration, %s: the domes are raised by"
                         + " %.0f mm, up to %.0f mm at the back, with the organs about them, the lungs deflated from"
                         + " %.1f to %.1f l, the ribs turned back by %.0f %% of a full inspiration",
-                level.stated(),
-                domesMm,
-                backMm,
-                lungMl(scanned) / 1000,
-                lungMl(body) / 1000,
-                100 * share);
+                level.stated(), domesMm, backMm, lungMl(scanned) / 1000, lungMl(body) / 1000, 100 * share);
         String rest = left < STATED_MM
                 ? ""
-                : String.format(
-                        Locale.ROOT,
+                : Numbers.format(
                         "; the domes stay %.0f mm below end-expiration, for domes as low or flat as these rise no more",
                         left);
         return new RaisedBody(body.withNotes(List.of(note + rest)), domesMm);

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
@@ -14,6 +13,7 @@ import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.MeshTopology;
@@ -113,13 +113,9 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
     public Optional<String> warning() {
         String bad = measures.stream()
                 .filter(m -> !m.isGood())
-                .map(m -> String.format(
-                        Locale.ROOT,
+                .map(m -> Numbers.format(
                         "%s %.3g%s (limit %.3g)",
-                        m.what(),
-                        m.value(),
-                        m.unit().isEmpty() ? "" : " " + m.unit(),
-                        m.limit()))
+                        m.what(), m.value(), m.unit().isEmpty() ? "" : " " + m.unit(), m.limit()))
                 .collect(Collectors.joining(", "));
         return bad.isEmpty() ? Optional.empty() : Optional.of("the diaphragm exceeds its limits: " + bad);
     }
@@ -257,16 +253,13 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
                 return Optional.of("the diaphragm is not a closed surface, expected a sheet of two faces");
             }
             if (outsidePercent > MOST_OUTSIDE_PERCENT || farthest > FARTHEST_OUTSIDE_MM) {
-                return Optional.of(String.format(
-                        Locale.ROOT,
+                return Optional.of(Numbers.format(
                         "the diaphragm leaves the rib cage by up to %.0f mm, with %.0f %% of its vertices; bones and"
                                 + " lungs of the scan do not belong together, or the file states its spacing wrongly",
-                        farthest,
-                        outsidePercent));
+                        farthest, outsidePercent));
             }
             if (throughPercent > MOST_THROUGH_PERCENT) {
-                return Optional.of(String.format(
-                        Locale.ROOT,
+                return Optional.of(Numbers.format(
                         "%.0f %% of the vertices of lungs and organs lie on the wrong side of the diaphragm; the scan"
                                 + " shows too little of them, bones and organs do not belong together, or the file"
                                 + " states its spacing wrongly",
@@ -280,11 +273,9 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
             double height = sheet.bounds()[5] - margin;
             return height >= LEAST_DOME_MM
                     ? Optional.empty()
-                    : Optional.of(String.format(
-                            Locale.ROOT,
+                    : Optional.of(Numbers.format(
                             "the dome of the diaphragm rises %.0f mm above its insertion, expected %.0f mm or more",
-                            height,
-                            LEAST_DOME_MM));
+                            height, LEAST_DOME_MM));
         }
 
         private static double greatest(double[] values) {

@@ -34,15 +34,9 @@ public record GeometryOverride(Optional<String> axes, Optional<String> spacing) 
         LabelGrid grid = sized.grid();
         for (int direction = 0; direction < 3; direction++) {
             if (grid.spacing(direction) < MIN_SPACING_MM || grid.spacing(direction) > MAX_SPACING_MM) {
-                throw new BadInputException(String.format(
-                        Locale.ROOT,
+                throw new BadInputException(Numbers.format(
                         "%s: found voxels of %.3g x %.3g x %.3g mm, expected %.1f to %.0f mm; see --spacing",
-                        file,
-                        grid.spacing(0),
-                        grid.spacing(1),
-                        grid.spacing(2),
-                        MIN_SPACING_MM,
-                        MAX_SPACING_MM));
+                        file, grid.spacing(0), grid.spacing(1), grid.spacing(2), MIN_SPACING_MM, MAX_SPACING_MM));
             }
         }
         return sized;

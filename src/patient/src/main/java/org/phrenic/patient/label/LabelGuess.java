@@ -1,7 +1,6 @@
 package org.phrenic.patient.label;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -89,13 +88,9 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
                 Source.NUMBERS,
                 Optional.of(new LabelTable(numbers.structures()).withRest(volume)),
                 share,
-                String.format(
-                        Locale.ROOT,
+                Numbers.format(
                         "labels are taken for numbers of %s: %.0f %% of %d comparisons of places and volumes fit%s",
-                        numbers.table().title(),
-                        100 * share,
-                        numbers.compared(),
-                        condition));
+                        numbers.table().title(), 100 * share, numbers.compared(), condition));
     }
 
     private static String problem(LabelVolume volume, int[] counts, NumberMatch numbers) {

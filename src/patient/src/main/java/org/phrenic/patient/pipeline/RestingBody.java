@@ -1,11 +1,11 @@
 package org.phrenic.patient.pipeline;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.document.OrderedValues;
+import org.phrenic.file.Numbers;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.diaphragm.BreathLevel;
 import org.phrenic.patient.diaphragm.EndExpiration;
@@ -67,9 +67,7 @@ public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean
 
     /** What a view of the body states, such as "end-expiration (domes raised by 41 mm)". */
     public List<String> statements() {
-        return moved
-                ? List.of(String.format(Locale.ROOT, "end-expiration (domes raised by %.0f mm)", raisedMm))
-                : List.of();
+        return moved ? List.of(Numbers.format("end-expiration (domes raised by %.0f mm)", raisedMm)) : List.of();
     }
 
     /** The entry of {@code import.json}. */

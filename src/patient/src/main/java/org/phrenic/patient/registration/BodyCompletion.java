@@ -4,13 +4,13 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.DistanceSummary;
@@ -277,12 +277,9 @@ public final class BodyCompletion {
         }
         all.sort(Comparator.comparing(s -> s.structure().name()));
         List<String> notes = new ArrayList<>(sizeNote.stream().toList());
-        notes.add(String.format(
-                Locale.ROOT,
+        notes.add(Numbers.format(
                 "%d structures come from %s, brought to the %d that it shares with the scan",
-                added,
-                templateName,
-                shared.size() + organs.size()));
+                added, templateName, shared.size() + organs.size()));
         if (!continued.isEmpty()) {
             notes.add("cut off by the scan, continued by " + templateName + " beyond its end: "
                     + String.join(", ", new TreeSet<>(continued)));
@@ -307,8 +304,8 @@ public final class BodyCompletion {
                 .filter(fit -> fit.shared().organ().structure().isSameAs(s.structure()))
                 .filter(fit -> fit.missingMm() > 0)
                 .findFirst();
-        rib.ifPresent(fit -> names.add(
-                String.format(Locale.ROOT, "%s by %.0f mm", s.structure().name(), fit.missingMm())));
+        rib.ifPresent(
+                fit -> names.add(Numbers.format("%s by %.0f mm", s.structure().name(), fit.missingMm())));
         return rib.map(fit -> s.extended(RibExtension.extended(fit))).orElse(s);
     }
 }

@@ -3,13 +3,13 @@ package org.phrenic.patient.registration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.kinematics.RigidMotion;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
@@ -159,8 +159,7 @@ public record ScanAlignment(
 
     /** How a scan was brought to a body. */
     public String sentence(String body) {
-        return String.format(
-                Locale.ROOT,
+        return Numbers.format(
                 "brought rigidly to %s by %s, turned by %.2f deg: of its %d points the nearer 70 %% lie %.2f mm apart"
                         + " (rms), all %.2f mm (median %.2f)",
                 body,
@@ -173,13 +172,8 @@ public record ScanAlignment(
     }
 
     private static String text(DistanceSummary d) {
-        return String.format(
-                Locale.ROOT,
-                "%.2f +- %.2f mm (rms %.2f, 95 %% %.1f)",
-                d.mean(),
-                d.deviation(),
-                d.rms(),
-                d.percentile95());
+        return Numbers.format(
+                "%.2f +- %.2f mm (rms %.2f, 95 %% %.1f)", d.mean(), d.deviation(), d.rms(), d.percentile95());
     }
 
     /** Rotation angle, degrees. */

@@ -3,10 +3,10 @@ package org.phrenic.scene.annotate;
 import java.awt.AWTError;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
-import java.util.Locale;
 import java.util.Optional;
 import org.joml.Vector3d;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.Numbers;
 import org.phrenic.scene.camera.Camera;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.ColourScale;
@@ -72,7 +72,7 @@ public record Annotations(
 
     /** Formats time and breathing phase: "1.25 s, inspiration". */
     public static String timestamp(double timeS, String phase) {
-        return String.format(Locale.ROOT, "%.2f s%s", timeS, phase.isEmpty() ? "" : ", " + phase);
+        return Numbers.format("%.2f s%s", timeS, phase.isEmpty() ? "" : ", " + phase);
     }
 
     /** Tests once whether this Java runtime has fonts, which text needs. */

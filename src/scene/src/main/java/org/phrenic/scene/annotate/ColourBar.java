@@ -7,9 +7,9 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.DoubleStream;
+import org.phrenic.file.Numbers;
 import org.phrenic.scene.style.ColourScale;
 
 /** A vertical colour bar with name, unit, and ticks at both ends and at round values. */
@@ -105,7 +105,7 @@ final class ColourBar {
     }
 
     private static String text(String pattern, double value) {
-        String text = String.format(Locale.ROOT, pattern, value);
+        String text = Numbers.format(pattern, value);
         return text.startsWith("-") ? "\u2212" + text.substring(1) : text;
     }
 }

@@ -1,8 +1,8 @@
 package org.phrenic.scene.annotate;
 
 import java.awt.geom.Path2D;
-import java.util.Locale;
 import java.util.stream.DoubleStream;
+import org.phrenic.file.Numbers;
 
 /** A scale bar with a round length in millimetres, for parallel projection. */
 final class Ruler {
@@ -39,7 +39,7 @@ final class Ruler {
         path.moveTo(left + width / 2, bottom - tick * 0.6);
         path.lineTo(left + width / 2, bottom);
         ink.drawLine(path, Math.max(1, ink.toPixels(1.4)));
-        String text = String.format(Locale.ROOT, "%.0f mm", length);
+        String text = Numbers.format("%.0f mm", length);
         ink.drawText(text, left + width / 2, bottom - ink.toPixels(9), 0.5, TEXT_SIZE, false);
     }
 }

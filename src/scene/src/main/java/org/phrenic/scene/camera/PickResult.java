@@ -1,6 +1,6 @@
 package org.phrenic.scene.camera;
 
-import java.util.Locale;
+import org.phrenic.file.Numbers;
 import org.phrenic.scene.style.StructureLabels;
 import org.phrenic.simulation.observe.Surface;
 
@@ -51,6 +51,6 @@ public record PickResult(
 
     private static String part(double value, char positive, char negative) {
         long whole = Math.round(value);
-        return String.format(Locale.ROOT, "%s %d", whole < 0 ? negative : positive, Math.abs(whole));
+        return Numbers.format("%s %d", whole < 0 ? negative : positive, Math.abs(whole));
     }
 }

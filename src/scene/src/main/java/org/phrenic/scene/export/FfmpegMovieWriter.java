@@ -15,11 +15,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.phrenic.file.AtomicFile;
+import org.phrenic.file.Numbers;
 import org.phrenic.file.OutputException;
 import org.phrenic.file.UnfinishedFiles;
 
@@ -78,13 +78,10 @@ public record FfmpegMovieWriter(Path program) implements MovieWriter {
     private void encode(Path file, Path made, Path log, double framesPerS, Iterator<BufferedImage> frames)
             throws IOException {
         BufferedImage first = frames.next();
-        String options = String.format(
-                Locale.ROOT,
+        String options = Numbers.format(
                 "-loglevel error -y -f rawvideo -pix_fmt bgr24 -video_size %dx%d -framerate %.6f -i - -an"
                         + " -c:v libx264 -preset medium -crf 18 -pix_fmt yuv420p -movflags +faststart",
-                roundUpToEven(first.getWidth()),
-                roundUpToEven(first.getHeight()),
-                framesPerS);
+                roundUpToEven(first.getWidth()), roundUpToEven(first.getHeight()), framesPerS);
         List<String> command = new ArrayList<>(List.of(options.split(" ")));
         command.add(0, program.toString());
         command.add(made.toString());

@@ -1,8 +1,8 @@
 package org.phrenic.scene.style;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
+import org.phrenic.file.Numbers;
 
 /**
  * A colour map applied to a range of values.
@@ -46,8 +46,8 @@ public record ColourScale(ColourMap map, double min, double max, String unit) {
             return Optional.of("found " + min + " to " + max + ", expected two finite numbers");
         }
         if (!(min < max) || !Double.isFinite(max - min)) {
-            return Optional.of(String.format(
-                    Locale.ROOT, "found %s to %s, expected the smaller number first", plain(min), plain(max)));
+            return Optional.of(
+                    Numbers.format("found %s to %s, expected the smaller number first", plain(min), plain(max)));
         }
         return Optional.empty();
     }
@@ -68,7 +68,7 @@ public record ColourScale(ColourMap map, double min, double max, String unit) {
 
     private static String plain(double value) {
         return value == Math.rint(value) && Math.abs(value) < 1e9
-                ? String.format(Locale.ROOT, "%.0f", value)
+                ? Numbers.format("%.0f", value)
                 : Double.toString(value);
     }
 }

@@ -1,6 +1,6 @@
 package org.phrenic.study.access;
 
-import static org.phrenic.study.ReportNumbers.format;
+import static org.phrenic.file.Numbers.format;
 import static org.phrenic.study.ReportNumbers.number;
 
 import java.util.ArrayList;
@@ -177,16 +177,8 @@ public record AccessReport(List<AccessStudy.Result> results, List<String> failur
                 results.stream().map(AccessStudy.Result::rehearsal).toList();
         report.table(
                 "Exercises as shipped",
-                columns(
-                        3,
-                        "exercise",
-                        "body",
-                        "resolution",
-                        "target mm",
-                        "moves mm",
-                        "LR, AP, SI mm",
-                        "points of the skin",
-                        "moments"),
+                Column.list("exercise | body | resolution | # target mm | # moves mm | # LR, AP, SI mm"
+                        + " | # points of the skin | # moments"),
                 all.stream().map(AccessReport::exercise).toList());
         addMaps(report);
         addWays(report, all);
@@ -205,19 +197,8 @@ public record AccessReport(List<AccessStudy.Result> results, List<String> failur
                 + " measured.");
         report.table(
                 "",
-                columns(
-                        1,
-                        "exercise",
-                        "in reach",
-                        "free without organs",
-                        "free",
-                        "%",
-                        "in part",
-                        "through pleura",
-                        "ways tried",
-                        "crossing",
-                        "on a cut end",
-                        "map s"),
+                Column.list("exercise | # in reach | # free without organs | # free | # % | # in part"
+                        + " | # through pleura | # ways tried | # crossing | # on a cut end | # map s"),
                 table());
     }
 
@@ -227,15 +208,8 @@ public record AccessReport(List<AccessStudy.Result> results, List<String> failur
                 "Shares of the skin that is free over the breath, %, by the way of its path at the first" + " moment.");
         report.table(
                 "",
-                columns(
-                        7,
-                        "exercise",
-                        "right intercostal spaces",
-                        "left intercostal spaces",
-                        "right subcostal",
-                        "left subcostal",
-                        "subxiphoid",
-                        "over a rib or the margin"),
+                Column.list("exercise | right intercostal spaces | left intercostal spaces | right subcostal"
+                        + " | left subcostal | subxiphoid | over a rib or the margin"),
                 all.stream().map(AccessReport::ways).toList());
     }
 
@@ -248,29 +222,9 @@ public record AccessReport(List<AccessStudy.Result> results, List<String> failur
                 + " needle in these plans.");
         report.table(
                 "",
-                columns(
-                        2,
-                        "exercise",
-                        "way",
-                        "length mm",
-                        "recess mm",
-                        "angle °",
-                        "free at",
-                        "hit",
-                        "axial mm",
-                        "lateral mm",
-                        "capsule aside mm",
-                        "time s",
-                        "at risk s",
-                        "done"),
+                Column.list("exercise | way | # length mm | # recess mm | # angle ° | # free at | # hit"
+                        + " | # axial mm | # lateral mm | # capsule aside mm | # time s | # at risk s | # done"),
                 all.stream().map(AccessReport::outcome).toList());
-    }
-
-    /** The first columns hold texts, the others numbers. */
-    private static List<Column> columns(int texts, String... headings) {
-        return IntStream.range(0, headings.length)
-                .mapToObj(i -> new Column(headings[i], i >= texts))
-                .toList();
     }
 
     /** The values for JSON. */

@@ -1,6 +1,6 @@
 package org.phrenic.study.access;
 
-import static org.phrenic.study.ReportNumbers.format;
+import static org.phrenic.file.Numbers.format;
 
 import java.util.List;
 import org.phrenic.document.OrderedValues;
@@ -81,17 +81,8 @@ public record ImagingReport(Scenario scenario, List<ImagingStudy.Result> results
                 ReportNumbers.label(scenario.resolution())));
         report.table(
                 "",
-                List.of(
-                        Column.text("body"),
-                        Column.number("triangles"),
-                        Column.number("radiograph ms"),
-                        Column.number("p95"),
-                        Column.number("ultrasound alone ms"),
-                        Column.number("beside the scene ms"),
-                        Column.number("p95"),
-                        Column.number("images/s"),
-                        Column.number("simulated over real time"),
-                        Column.text("within")),
+                Column.list("body | # triangles | # radiograph ms | # p95 | # ultrasound alone ms"
+                        + " | # beside the scene ms | # p95 | # images/s | # simulated over real time | within"),
                 table());
         Attempts.addFailures(report, "Not imaged", failures);
         return report;

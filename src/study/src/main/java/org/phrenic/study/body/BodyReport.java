@@ -18,39 +18,17 @@ import org.phrenic.study.ReportValues;
 
 /** A study of bodies as a report, CSV and values for JSON. */
 public final class BodyReport {
-    private static final List<Column> COLUMNS = List.of(
-            Column.text("body"),
-            Column.number("quiet R mm"),
-            Column.number("L"),
-            Column.number("return mm"),
-            Column.number("deep R mm"),
-            Column.number("L"),
-            Column.number("air ml"),
-            Column.number("return mm"),
-            Column.number("through: rest"),
-            Column.number("quiet"),
-            Column.number("deep"),
-            Column.number("deepest mm"),
-            Column.number("outside cage mm"),
-            Column.number("insertion mm"),
-            Column.number("95 %"));
+    private static final List<Column> COLUMNS =
+            Column.list("body | # quiet R mm | # L | # return mm | # deep R mm | # L | # air ml | # return mm"
+                    + " | # through: rest | # quiet | # deep | # deepest mm | # outside cage mm"
+                    + " | # insertion mm | # 95 %");
 
-    private static final List<Column> RIB_COLUMNS = List.of(
-            Column.text("body"),
-            Column.number("ribs"),
-            Column.number("heads off: mean mm"),
-            Column.number("greatest mm"),
-            Column.number("axes off: mean mm"),
-            Column.number("greatest mm"),
-            Column.number("necks: mean deg"),
-            Column.number("greatest deg"));
+    private static final List<Column> RIB_COLUMNS =
+            Column.list("body | # ribs | # heads off: mean mm | # greatest mm | # axes off: mean mm"
+                    + " | # greatest mm | # necks: mean deg | # greatest deg");
 
-    private static final List<Column> SURFACE_COLUMNS = List.of(
-            Column.text("body"),
-            Column.text("kind"),
-            Column.number("structures"),
-            Column.number("mean mm"),
-            Column.number("95 % mm"));
+    private static final List<Column> SURFACE_COLUMNS =
+            Column.list("body | kind | # structures | # mean mm | # 95 % mm");
 
     /** Keys that are stated elsewhere, or that the numbers do not depend on. */
     private static final Set<String> SET_BY_STUDY = Set.of("resolution", "threads");
@@ -139,7 +117,7 @@ public final class BodyReport {
         List<List<String>> table = table();
         report.table("", COLUMNS, table.subList(1, table.size()));
         report.section(imported ? "What the scans show" : "How the bodies were made");
-        List<Column> columns = new ArrayList<>(List.of(Column.text("body"), Column.text("made of")));
+        List<Column> columns = new ArrayList<>(Column.list("body | made of"));
         if (imported) {
             columns.add(Column.text("not in the scan"));
         }

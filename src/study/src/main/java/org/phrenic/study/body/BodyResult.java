@@ -2,8 +2,8 @@ package org.phrenic.study.body;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
+import org.phrenic.file.Numbers;
 import org.phrenic.patient.diaphragm.SheetQuality;
 
 /**
@@ -44,7 +44,7 @@ public record BodyResult(
     private void add(String measure, double limit, String what, List<String> faults) {
         double value = measure(measure);
         if (value > limit) {
-            faults.add(String.format(Locale.ROOT, "%s %.1f mm", what, value));
+            faults.add(Numbers.format("%s %.1f mm", what, value));
         }
     }
 

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
@@ -12,6 +11,7 @@ import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
@@ -103,15 +103,9 @@ public record BodyVariation(
 
     /** The variation in words: {@code 0.91 x 1.10 x 1.02, kyphosis 12 deg, barrel 0.20, domes +5 mm}. */
     public String description() {
-        return String.format(
-                Locale.ROOT,
+        return Numbers.format(
                 "%.2f x %.2f x %.2f, kyphosis %.0f deg, barrel %.2f, domes %+.0f mm",
-                scaleX,
-                scaleY,
-                scaleZ,
-                kyphosisDeg,
-                barrel,
-                domeLiftMm);
+                scaleX, scaleY, scaleZ, kyphosisDeg, barrel, domeLiftMm);
     }
 
     /**

@@ -2,7 +2,7 @@ package org.phrenic.study.body;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
+import org.phrenic.file.Numbers;
 
 /**
  * What one breath of a body gave.
@@ -43,15 +43,11 @@ public record BreathResult(
         List<String> faults = new ArrayList<>();
         if (!BodyLimits.isExcursion(depth, height, motion.domeRightMm())
                 || !BodyLimits.isExcursion(depth, height, motion.domeLeftMm())) {
-            faults.add(String.format(
-                    Locale.ROOT,
-                    "%s: domes %.1f and %.1f mm",
-                    depth.preset(),
-                    motion.domeRightMm(),
-                    motion.domeLeftMm()));
+            faults.add(Numbers.format(
+                    "%s: domes %.1f and %.1f mm", depth.preset(), motion.domeRightMm(), motion.domeLeftMm()));
         }
         if (!(motion.returnRmsMm() <= BodyLimits.RETURN_RMS_MM)) {
-            faults.add(String.format(Locale.ROOT, "%s: returns to %.2f mm rms", depth.preset(), motion.returnRmsMm()));
+            faults.add(Numbers.format("%s: returns to %.2f mm rms", depth.preset(), motion.returnRmsMm()));
         }
         addThrough(atRest, "rest", faults);
         addThrough(atInspiration, "full inspiration", faults);
@@ -60,14 +56,9 @@ public record BreathResult(
 
     private void addThrough(OrganCrossing crossing, String when, List<String> faults) {
         if (crossing.vertices() > 0) {
-            faults.add(String.format(
-                    Locale.ROOT,
+            faults.add(Numbers.format(
                     "%s: %d organ vertices through the diaphragm at %s, %s by %.1f mm",
-                    depth.preset(),
-                    crossing.vertices(),
-                    when,
-                    crossing.deepest(),
-                    crossing.deepestMm()));
+                    depth.preset(), crossing.vertices(), when, crossing.deepest(), crossing.deepestMm()));
         }
     }
 }

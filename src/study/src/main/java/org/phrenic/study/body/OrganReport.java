@@ -1,6 +1,6 @@
 package org.phrenic.study.body;
 
-import static org.phrenic.study.ReportNumbers.format;
+import static org.phrenic.file.Numbers.format;
 import static org.phrenic.study.ReportNumbers.number;
 import static org.phrenic.study.ReportNumbers.trimmed;
 
@@ -126,15 +126,7 @@ public final class OrganReport {
                 + " the surface of that.");
         report.table(
                 "",
-                List.of(
-                        Column.text("body"),
-                        Column.text("moment"),
-                        Column.number("pairs"),
-                        Column.number("largest overlap %"),
-                        Column.text("of"),
-                        Column.number("greatest depth mm"),
-                        Column.text("of"),
-                        Column.text("within")),
+                Column.list("body | moment | # pairs | # largest overlap % | of | # greatest depth mm | of | within"),
                 table());
         addVolumes(report);
         addPairs(report);
@@ -148,14 +140,7 @@ public final class OrganReport {
                 + " of the large intestine. Deep: at the full inspiration of the deep breath.");
         report.table(
                 "",
-                List.of(
-                        Column.text("body"),
-                        Column.text("organ"),
-                        Column.number("reference ml"),
-                        Column.number("at rest ml"),
-                        Column.number("difference %"),
-                        Column.number("deep ml"),
-                        Column.text("within")),
+                Column.list("body | organ | # reference ml | # at rest ml | # difference % | # deep ml | within"),
                 volumes().stream()
                         .map(v -> List.of(
                                 v.body(),
@@ -187,16 +172,7 @@ public final class OrganReport {
                 }
             }
         }
-        report.table(
-                "",
-                List.of(
-                        Column.text("body"),
-                        Column.text("moment"),
-                        Column.text("pair"),
-                        Column.number("overlap %"),
-                        Column.number("depth mm"),
-                        Column.text("within")),
-                rows);
+        report.table("", Column.list("body | moment | pair | # overlap % | # depth mm | within"), rows);
     }
 
     /** The values for JSON. */

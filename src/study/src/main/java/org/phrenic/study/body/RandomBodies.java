@@ -2,7 +2,7 @@ package org.phrenic.study.body;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
+import org.phrenic.file.Numbers;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
@@ -27,7 +27,7 @@ public final class RandomBodies {
             String source = SOURCES.get((number - 1) % SOURCES.size());
             bodies.add(body(
                     scenario,
-                    String.format(Locale.ROOT, "random-%d-%02d", seed, number),
+                    Numbers.format("random-%d-%02d", seed, number),
                     source,
                     BodyVariation.random(seed, number)));
         }

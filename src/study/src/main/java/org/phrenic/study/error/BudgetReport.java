@@ -1,6 +1,6 @@
 package org.phrenic.study.error;
 
-import static org.phrenic.study.ReportNumbers.format;
+import static org.phrenic.file.Numbers.format;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -19,19 +19,9 @@ import org.phrenic.study.ReportNumbers;
 /** The error budget as a document and as values. */
 public final class BudgetReport {
     /** Columns of {@link #cells}. */
-    public static final List<Column> COLUMNS = List.of(
-            Column.text("body"),
-            Column.text("breath"),
-            Column.text("mesh"),
-            Column.text("integrator"),
-            Column.number("excursion, mm"),
-            Column.number("time, %"),
-            Column.number("max, mm"),
-            Column.number("space, %"),
-            Column.number("equilibrium, %"),
-            Column.number("whole, %"),
-            Column.number("x real time"),
-            Column.text(""));
+    public static final List<Column> COLUMNS =
+            Column.list("body | breath | mesh | integrator | # excursion, mm | # time, % | # max, mm"
+                    + " | # space, % | # equilibrium, % | # whole, % | # x real time | ");
 
     private final BudgetTable table;
     private final List<BudgetPoint> points;
@@ -166,14 +156,7 @@ public final class BudgetReport {
                     + " limit + c edge^order. The scatter is the standard deviation about the fit.");
             page.table(
                     "",
-                    List.of(
-                            Column.text("body"),
-                            Column.text("breath"),
-                            Column.text("vertices"),
-                            Column.number("edge, mm"),
-                            Column.number("excursion, mm"),
-                            Column.number("order"),
-                            Column.number("scatter, mm")),
+                    Column.list("body | breath | vertices | # edge, mm | # excursion, mm | # order | # scatter, mm"),
                     rows);
         }
     }
@@ -190,12 +173,7 @@ public final class BudgetReport {
         if (scenes.isEmpty()) {
             return;
         }
-        List<Column> columns = new ArrayList<>(List.of(
-                Column.text("body"),
-                Column.text("breath"),
-                Column.text("mesh"),
-                Column.number("excursion, mm"),
-                Column.number("x real time")));
+        List<Column> columns = new ArrayList<>(Column.list("body | breath | mesh | # excursion, mm | # x real time"));
         EquilibriumLag.phases().forEach(phase -> columns.add(Column.number("rms at " + phase + ", %")));
         columns.add(Column.number("max, mm"));
         columns.add(Column.number("drift, %"));
@@ -255,16 +233,7 @@ public final class BudgetReport {
             page.section("Order of convergence in time");
             page.paragraph("The whole scene, first part of a breath, constraints swept to convergence: rms distance"
                     + " of the diaphragm's nodes between the solution with a step and that with half of it.");
-            page.table(
-                    "",
-                    List.of(
-                            Column.text("body"),
-                            Column.text("breath"),
-                            Column.text("mesh"),
-                            Column.text("scheme and step"),
-                            Column.number("rms, mm"),
-                            Column.number("order")),
-                    rows);
+            page.table("", Column.list("body | breath | mesh | scheme and step | # rms, mm | # order"), rows);
         }
     }
 
@@ -297,15 +266,8 @@ public final class BudgetReport {
             page.paragraph(text);
             page.table(
                     "",
-                    List.of(
-                            Column.text("body"),
-                            Column.text("breath"),
-                            Column.text("mesh"),
-                            Column.text(setting),
-                            Column.number("rms, mm"),
-                            Column.number("%"),
-                            Column.number("max, mm"),
-                            Column.number("uncertainty, mm")),
+                    Column.list(
+                            "body | breath | mesh | " + setting + " | # rms, mm | # % | # max, mm | # uncertainty, mm"),
                     rows);
         }
     }

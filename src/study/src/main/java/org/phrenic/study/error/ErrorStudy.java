@@ -1,6 +1,6 @@
 package org.phrenic.study.error;
 
-import static org.phrenic.study.ReportNumbers.format;
+import static org.phrenic.file.Numbers.format;
 
 import java.util.ArrayList;
 import java.util.Arrays;

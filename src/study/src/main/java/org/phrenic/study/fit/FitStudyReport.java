@@ -8,6 +8,7 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.file.Numbers;
 import org.phrenic.fit.FitReport;
 import org.phrenic.fit.FitResult;
 import org.phrenic.fit.LandmarkTable;
@@ -20,23 +21,10 @@ import org.phrenic.study.ReportNumbers;
  * @param failures patients that were not fitted, each with the reason
  */
 public record FitStudyReport(List<PatientFit> patients, List<KnownBreath> known, List<String> failures) {
-    private static final List<Column> SURFACES = List.of(
-            Column.text("patient"),
-            Column.text("fitted to"),
-            Column.number("breaths"),
-            Column.number("before mm"),
-            Column.number("after mm"),
-            Column.number("ratio"),
-            Column.number("held out: ratio"));
-    private static final List<Column> KNOWN = List.of(
-            Column.text("body"),
-            Column.text("known breath"),
-            Column.number("breaths"),
-            Column.number("failed"),
-            Column.number("before mm"),
-            Column.number("after mm"),
-            Column.number("ratio"),
-            Column.text("without a result"));
+    private static final List<Column> SURFACES =
+            Column.list("patient | fitted to | # breaths | # before mm | # after mm | # ratio | # held out: ratio");
+    private static final List<Column> KNOWN = Column.list(
+            "body | known breath | # breaths | # failed | # before mm | # after mm | # ratio | without a result");
 
     public FitStudyReport {
         patients = List.copyOf(patients);
@@ -131,7 +119,7 @@ public record FitStudyReport(List<PatientFit> patients, List<KnownBreath> known,
     }
 
     private static String ratio(double value) {
-        return ReportNumbers.format("%.3f", value);
+        return Numbers.format("%.3f", value);
     }
 
     /** The study as JSON values. */

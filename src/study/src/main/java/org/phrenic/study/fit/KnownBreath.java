@@ -8,6 +8,7 @@ import java.util.SplittableRandom;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.fit.Fit;
 import org.phrenic.fit.FitPart;
 import org.phrenic.fit.FitProgress;
@@ -18,7 +19,6 @@ import org.phrenic.fit.GroundTruth;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.fit.search.FitSearch;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.body.BodyCase;
 
 /**
@@ -100,6 +100,6 @@ public record KnownBreath(String body, List<String> hidden, Optional<FitResult> 
     }
 
     private static String setting(String key, double value) {
-        return key + "=" + ReportNumbers.format("%.3f", value);
+        return key + "=" + Numbers.format("%.3f", value);
     }
 }

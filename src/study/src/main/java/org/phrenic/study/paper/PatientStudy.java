@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
@@ -14,6 +13,7 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.file.Numbers;
 import org.phrenic.fit.Fit;
 import org.phrenic.fit.FitHalf;
 import org.phrenic.fit.FitProgress;
@@ -148,10 +148,8 @@ public final class PatientStudy {
         List<String> notes = List.of(
                 "what a scan would show of a virtual body that breathes with settings that the fit does not know ("
                         + String.join(", ", patient.hidden()) + "), its surfaces halved and moved by noise of 1 mm",
-                String.format(
-                        Locale.ROOT,
-                        "the noise alone leaves %.2f mm, which no fit can be expected to undercut",
-                        truth.floorMm()));
+                Numbers.format(
+                        "the noise alone leaves %.2f mm, which no fit can be expected to undercut", truth.floorMm()));
         progress.done(1, 1, patient.name());
         return new PatientCase(patient.name(), "synthetic", true, body, notes, fit, Optional.empty());
     }
@@ -208,8 +206,7 @@ public final class PatientStudy {
         @Override
         public void evaluated(int count, int most, double bestMm, double initialMm) {
             if (count % EVERY == 0) {
-                progress.note(String.format(
-                        Locale.ROOT, "%d of %d breaths, %.2f mm of %.2f", count, most, bestMm, initialMm));
+                progress.note(Numbers.format("%d of %d breaths, %.2f mm of %.2f", count, most, bestMm, initialMm));
             }
         }
     }

@@ -1,6 +1,6 @@
 package org.phrenic.study.paper;
 
-import static org.phrenic.study.ReportNumbers.format;
+import static org.phrenic.file.Numbers.format;
 import static org.phrenic.study.ReportNumbers.number;
 
 import java.util.List;

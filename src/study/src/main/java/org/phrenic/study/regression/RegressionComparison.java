@@ -1,6 +1,6 @@
 package org.phrenic.study.regression;
 
-import static org.phrenic.study.ReportNumbers.format;
+import static org.phrenic.file.Numbers.format;
 
 import org.phrenic.simulation.observe.Observation;
 

@@ -1,6 +1,6 @@
 package org.phrenic.study.scan;
 
-import static org.phrenic.study.ReportNumbers.format;
+import static org.phrenic.file.Numbers.format;
 
 import java.util.List;
 import org.phrenic.document.OrderedValues;
@@ -51,14 +51,8 @@ public record ImportCostReport(String scan, String heap, List<ImportCost> costs)
                 scan, heap));
         report.table(
                 "",
-                List.of(
-                        Column.text("voxels"),
-                        Column.number("labels"),
-                        Column.number("structures"),
-                        Column.number("first line s"),
-                        Column.number("by the clock s"),
-                        Column.number("processor s"),
-                        Column.number("memory GB")),
+                Column.list("voxels | # labels | # structures | # first line s | # by the clock s | # processor s"
+                        + " | # memory GB"),
                 table());
         return report;
     }

@@ -1,6 +1,6 @@
 package org.phrenic.study.stability;
 
-import static org.phrenic.study.ReportNumbers.format;
+import static org.phrenic.file.Numbers.format;
 
 import java.util.EnumMap;
 import java.util.List;

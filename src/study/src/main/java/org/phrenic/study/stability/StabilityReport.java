@@ -1,6 +1,6 @@
 package org.phrenic.study.stability;
 
-import static org.phrenic.study.ReportNumbers.format;
+import static org.phrenic.file.Numbers.format;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -77,12 +77,11 @@ public record StabilityReport(StabilityStudy study) {
         report.section("Cells");
         report.table(
                 "",
-                List.of(Column.text("case"), Column.text("what is hard"), Column.number("s")),
+                Column.list("case | what is hard | # s"),
                 study.cases().entrySet().stream()
                         .map(e -> List.of(e.getKey(), e.getValue(), requestedS(e.getKey())))
                         .toList());
-        List<Column> columns = new ArrayList<>(List.of(
-                Column.text("case"), Column.text("integrator"), Column.text("verdict"), Column.number("substeps")));
+        List<Column> columns = new ArrayList<>(Column.list("case | integrator | verdict | # substeps"));
         Arrays.stream(StabilityMeasure.values()).forEach(m -> columns.add(Column.number(m.heading())));
         columns.add(Column.text("sentence"));
         report.table(

@@ -1,9 +1,9 @@
 package org.phrenic.study.sweep;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.phrenic.file.Numbers;
 
 /**
  * A person of a cohort. As text: {@code male 35 y 1.75 m 75 kg}.
@@ -40,16 +40,9 @@ record Person(String sex, int ageYears, double heightM, double weightKg) {
                 Double.parseDouble(form.group(3)),
                 Double.parseDouble(form.group(4)));
         if (!person.isAdult()) {
-            throw new IllegalArgumentException(String.format(
-                    Locale.ROOT,
+            throw new IllegalArgumentException(Numbers.format(
                     "found the person '%s', expected an adult of %d to %d y, %.1f to %.1f m and %.0f to %.0f kg",
-                    text,
-                    LEAST_YEARS,
-                    MOST_YEARS,
-                    LEAST_M,
-                    MOST_M,
-                    LEAST_KG,
-                    MOST_KG));
+                    text, LEAST_YEARS, MOST_YEARS, LEAST_M, MOST_M, LEAST_KG, MOST_KG));
         }
         return person;
     }
@@ -66,7 +59,7 @@ record Person(String sex, int ageYears, double heightM, double weightKg) {
 
     /** The person as text, with height in cm and weight in 0.1 kg. */
     String text() {
-        return String.format(Locale.ROOT, "%s %d y %.2f m %.1f kg", sex, ageYears, heightM, weightKg);
+        return Numbers.format("%s %d y %.2f m %.1f kg", sex, ageYears, heightM, weightKg);
     }
 
     /** Sex, age, height and weight as cells of a table. */

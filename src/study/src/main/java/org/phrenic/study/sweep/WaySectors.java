@@ -3,8 +3,8 @@ package org.phrenic.study.sweep;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.access.path.AccessMap;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.Vectors;
 
 /**
@@ -37,7 +37,7 @@ public final class WaySectors {
 
     /** Column of a sector, such as {@code free_a090_e-10}. */
     public static String column(int azimuthDeg, int elevationDeg) {
-        return String.format(Locale.ROOT, "free_a%03d_e%+03d", azimuthDeg, elevationDeg);
+        return Numbers.format("free_a%03d_e%+03d", azimuthDeg, elevationDeg);
     }
 
     /** All columns, azimuth after azimuth, each from below. */

@@ -3,7 +3,6 @@ package org.phrenic.anatomy.virtual;
 import java.lang.ref.SoftReference;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -19,6 +18,7 @@ import org.phrenic.anatomy.virtual.shape.MarchingTetrahedra;
 import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.anatomy.virtual.shape.SurfaceRelaxation;
 import org.phrenic.anatomy.virtual.shape.Tube;
+import org.phrenic.file.Numbers;
 import org.phrenic.file.UserCache;
 import org.phrenic.mesh.Polyline;
 import org.phrenic.mesh.TriangleMesh;
@@ -226,12 +226,10 @@ public final class VirtualThorax {
     }
 
     static String sided(String name, int level, Side side) {
-        return String.format(Locale.ROOT, "%s_%02d_%s", name, level, side == Side.LEFT ? "L" : "R");
+        return Numbers.format("%s_%02d_%s", name, level, side == Side.LEFT ? "L" : "R");
     }
 
     private static String vertebraName(int level, String digits) {
-        return level <= 12
-                ? String.format(Locale.ROOT, "T" + digits, level)
-                : String.format(Locale.ROOT, "L" + digits, level - 12);
+        return level <= 12 ? Numbers.format("T" + digits, level) : Numbers.format("L" + digits, level - 12);
     }
 }

@@ -2,13 +2,13 @@ package org.phrenic.breathing.pattern;
 
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Locale;
 import org.phrenic.breathing.BreathState;
 import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.BreathingTrace;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.breathing.Smootherstep;
+import org.phrenic.file.Numbers;
 
 /**
  * Breathing from a recorded trace.
@@ -122,8 +122,7 @@ public final class TracePattern implements BreathingPattern {
         String text = "%s: %s; depth 0 at " + value + ", 1 at " + value
                 + " (%.0fth and %.0fth percentile); %d %s in %.1f s, %.1f s each%s;"
                 + " rate and inspiratory fraction are those of the recording";
-        return String.format(
-                Locale.ROOT,
+        return Numbers.format(
                 text,
                 Path.of(name()).getFileName(),
                 trace.signal(),

@@ -42,6 +42,13 @@ public final class ReportDocument {
         public static Column number(String heading) {
             return new Column(heading, true);
         }
+
+        /** Columns by their headings, with " | " between them; "# " stands before that of a column of numbers. */
+        public static List<Column> list(String headings) {
+            return Arrays.stream(headings.split(" \\| ", -1))
+                    .map(heading -> heading.startsWith("# ") ? number(heading.substring(2)) : text(heading))
+                    .toList();
+        }
     }
 
     /**

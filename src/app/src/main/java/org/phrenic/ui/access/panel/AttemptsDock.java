@@ -26,11 +26,11 @@ import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalReport;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.file.OutputException;
 import org.phrenic.ui.access.AttemptHistory;
 import org.phrenic.ui.access.AttemptReportWriter;
 import org.phrenic.ui.access.RehearsalController;
-import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Dialogs;
@@ -146,7 +146,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
     }
 
     private static String oneDecimal(double value) {
-        return NumberFormats.text("%.1f", value);
+        return Numbers.format("%.1f", value);
     }
 
     private Optional<EndedAttempt> selected() {

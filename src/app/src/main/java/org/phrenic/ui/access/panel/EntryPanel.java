@@ -8,11 +8,11 @@ import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.PathAdvice;
+import org.phrenic.file.Numbers;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.ui.access.EntrySelection;
 import org.phrenic.ui.access.PickMode;
 import org.phrenic.ui.access.RehearsalController;
-import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 
@@ -112,7 +112,7 @@ final class EntryPanel extends AccessPanel {
         } else {
             String margin = state.nearest().isEmpty()
                     ? "nothing near"
-                    : NumberFormats.text("%.1f mm from %s", state.marginMm(), state.nearest());
+                    : Numbers.format("%.1f mm from %s", state.marginMm(), state.nearest());
             currentAdvice.setAdvice(level, "Now free: " + margin, "");
         }
     }

@@ -17,11 +17,11 @@ import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
 import org.phrenic.access.imaging.CArm;
 import org.phrenic.access.plan.Aids;
+import org.phrenic.file.Numbers;
 import org.phrenic.scene.annotate.PatientOrientation;
 import org.phrenic.ui.access.FluoroscopyShot;
 import org.phrenic.ui.access.GuidanceSettings;
 import org.phrenic.ui.access.RehearsalController;
-import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.PaintedComponent;
@@ -70,9 +70,9 @@ public final class FluoroscopyDock extends AccessPanel {
 
     private void turn() {
         rehearsal.pictures().setArmAngles(new GuidanceSettings.ArmAngles(oblique.getValue(), cranial.getValue()));
-        obliqueText.setText(NumberFormats.text(
-                "%s %d\u00b0", oblique.getValue() < 0 ? "RAO" : "LAO", Math.abs(oblique.getValue())));
-        cranialText.setText(NumberFormats.text(
+        obliqueText.setText(
+                Numbers.format("%s %d\u00b0", oblique.getValue() < 0 ? "RAO" : "LAO", Math.abs(oblique.getValue())));
+        cranialText.setText(Numbers.format(
                 "%s %d\u00b0", cranial.getValue() < 0 ? "caudal" : "cranial", Math.abs(cranial.getValue())));
     }
 

@@ -13,10 +13,10 @@ import org.phrenic.access.attempt.NeedleLoad;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.NeedleState;
+import org.phrenic.file.Numbers;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.ui.access.NeedleController;
 import org.phrenic.ui.access.RehearsalController;
-import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 
@@ -60,7 +60,7 @@ final class NeedlePanel extends AccessPanel {
         JComboBox<Double> speed = Controls.describe(
                 new JComboBox<>(SPEEDS_MM_PER_S), "Speed of the needle", "How fast the needle moves, mm per second");
         speed.setSelectedItem(50.0);
-        speed.setRenderer(Controls.renderer(mmPerS -> NumberFormats.text("%.0f mm/s", mmPerS)));
+        speed.setRenderer(Controls.renderer(mmPerS -> Numbers.format("%.0f mm/s", mmPerS)));
         speed.addActionListener(e -> needle.setSpeedMmPerS((Double) speed.getSelectedItem()));
         depth.addChangeListener(e -> {
             if (!updating) {
@@ -100,8 +100,8 @@ final class NeedlePanel extends AccessPanel {
         Optional<NeedleState> state = rehearsal.state().filter(NeedleState::hasNeedle);
         Optional<NeedleState> placed = state.filter(NeedleState::placed);
         depthText.setText(placed.map(s -> error.isVisible()
-                        ? NumberFormats.text("Depth %.0f of %.0f mm", s.depthMm(), s.targetDepthMm())
-                        : NumberFormats.text("Depth %.0f mm", s.depthMm()))
+                        ? Numbers.format("Depth %.0f of %.0f mm", s.depthMm(), s.targetDepthMm())
+                        : Numbers.format("Depth %.0f mm", s.depthMm()))
                 .orElse("Not in the body"));
         Optional<TargetingError> distance = state.flatMap(NeedleState::targetingError);
         error.setVisible(rehearsal.pictures().aids() != Aids.PICTURES);
@@ -113,7 +113,7 @@ final class NeedlePanel extends AccessPanel {
             depth.setValue((int) Math.round(state.map(NeedleState::depthMm).orElse(0.0)));
             updating = false;
         }
-        angles.setText(state.map(s -> NumberFormats.text(
+        angles.setText(state.map(s -> Numbers.format(
                         "%.0f\u00b0 in the axial plane, %.0f\u00b0 to the %s",
                         s.angles().axialDeg(),
                         Math.abs(s.angles().cranialDeg()),
@@ -142,20 +142,20 @@ final class NeedlePanel extends AccessPanel {
     static String text(NeedleLoad load) {
         List<String> words = new ArrayList<>();
         if (!load.layer().isEmpty()) {
-            words.add(NumberFormats.text("%.1f N from the %s", load.axialN(), load.layer()));
+            words.add(Numbers.format("%.1f N from the %s", load.axialN(), load.layer()));
         }
         if (load.sideN() >= 0.1) {
-            words.add(NumberFormats.text("%.1f N aside", load.sideN()));
+            words.add(Numbers.format("%.1f N aside", load.sideN()));
         }
         return String.join(", ", words);
     }
 
     static String text(TargetingError error) {
-        return NumberFormats.text("Tip to target %.1f mm%s", error.distanceMm(), error.hit() ? ", in it" : "");
+        return Numbers.format("Tip to target %.1f mm%s", error.distanceMm(), error.hit() ? ", in it" : "");
     }
 
     static String parts(TargetingError error) {
-        return NumberFormats.text(
+        return Numbers.format(
                 "%.1f mm %s, %.1f mm aside",
                 Math.abs(error.axialMm()), error.axialMm() < 0 ? "too deep" : "to go", error.lateralMm());
     }

@@ -12,7 +12,7 @@ import org.phrenic.access.attempt.ProbeUse;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.plan.Goals;
 import org.phrenic.access.plan.PathAdvice;
-import org.phrenic.ui.session.NumberFormats;
+import org.phrenic.file.Numbers;
 import org.phrenic.ui.widget.Controls;
 
 /** The result of an attempt: hit or missed, the targeting error, goals and measures. */
@@ -68,7 +68,7 @@ public final class ReportCard extends JPanel {
     private static String sampleText(AttemptRecord record, TargetingError sample) {
         String core = sample.coreInTargetMm().isEmpty()
                 ? ""
-                : NumberFormats.text(
+                : Numbers.format(
                         " Of the core of %.0f mm, %.1f mm lay in it.",
                         record.needle().coreMm(), sample.coreInTargetMm().getAsDouble());
         String what = core.isEmpty() ? "the tip" : "the middle of the core";
@@ -76,7 +76,7 @@ public final class ReportCard extends JPanel {
     }
 
     static String place(TargetingError sample) {
-        return NumberFormats.text(
+        return Numbers.format(
                 " was %.1f mm from the middle of the target: %.1f mm %s, %.1f mm aside.",
                 sample.distanceMm(),
                 Math.abs(sample.axialMm()),
@@ -139,12 +139,12 @@ public final class ReportCard extends JPanel {
     private static void addEvent(AttemptRecord r, AttemptEvent.Kind kind, String name, List<String> lines) {
         r.first(kind).ifPresent(e -> {
             String format = "%s at %.1f s, breath %d, %s, %.0f mm deep";
-            lines.add(NumberFormats.text(
+            lines.add(Numbers.format(
                     format, name, e.timeS(), e.breath(), e.phase().label(), e.depthMm()));
         });
     }
 
     private static String number(double value) {
-        return NumberFormats.text(value == Math.rint(value) ? "%.0f" : "%.1f", value);
+        return Numbers.format(value == Math.rint(value) ? "%.0f" : "%.1f", value);
     }
 }

@@ -17,10 +17,10 @@ import org.phrenic.access.ScannedLesion;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.TargetMotion;
 import org.phrenic.access.path.TargetAccess;
+import org.phrenic.file.Numbers;
 import org.phrenic.ui.access.PickMode;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.access.RehearsalStage;
-import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.ListKeys;
@@ -108,7 +108,7 @@ final class TargetPanel extends AccessPanel {
             lesions = rehearsal.lesions();
             lesion.removeAllItems();
             lesions.forEach(one -> lesion.addItem(
-                    NumberFormats.text("%s, %.0f mm", one.label(), one.target().diameterMm())));
+                    Numbers.format("%s, %.0f mm", one.label(), one.target().diameterMm())));
             lesion.addItem(OTHER_TARGET);
         }
         Optional<TargetLesion> target = rehearsal.study().map(TargetAccess::target);
@@ -148,8 +148,8 @@ final class TargetPanel extends AccessPanel {
         TargetMotion moves = study.get().map().motion();
         double[] range = moves.rangeMm();
         double diameter = study.get().target().diameterMm();
-        motion.setTextIfChanged(NumberFormats.text("Target moves %.0f mm with the breath", moves.excursionMm()));
-        directions.setTextIfChanged(NumberFormats.text(
+        motion.setTextIfChanged(Numbers.format("Target moves %.0f mm with the breath", moves.excursionMm()));
+        directions.setTextIfChanged(Numbers.format(
                 "%.0f mm up-down, %.0f front-back, %.0f sideways\nDiameter of the target %.0f mm",
                 range[2], range[1], range[0], diameter));
         size.setValue((int) Math.round(diameter));

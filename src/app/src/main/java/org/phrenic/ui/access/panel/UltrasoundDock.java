@@ -19,6 +19,7 @@ import org.phrenic.access.plan.ProbeHold;
 import org.phrenic.access.plan.ProbeState;
 import org.phrenic.access.ultrasound.ProbePose;
 import org.phrenic.access.ultrasound.UltrasoundSettings;
+import org.phrenic.file.Numbers;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.ui.access.GuidanceSettings;
 import org.phrenic.ui.access.PickMode;
@@ -26,7 +27,6 @@ import org.phrenic.ui.access.ProbeController;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.access.UltrasoundShot;
-import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 
@@ -126,7 +126,7 @@ public final class UltrasoundDock extends AccessPanel {
     /** A slider, its value beside it and that value's format. */
     private record Row(JSlider slider, JLabel text, String format, double perStep) {
         void tell(double value) {
-            text.setText(NumberFormats.text(format, value));
+            text.setText(Numbers.format(format, value));
         }
     }
 
@@ -239,7 +239,7 @@ public final class UltrasoundDock extends AccessPanel {
         UltrasoundSettings shown = played.map(ProbeHold::settings).orElseGet(probe::settings);
         settings.forEach(setting -> setting.show(shown));
         updating = false;
-        angles.setText(NumberFormats.text(
+        angles.setText(Numbers.format(
                 "Rotated %.0f\u00b0, tilted %.0f\u00b0, rocked %.0f\u00b0", a.rotationDeg(), a.tiltDeg(), a.rockDeg()));
         Optional<ProbeState> state = rehearsal.state().flatMap(NeedleState::probe);
         boolean inside =
@@ -248,7 +248,7 @@ public final class UltrasoundDock extends AccessPanel {
         seen.setText(
                 !told || !inside || state.isEmpty()
                         ? " "
-                        : NumberFormats.text(
+                        : Numbers.format(
                                 "Needle in the beam: %.0f mm%s",
                                 state.get().needleInBeamMm(),
                                 state.get().tipInBeam() ? ", with its tip" : ", not its tip"));

@@ -1,6 +1,7 @@
 package org.phrenic.mesh.io.dicom;
 
 import java.util.Locale;
+import org.phrenic.file.Numbers;
 
 /** Elements that are read, with their value representation in files that do not state it. */
 public enum DicomTag {
@@ -71,6 +72,6 @@ public enum DicomTag {
     /** The element in a message: "element (0028,0010) rows". */
     String place() {
         String words = name().toLowerCase(Locale.ROOT).replace('_', ' ');
-        return String.format(Locale.ROOT, "element (%04X,%04X) %s", number >>> 16, number & 0xFFFF, words);
+        return Numbers.format("element (%04X,%04X) %s", number >>> 16, number & 0xFFFF, words);
     }
 }

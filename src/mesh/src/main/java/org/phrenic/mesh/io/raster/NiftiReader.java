@@ -7,13 +7,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.GZIPInputStream;
 import org.phrenic.file.InputBytes;
+import org.phrenic.file.Numbers;
 import org.phrenic.file.ScalarType;
 
 /**
@@ -139,8 +139,8 @@ final class NiftiReader {
     private void compareForms(VolumeAxes sform, double mm) {
         double apart = sform.farthest(qform(), sizes());
         if (apart > 0 && apart >= sform.smallestSpacing() / 2) {
-            notes.add(String.format(
-                    Locale.ROOT, "sform and qform place voxels up to %.1f mm apart: the sform was taken", mm * apart));
+            notes.add(Numbers.format(
+                    "sform and qform place voxels up to %.1f mm apart: the sform was taken", mm * apart));
         }
     }
 

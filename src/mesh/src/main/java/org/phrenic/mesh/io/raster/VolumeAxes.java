@@ -1,8 +1,8 @@
 package org.phrenic.mesh.io.raster;
 
 import java.util.Arrays;
-import java.util.Locale;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.Vectors;
 
 /**
@@ -98,7 +98,7 @@ public record VolumeAxes(double[][] steps, double[] origin) {
             if (Math.abs(cosine) > RIGHT_ANGLE) {
                 double angle = Math.toDegrees(StrictMath.acos(Math.max(-1, Math.min(1, cosine))));
                 String found = ": found " + DIRECTIONS[one] + " and " + DIRECTIONS[other];
-                throw new BadInputException(file + found + String.format(Locale.ROOT, " at an angle of %.1f deg", angle)
+                throw new BadInputException(file + found + Numbers.format(" at an angle of %.1f deg", angle)
                         + ", expected right angles (resample the sheared volume first)");
             }
         }

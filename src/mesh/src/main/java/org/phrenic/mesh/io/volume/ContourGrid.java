@@ -3,8 +3,8 @@ package org.phrenic.mesh.io.volume;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.dicom.FramePlane;
 
 /** A grid through the planes of contours, for contours whose series is not at hand. */
@@ -142,8 +142,7 @@ final class ContourGrid {
 
     /** What was assumed, one sentence. */
     String note() {
-        return String.format(
-                Locale.ROOT,
+        return Numbers.format(
                 "the series of the contours is not in their folder or one in it: they were filled in voxels of %.2g mm"
                         + " in their own planes",
                 spacing);

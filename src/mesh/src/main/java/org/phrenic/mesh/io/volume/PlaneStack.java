@@ -3,8 +3,8 @@ package org.phrenic.mesh.io.volume;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.dicom.FramePlane;
 import org.phrenic.mesh.io.raster.VolumeAxes;
 
@@ -103,12 +103,10 @@ final class PlaneStack {
                     + " slices, expected no more than " + MAX_GAP + " slices a plane");
         }
         if (first.between() > 0 && Math.abs(used - first.between()) > ROUNDED * used) {
-            notes.add(String.format(
-                    Locale.ROOT,
+            notes.add(Numbers.format(
                     "slices are %.3f mm apart by their positions, and %.3f mm by what the file states: positions were"
                             + " taken",
-                    used,
-                    first.between()));
+                    used, first.between()));
         }
         return used;
     }
@@ -205,15 +203,10 @@ final class PlaneStack {
         for (int d = 1; d < gaps.length; d++) {
             odd = Math.abs(gaps[d] - usual) > Math.abs(gaps[odd] - usual) ? d : odd;
         }
-        return new BadInputException(String.format(
-                Locale.ROOT,
+        return new BadInputException(Numbers.format(
                 "%s: found slices that are unevenly apart or missing (%.3f mm between those at %.2f and %.2f mm along"
                         + " their normal), expected one every %.3f mm",
-                file,
-                gaps[odd],
-                distinct[odd],
-                distinct[odd + 1],
-                usual));
+                file, gaps[odd], distinct[odd], distinct[odd + 1], usual));
     }
 
     private int indexOf(double offset) {

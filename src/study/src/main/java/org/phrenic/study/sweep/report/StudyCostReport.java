@@ -1,6 +1,6 @@
 package org.phrenic.study.sweep.report;
 
-import static org.phrenic.study.ReportNumbers.format;
+import static org.phrenic.file.Numbers.format;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -66,16 +66,8 @@ public record StudyCostReport(List<StudyCost> costs, List<FailedWay> failures) {
 
     /** Columns of the table. */
     public static List<Column> columns() {
-        return List.of(
-                Column.text("way"),
-                Column.number("runs"),
-                Column.number("elapsed s"),
-                Column.number("processor s"),
-                Column.number("processor s a run"),
-                Column.number("busy %"),
-                Column.number("elapsed / runs"),
-                Column.number("speed-up"),
-                Column.text("rows equal"));
+        return Column.list("way | # runs | # elapsed s | # processor s | # processor s a run | # busy %"
+                + " | # elapsed / runs | # speed-up | rows equal");
     }
 
     /** Rows of the table. Processor times of other processes are not known. */

@@ -3,7 +3,7 @@ package org.phrenic.study.sweep.report;
 import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import org.phrenic.document.report.HtmlPage;
-import org.phrenic.study.ReportNumbers;
+import org.phrenic.file.Numbers;
 
 /** A picture in SVG 1.1 of lines, areas and text. Coordinates are in pixels from the upper left corner. */
 final class SvgCanvas {
@@ -17,7 +17,7 @@ final class SvgCanvas {
     private final StringBuilder text = new StringBuilder();
 
     SvgCanvas(double width, double height) {
-        text.append(ReportNumbers.format(
+        text.append(Numbers.format(
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%1$.0f\" height=\"%2$.0f\""
                         + " viewBox=\"0 0 %1$.0f %2$.0f\" font-family=\"sans-serif\" font-size=\"12\">"
                         + "<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>",
@@ -29,33 +29,33 @@ final class SvgCanvas {
     }
 
     SvgCanvas polyline(double[] x, double[] y, String colour, double width) {
-        text.append(ReportNumbers.format(
+        text.append(Numbers.format(
                 "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"%.1f\"/>",
                 points(x, y), colour, width));
         return this;
     }
 
     SvgCanvas area(double[] x, double[] y, String colour) {
-        text.append(ReportNumbers.format("<polygon points=\"%s\" fill=\"%s\" stroke=\"none\"/>", points(x, y), colour));
+        text.append(Numbers.format("<polygon points=\"%s\" fill=\"%s\" stroke=\"none\"/>", points(x, y), colour));
         return this;
     }
 
     SvgCanvas bar(double x, double y, double width, double height, String colour) {
-        text.append(ReportNumbers.format(
+        text.append(Numbers.format(
                 "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"%s\" stroke=\"none\"/>",
                 x, y, width, height, colour));
         return this;
     }
 
     SvgCanvas dot(double x, double y, String colour) {
-        text.append(ReportNumbers.format(
-                "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\" stroke=\"none\"/>", x, y, colour));
+        text.append(
+                Numbers.format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"%s\" stroke=\"none\"/>", x, y, colour));
         return this;
     }
 
     /** @param anchor start, middle or end */
     SvgCanvas label(double x, double y, String anchor, String words) {
-        text.append(ReportNumbers.format(
+        text.append(Numbers.format(
                 "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"%s\">%s</text>",
                 x, y, anchor, INK, HtmlPage.escaped(words)));
         return this;
@@ -64,7 +64,7 @@ final class SvgCanvas {
     private static String points(double[] x, double[] y) {
         StringBuilder points = new StringBuilder();
         for (int i = 0; i < x.length; i++) {
-            points.append(ReportNumbers.format("%.1f,%.1f ", x[i], y[i]));
+            points.append(Numbers.format("%.1f,%.1f ", x[i], y[i]));
         }
         return points.toString().strip();
     }

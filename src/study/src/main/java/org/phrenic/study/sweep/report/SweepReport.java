@@ -1,6 +1,6 @@
 package org.phrenic.study.sweep.report;
 
-import static org.phrenic.study.ReportNumbers.format;
+import static org.phrenic.file.Numbers.format;
 import static org.phrenic.study.ReportNumbers.number;
 
 import java.util.ArrayList;
@@ -174,20 +174,12 @@ public final class SweepReport {
         page.section("Factors");
         page.table(
                 "",
-                List.of(Column.text("factor"), Column.text("values")),
+                Column.list("factor | values"),
                 results.plan().scales().stream().map(SweepReport::describe).toList());
         page.section("Responses");
         page.table(
                 "Over the completed runs.",
-                List.of(
-                        Column.text("response"),
-                        Column.number("mean"),
-                        Column.number("SD"),
-                        Column.number("least"),
-                        Column.number("2.5 %"),
-                        Column.number("median"),
-                        Column.number("97.5 %"),
-                        Column.number("greatest")),
+                Column.list("response | # mean | # SD | # least | # 2.5 % | # median | # 97.5 % | # greatest"),
                 analyses.stream().map(SweepReport::summary).toList());
     }
 
@@ -221,7 +213,7 @@ public final class SweepReport {
         page.section("Failed runs");
         page.table(
                 results.failed() > rows.size() ? "The first " + rows.size() + "." : "",
-                List.of(Column.number("run"), Column.text("factors"), Column.text("reason")),
+                Column.list("# run | factors | reason"),
                 rows);
     }
 

@@ -3,9 +3,9 @@ package org.phrenic.anatomy.virtual.organ;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import org.phrenic.anatomy.virtual.shape.ImplicitSurface;
 import org.phrenic.anatomy.virtual.shape.SmoothBlends;
+import org.phrenic.file.Numbers;
 
 /**
  * The region of one organ: its own shape, widened by an offset, less its hollows, cut to its space and to the organs
@@ -144,13 +144,9 @@ final class OrganField implements ImplicitSurface {
         double least = cellMl * cells(shape, limit, low, step);
         double most = cellMl * cells(shape, limit, high, step);
         if (!(volumeMl >= least && volumeMl <= most)) {
-            throw new IllegalArgumentException(String.format(
-                    Locale.ROOT,
+            throw new IllegalArgumentException(Numbers.format(
                     "organs: found volume_ml %s of '%s', expected %.0f to %.0f ml for its shape and the room about it",
-                    volumeMl,
-                    measures.name(),
-                    Math.ceil(least),
-                    Math.floor(most)));
+                    volumeMl, measures.name(), Math.ceil(least), Math.floor(most)));
         }
         for (int k = 0; k < BISECTIONS; k++) {
             offset = 0.5 * (low + high);
