@@ -44,6 +44,15 @@ public final class Vectors {
         return dx * dx + dy * dy + dz * dz;
     }
 
+    /** The points at some indices of an array with three numbers per point. */
+    public static double[] gather(double[] points, int[] indices) {
+        double[] out = new double[3 * indices.length];
+        for (int i = 0; i < indices.length; i++) {
+            System.arraycopy(points, 3 * indices[i], out, 3 * i, 3);
+        }
+        return out;
+    }
+
     public static double distance(double[] a, double[] b) {
         return length(subtract(a, b));
     }

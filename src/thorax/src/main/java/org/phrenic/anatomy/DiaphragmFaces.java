@@ -93,7 +93,7 @@ public final class DiaphragmFaces {
         for (int e = 0; e < edges.length; e += 2) {
             int a = edges[e];
             int b = edges[e + 1];
-            double agree = cosine(normals, a, b);
+            double agree = OpposingVertices.dot(normals, a, b);
             // Normals turn over at the rim, where a neighbour's vote is meaningless or has the opposite sign.
             double weight = agree > 0.5 ? agree : 0;
             next[a] += 0.5 * weight * score[b];
@@ -184,7 +184,7 @@ public final class DiaphragmFaces {
 
     /** For each vertex the lowest vertex of its patch. */
     private static int[] patches(int[] edges, double[] normals, double least) {
-        return components(normals.length / 3, edges, (a, b) -> cosine(normals, a, b) > least);
+        return components(normals.length / 3, edges, (a, b) -> OpposingVertices.dot(normals, a, b) > least);
     }
 
     /** Whether an edge joins its two vertices. */
@@ -227,7 +227,7 @@ public final class DiaphragmFaces {
             for (int side = 0; side < edges.length; side++) {
                 int from = edges[side];
                 int to = edges[side ^ 1];
-                double agree = cosine(normals, from, to);
+                double agree = OpposingVertices.dot(normals, from, to);
                 if (face[to] < 0 && face[from] >= 0 && agree > best[to]) {
                     best[to] = agree;
                     next[to] = face[from];
@@ -250,12 +250,6 @@ public final class DiaphragmFaces {
         for (int i = 0; i < n; i++) {
             thoracic[i] ^= size[face[i]] < ISLAND_SHARE * n;
         }
-    }
-
-    private static double cosine(double[] normals, int a, int b) {
-        return normals[3 * a] * normals[3 * b]
-                + normals[3 * a + 1] * normals[3 * b + 1]
-                + normals[3 * a + 2] * normals[3 * b + 2];
     }
 
     /** True if a vertex lies on the thoracic face. */

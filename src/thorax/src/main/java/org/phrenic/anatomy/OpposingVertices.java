@@ -140,7 +140,7 @@ public final class OpposingVertices {
         return Math.sqrt(x * x + y * y + z * z);
     }
 
-    private static double dot(double[] v, int i, int j) {
+    static double dot(double[] v, int i, int j) {
         return v[3 * i] * v[3 * j] + v[3 * i + 1] * v[3 * j + 1] + v[3 * i + 2] * v[3 * j + 2];
     }
 

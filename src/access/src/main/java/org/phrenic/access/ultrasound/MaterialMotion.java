@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.DoubleList;
+import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.query.MovingLeastSquares;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
@@ -53,7 +54,7 @@ final class MaterialMotion {
             anchors[i] = surface.motion() == Surface.Motion.DEFORMING
                     ? spread(surface.rest().positions())
                     : new int[0];
-            restAnchors[i] = gather(surface.rest().positions(), anchors[i]);
+            restAnchors[i] = Vectors.gather(surface.rest().positions(), anchors[i]);
             nowAnchors[i] = restAnchors[i].clone();
             displacements[i] = new double[nodes.length];
         }
@@ -83,14 +84,6 @@ final class MaterialMotion {
         return chosen;
     }
 
-    private static double[] gather(double[] positions, int[] vertices) {
-        double[] out = new double[3 * vertices.length];
-        for (int i = 0; i < vertices.length; i++) {
-            System.arraycopy(positions, 3 * vertices[i], out, 3 * i, 3);
-        }
-        return out;
-    }
-
     /** Takes the positions of a frame; the surfaces are already there. */
     void update(Frame frame, ProbePose pose, SectorGrid grid, int threads) {
         double radius = grid.probe.radiusMm();
@@ -108,7 +101,7 @@ final class MaterialMotion {
         for (SonatedSurface s : surfaces) {
             boxes[s.index] = s.surface.rest().withPositions(s.world()).bounds();
             poses[s.index] = s.surface.motion() == Surface.Motion.RIGID ? frame.pose(s.index) : new float[0];
-            nowAnchors[s.index] = gather(s.world(), anchors[s.index]);
+            nowAnchors[s.index] = Vectors.gather(s.world(), anchors[s.index]);
         }
         double[] pooledNow = concatenate(nowAnchors);
         double[] pooledRest = concatenate(restAnchors);

@@ -21,7 +21,7 @@ import org.phrenic.engine.parallel.Workers;
  * damped. M is that of {@link SelectiveMass} where the system has one. Fields without K (pressure, dead loads) and
  * dashpots along springs are treated explicitly.
  */
-final class BackwardEuler extends AbstractIntegrator {
+final class BackwardEuler extends Integrator {
     /** Relative residual of the linear solve, well below the scheme's own error at any usable step. */
     private static final double TOLERANCE = 1e-8;
 

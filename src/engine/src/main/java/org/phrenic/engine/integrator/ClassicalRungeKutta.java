@@ -18,7 +18,7 @@ import org.phrenic.engine.parallel.Workers;
  * <p>Order 4, four force evaluations a step, stable for ω h &lt; 2.83. Constraints are projected once, at the end of
  * the step.
  */
-final class ClassicalRungeKutta extends AbstractIntegrator {
+final class ClassicalRungeKutta extends Integrator {
     private static final double[] NODE = {0, 0.5, 0.5, 1};
     private static final double[] WEIGHT = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
 

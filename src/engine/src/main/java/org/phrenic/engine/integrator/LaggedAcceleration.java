@@ -16,7 +16,7 @@ import org.phrenic.engine.parallel.Workers;
  * <p>The acceleration lags one step, so the scheme is of order 1 and adds energy (without damping the amplitude grows
  * like exp(h ω² t / 2)). Stability requires viscosity γ/m &gt; h ω². The first step uses a(t-h) = a(t).
  */
-final class LaggedAcceleration extends AbstractIntegrator {
+final class LaggedAcceleration extends Integrator {
     private final double[] lagged;
     private boolean hasLagged;
     private double h;

@@ -20,7 +20,7 @@ import org.phrenic.engine.parallel.Workers;
  * <p>Nodes apart make each step in several shorter ones, before the others do. As no force acts between the two, each
  * part goes as if it were alone, at the order of the scheme.
  */
-final class MidpointRungeKutta extends AbstractIntegrator {
+final class MidpointRungeKutta extends Integrator {
     private final double[] x0;
     private final double[] v0;
     private final double[] acceleration;

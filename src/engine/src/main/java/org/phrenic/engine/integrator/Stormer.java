@@ -25,7 +25,7 @@ import org.phrenic.engine.parallel.Workers;
  * <p>Source: C. Störmer, Sur les trajectoires des corpuscules électrisés, 1907; E. Hairer, S. P. Nørsett and G. Wanner,
  * Solving Ordinary Differential Equations I, 2nd edition 1993, section III.10.
  */
-final class Stormer extends AbstractIntegrator {
+final class Stormer extends Integrator {
     /** Coefficients of a(t), a(t-h), a(t-2h) in (u - v(t)) / h. Row i is for i + 1 known accelerations. */
     private static final double[][] LEAVING = {{1 / 2.0, 0, 0}, {2 / 3.0, -1 / 6.0, 0}, {19 / 24.0, -5 / 12.0, 1 / 8.0}
     };

@@ -8,7 +8,7 @@ import org.phrenic.engine.parallel.Workers;
  * Symplectic (semi-implicit) Euler: v += h a(x, v), then x += h v with the new velocity. Order 1, one force evaluation
  * a step; without damping stable for ω h &lt; 2.
  */
-final class SymplecticEuler extends AbstractIntegrator {
+final class SymplecticEuler extends Integrator {
     private double h;
     private final Workers.Task kick = this::kick;
     private final ForceEvaluation forcesAndKick = system.inertialEvaluation(x, v, force, kick);

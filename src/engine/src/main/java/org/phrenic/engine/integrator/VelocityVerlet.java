@@ -18,7 +18,7 @@ import org.phrenic.engine.parallel.Workers;
  * without damping, stable for ω h &lt; 2 at any viscosity. Dashpots along springs use the velocity at the half step, so
  * their contribution is of order 1.
  */
-final class VelocityVerlet extends AbstractIntegrator {
+final class VelocityVerlet extends Integrator {
     private boolean forceIsCurrent;
     private double h;
     private final Workers.Task kickAndDrift = this::kickAndDrift;

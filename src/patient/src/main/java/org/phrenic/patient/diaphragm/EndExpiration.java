@@ -11,6 +11,7 @@ import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.engine.force.FallOff;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
@@ -302,8 +303,8 @@ public final class EndExpiration {
 
     /** Share p of the descent in the plan of the cage: u to the left, v to the back, -1 to 1. */
     private double planShare(double u, double v) {
-        double beside = MIDDLE_SHARE + (1 - MIDDLE_SHARE) * smoothStep(Math.abs(u) / WHOLE_BREADTH);
-        double behind = FRONT_SHARE + (1 - FRONT_SHARE) * smoothStep((v - FRONT) / (BACK - FRONT));
+        double beside = MIDDLE_SHARE + (1 - MIDDLE_SHARE) * SmoothBlends.smoothstep(Math.abs(u) / WHOLE_BREADTH);
+        double behind = FRONT_SHARE + (1 - FRONT_SHARE) * SmoothBlends.smoothstep((v - FRONT) / (BACK - FRONT));
         double behindDomes = (1 - beside * behind) * Math.max(rise, Double.MIN_NORMAL) / vertebra;
         return 1 - (1 - beside * behind) * saturated(behindDomes);
     }
@@ -316,13 +317,8 @@ public final class EndExpiration {
     /** Share g of the descent over the height. */
     private double heightShare(double z) {
         if (z > domes) {
-            return 1 - smoothStep((z - domes) / (apex - domes));
+            return 1 - SmoothBlends.smoothstep((z - domes) / (apex - domes));
         }
         return FallOff.at(Math.max(0, domes - WITH_DOMES_MM - z), FADE_MM);
-    }
-
-    private static double smoothStep(double x) {
-        double t = Math.max(0, Math.min(1, x));
-        return t * t * (3 - 2 * t);
     }
 }

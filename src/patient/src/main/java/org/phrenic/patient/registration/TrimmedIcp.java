@@ -7,6 +7,7 @@ import org.ejml.dense.row.CommonOps_DDRM;
 import org.phrenic.engine.kinematics.RigidMotion;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.TriangleTree;
 
@@ -51,22 +52,14 @@ final class TrimmedIcp {
         surfaceNormals = MeshMeasure.triangleNormals(second);
         int[] used = IntStream.range(0, fixed.length).filter(v -> fixed[v]).toArray();
         count = used.length;
-        points = gathered(first.positions(), used);
-        normals = gathered(MeshMeasure.vertexNormals(first), used);
+        points = Vectors.gather(first.positions(), used);
+        normals = Vectors.gather(MeshMeasure.vertexNormals(first), used);
         double[] areas = MeshMeasure.vertexAreas(first);
         weights = Arrays.stream(used).mapToDouble(v -> areas[v]).toArray();
         double[] a = first.bounds();
         double[] b = second.bounds();
         // Lungs differ in depth and at the base. The start matches their tops, backs and lateral centres.
         start = new double[] {(b[0] + b[3] - a[0] - a[3]) / 2, b[4] - a[4], b[5] - a[5]};
-    }
-
-    private static double[] gathered(double[] values, int[] vertices) {
-        double[] out = new double[3 * vertices.length];
-        for (int i = 0; i < vertices.length; i++) {
-            System.arraycopy(values, 3 * vertices[i], out, 3 * i, 3);
-        }
-        return out;
     }
 
     /** @param centred whether to start with matched centroids instead of matched tops and backs */

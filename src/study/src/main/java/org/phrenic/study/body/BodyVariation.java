@@ -11,6 +11,7 @@ import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.mesh.MeshMeasure;
@@ -179,10 +180,12 @@ public record BodyVariation(
         double dy = at.outward(1, p[k + 1]);
         double bottom = at.sheet[2];
         double top = at.sheet[5];
-        double out = 1 - smoothstep((Math.sqrt(dx * dx + dy * dy) - ROOF) / (WALL - ROOF));
+        double out = 1 - SmoothBlends.smoothstep((Math.sqrt(dx * dx + dy * dy) - ROOF) / (WALL - ROOF));
         double foot = bottom + FOOT * (top - bottom);
         double z = p[k + 2];
-        double height = z < top ? smoothstep((z - foot) / (top - foot)) : 1 - smoothstep((z - top) / (at.apex - top));
+        double height = z < top
+                ? SmoothBlends.smoothstep((z - foot) / (top - foot))
+                : 1 - SmoothBlends.smoothstep((z - top) / (at.apex - top));
         p[k + 2] = z + domeLiftMm * out * height;
     }
 
@@ -192,7 +195,7 @@ public record BodyVariation(
         double bump = share <= 0 || share >= 1 ? 0 : StrictMath.sin(Math.PI * share);
         double forward = Math.max(0, at.spineFront - p[k + 1]);
         p[k + 1] -= barrel * bump * forward;
-        p[k + 2] += RISE * barrel * smoothstep(share * 2) * forward;
+        p[k + 2] += RISE * barrel * SmoothBlends.smoothstep(share * 2) * forward;
     }
 
     /** Bends the body forward about the front of the spine, from the lowest rib up. */
@@ -207,11 +210,6 @@ public record BodyVariation(
         double behind = p[k + 1] - at.spineFront;
         p[k + 1] = at.spineFront - (1 - StrictMath.cos(angle)) / curvature + behind * StrictMath.cos(angle);
         p[k + 2] = at.ribs[2] + StrictMath.sin(angle) / curvature + behind * StrictMath.sin(angle);
-    }
-
-    private static double smoothstep(double t) {
-        double c = Math.max(0, Math.min(1, t));
-        return c * c * (3 - 2 * c);
     }
 
     /**

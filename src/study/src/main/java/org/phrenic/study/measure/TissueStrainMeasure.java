@@ -8,6 +8,7 @@ import org.phrenic.engine.kinematics.RigidMotion;
 import org.phrenic.engine.math.DisjointSets;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.Vectors;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
@@ -97,20 +98,12 @@ final class TissueStrainMeasure implements SceneMeasure {
         double sum = 0;
         int count = 0;
         for (int[] piece : tendonPieces) {
-            double[] from = points(piece, rest);
-            double[] to = points(piece, now);
+            double[] from = Vectors.gather(rest, piece);
+            double[] to = Vectors.gather(now, piece);
             double rms = RigidMotion.fit(from, to).rms(from, to);
             sum += rms * rms * piece.length;
             count += piece.length;
         }
         return Math.sqrt(sum / count);
-    }
-
-    private static double[] points(int[] vertices, double[] p) {
-        double[] out = new double[3 * vertices.length];
-        for (int i = 0; i < vertices.length; i++) {
-            System.arraycopy(p, 3 * vertices[i], out, 3 * i, 3);
-        }
-        return out;
     }
 }

@@ -15,6 +15,7 @@ import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.mesh.EdgeTable;
+import org.phrenic.mesh.Vectors;
 
 /**
  * Synthetic breathing dome: springs along the edges and between the faces, rigid links in the middle, a rim with
@@ -61,9 +62,9 @@ final class DomeScene implements StabilityScene {
                 .toArray();
         double[] home = new double[free.length];
         Arrays.fill(home, parameters.homeSprings ? HOME_SHARE * parameters.stiffness : 0);
-        system.add(new Attachments(layout, free, home, 0, PrescribedMotion.stationary(gather(rest, free))));
+        system.add(new Attachments(layout, free, home, 0, PrescribedMotion.stationary(Vectors.gather(rest, free))));
         ActionLine line = new ActionLine(layout, free, rest, 0, 0, LINE_RADIUS);
-        DomeDrive breath = new DomeDrive(parameters, line, LINE_FORCE, gather(rest, mesh.rim()));
+        DomeDrive breath = new DomeDrive(parameters, line, LINE_FORCE, Vectors.gather(rest, mesh.rim()));
         system.add(breath);
         system.add(line);
         links = links(mesh, layout, rest);
@@ -114,17 +115,10 @@ final class DomeScene implements StabilityScene {
             a[i] = linked[i / shares.length];
             b[i] = below[a[i]];
             length[i] = shares[i % shares.length]
-                    * NodeState.maxDistance(gather(rest, new int[] {a[i]}), gather(rest, new int[] {b[i]}));
+                    * NodeState.maxDistance(
+                            Vectors.gather(rest, new int[] {a[i]}), Vectors.gather(rest, new int[] {b[i]}));
         }
         return RigidLinks.gaussSeidelToLengths(layout, a, b, length, LINK_TOLERANCE, LINK_SWEEPS);
-    }
-
-    private static double[] gather(double[] p, int[] nodes) {
-        double[] out = new double[3 * nodes.length];
-        for (int i = 0; i < nodes.length; i++) {
-            System.arraycopy(p, 3 * nodes[i], out, 3 * i, 3);
-        }
-        return out;
     }
 
     @Override

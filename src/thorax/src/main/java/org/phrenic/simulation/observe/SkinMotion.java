@@ -6,6 +6,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.cage.LinearBlendSkinning;
 import org.phrenic.anatomy.cage.RibCagePose;
 import org.phrenic.anatomy.cage.SkinningWeights;
+import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.engine.force.FallOff;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.mesh.MeshMeasure;
@@ -88,10 +89,10 @@ public final class SkinMotion {
         double[] out = new double[3 * areas.length];
         double sum = 0;
         for (int i = 0; i < areas.length; i++) {
-            double w = smooth((SIDE - normals[3 * i + 1]) / (1 + SIDE))
-                    * smooth((toBone[i] - FREE_MM) / FREE_OVER_MM)
+            double w = SmoothBlends.smoothstep((SIDE - normals[3 * i + 1]) / (1 + SIDE))
+                    * SmoothBlends.smoothstep((toBone[i] - FREE_MM) / FREE_OVER_MM)
                     * wallWeight((top - mesh.z(i)) / WALL_MM)
-                    * smooth((half + BESIDE_MM - Math.abs(mesh.x(i) - middle)) / BESIDE_MM);
+                    * SmoothBlends.smoothstep((half + BESIDE_MM - Math.abs(mesh.x(i) - middle)) / BESIDE_MM);
             sum += w * areas[i];
             for (int c = 3 * i; c < 3 * i + 3; c++) {
                 out[c] = w * normals[c];
@@ -104,7 +105,7 @@ public final class SkinMotion {
 
     /** Weight at relative position {@code u} along the wall, from the sternum (0) to the pubis (1); 0 at both ends. */
     private static double wallWeight(double u) {
-        return smooth(u / RISE) * smooth((1 - u) / FALL);
+        return SmoothBlends.smoothstep(u / RISE) * SmoothBlends.smoothstep((1 - u) / FALL);
     }
 
     /** Share of the total weight that lies above a relative position along the wall. */
@@ -117,11 +118,6 @@ public final class SkinMotion {
             above += u < end ? wallWeight(u) : 0;
         }
         return Math.max(above / all, 1.0 / PARTS);
-    }
-
-    private static double smooth(double u) {
-        double s = Math.max(0, Math.min(1, u));
-        return s * s * (3 - 2 * s);
     }
 
     /** Current positions of the skin's vertices; valid until the next call. Allocates nothing. */

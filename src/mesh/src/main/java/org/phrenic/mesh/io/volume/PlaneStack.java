@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
+import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.io.dicom.FramePlane;
 import org.phrenic.mesh.io.raster.VolumeAxes;
 
@@ -45,7 +46,7 @@ final class PlaneStack {
         double[] normal = first.normal();
         for (int f = 0; f < offsets.length; f++) {
             checkParallel(planes.get(f));
-            offsets[f] = dot(positions[f], normal);
+            offsets[f] = Vectors.dot(positions[f], normal);
         }
         distinct = distinct();
         step = step(mayHaveGaps);
@@ -53,10 +54,6 @@ final class PlaneStack {
         for (int f = 0; f < offsets.length; f++) {
             checkPlace(f);
         }
-    }
-
-    private static double dot(double[] a, double[] b) {
-        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     }
 
     private void checkParallel(FramePlane plane) {
