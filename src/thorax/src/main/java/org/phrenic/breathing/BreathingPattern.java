@@ -5,9 +5,6 @@ package org.phrenic.breathing;
  * are C1-continuous, so that driven parts move smoothly. Implementations are immutable and thread-safe.
  */
 public interface BreathingPattern {
-    /** Display name for reports. */
-    String name();
-
     /** Period, s; infinite if the pattern does not repeat. */
     double periodS();
 

@@ -52,11 +52,6 @@ public final class BlendedPattern implements BreathingPattern {
     }
 
     @Override
-    public String name() {
-        return to.name();
-    }
-
-    @Override
     public double periodS() {
         return Double.POSITIVE_INFINITY;
     }

@@ -80,7 +80,7 @@ public final class BreathingPreset {
         return switch (kind) {
             case "periodic" ->
                 new BreathingPreset(
-                        name, parameters(yaml), (p, depth) -> new PeriodicPattern(name, p.withDepth(depth)));
+                        name, parameters(yaml), (p, depth) -> new PeriodicPattern(p.withDepth(depth)));
             case "cough" -> {
                 BreathingParameters parameters = parameters(yaml, "compression_s", "expulsion_s", "abdominal_pressure");
                 double compressionS = yaml.number("compression_s");
@@ -90,7 +90,7 @@ public final class BreathingPreset {
                         name,
                         parameters,
                         (p, depth) -> new CoughPattern(
-                                name, p.withDepth(depth), compressionS, expulsionS, Math.min(1, depth * pressure)));
+                                p.withDepth(depth), compressionS, expulsionS, Math.min(1, depth * pressure)));
             }
             case "waxing" -> {
                 BreathingParameters parameters = parameters(yaml, "breaths", "apnoea_s");
@@ -99,7 +99,7 @@ public final class BreathingPreset {
                 yield new BreathingPreset(
                         name,
                         parameters,
-                        (p, depth) -> new CheyneStokesPattern(name, p.withDepth(depth), breaths, apnoeaS));
+                        (p, depth) -> new CheyneStokesPattern(p.withDepth(depth), breaths, apnoeaS));
             }
             case "hold" -> hold(yaml, name);
 
@@ -115,7 +115,7 @@ public final class BreathingPreset {
         if (at.equals("expiration")) {
             yaml.requireOnly(List.of("name", "kind", "at", "around", "breaths_before", "hold_s"));
             return new BreathingPreset(
-                    name, around, (p, depth) -> new HoldPattern(name, p.withDepth(depth), before, null, holdS, 0));
+                    name, around, (p, depth) -> new HoldPattern(p.withDepth(depth), before, null, holdS, 0));
         }
         if (!at.equals("inspiration")) {
             throw yaml.bad("at", "found '" + at + "', expected inspiration or expiration");
@@ -124,7 +124,7 @@ public final class BreathingPreset {
         double creep = yaml.number("creep_fraction");
         return new BreathingPreset(name, held, (p, depth) -> {
             BreathingParameters others = around.changedAs(held, p).withDepth(depth);
-            return new HoldPattern(name, others, before, p.withDepth(depth), holdS, creep);
+            return new HoldPattern(others, before, p.withDepth(depth), holdS, creep);
         });
     }
 

@@ -11,20 +11,19 @@ import org.phrenic.breathing.RespiratoryPhase;
  * <p>Breath {@code k} (from 0) of the {@code n} breaths of a cycle has the relative depth {@code sin^2(pi (k + 1/2) /
  * n)}. Each breath begins and ends at end-expiration, so that changes of depth cause no discontinuity.
  */
-public final class CheyneStokesPattern extends NamedPattern {
+public final class CheyneStokesPattern extends PatternOfPeriod {
     private final double oneBreathS;
     private final double[] depths;
     private final BreathWaveform wave;
     private final RespiratoryDrive drive;
 
     /**
-     * @param name display name
      * @param deepest parameters of a breath of relative depth 1; its rate applies to all breaths
      * @param breaths number of breaths in a cycle, at least 1
      * @param apnoeaS duration of the apnoea after them, s, at least 0
      */
-    public CheyneStokesPattern(String name, BreathingParameters deepest, int breaths, double apnoeaS) {
-        super(name, breaths * deepest.periodS() + apnoeaS);
+    public CheyneStokesPattern(BreathingParameters deepest, int breaths, double apnoeaS) {
+        super(breaths * deepest.periodS() + apnoeaS);
         if (breaths < 1 || !(apnoeaS >= 0) || Double.isInfinite(apnoeaS)) {
             throw new IllegalArgumentException("waxing and waning: breaths " + breaths + " and apnoea_s " + apnoeaS
                     + ", expected at least 1 breath and at least 0 s");

@@ -13,7 +13,7 @@ import org.phrenic.breathing.Smootherstep;
  * falls in the first half, ribs fall throughout, pressure is held for the first half), recovery as long as the
  * expulsion (pressure falls), then rest until the end of the period.
  */
-public final class CoughPattern extends NamedPattern {
+public final class CoughPattern extends PatternOfPeriod {
     private final RespiratoryDrive drive;
     private final double inspirationS;
     private final double compressionS;
@@ -21,19 +21,16 @@ public final class CoughPattern extends NamedPattern {
     private final double abdominalPressure;
 
     /**
-     * @param name display name
      * @param parameters depth of the inspiration and rate of the coughs; Ti is its inspiratory fraction of the period
      * @param compressionS time with closed glottis, s
      * @param expulsionS time with open glottis, s
      * @param abdominalPressure peak abdominal pressure as a fraction of the maximum, 0 to 1
      */
-    public CoughPattern(
-            String name,
-            BreathingParameters parameters,
+    public CoughPattern(BreathingParameters parameters,
             double compressionS,
             double expulsionS,
             double abdominalPressure) {
-        super(name, parameters.periodS());
+        super(parameters.periodS());
         BreathingParameters.requireShare("abdominal_pressure", abdominalPressure);
         this.drive = new RespiratoryDrive(parameters);
         double periodS = parameters.periodS();

@@ -13,7 +13,7 @@ import org.phrenic.breathing.RespiratoryPhase;
  * Measured in 15 people: up to 5.6 mm cranial displacement in 24 s and 123 ml less lung volume (PMC7055431). The ribs
  * do not move. During a hold at expiration everything is at rest and nothing creeps.
  */
-public final class HoldPattern extends NamedPattern {
+public final class HoldPattern extends PatternOfPeriod {
     /** Hold time for which the creep fraction is given, s. */
     public static final double CREEP_TIME_S = 24;
 
@@ -33,7 +33,6 @@ public final class HoldPattern extends NamedPattern {
     private final RespiratoryDrive drive;
 
     /**
-     * @param name display name
      * @param around parameters of the breaths before and after the hold
      * @param breathsBefore number of breaths before the hold
      * @param held parameters of the held breath: its depth, and the rate and fractions of its inspiration and
@@ -41,14 +40,12 @@ public final class HoldPattern extends NamedPattern {
      * @param holdS duration of the hold, s, above 0
      * @param creepFraction fraction of the drive lost in {@value #CREEP_TIME_S} s, at least 0 and below 1
      */
-    public HoldPattern(
-            String name,
-            BreathingParameters around,
+    public HoldPattern(BreathingParameters around,
             int breathsBefore,
             BreathingParameters held,
             double holdS,
             double creepFraction) {
-        super(name, Double.POSITIVE_INFINITY);
+        super(Double.POSITIVE_INFINITY);
         if (breathsBefore < 0 || !(holdS > 0) || Double.isInfinite(holdS)) {
             throw new IllegalArgumentException("breath hold: breaths_before " + breathsBefore + " and hold_s " + holdS
                     + ", expected at least 0 breaths and more than 0 s");
@@ -57,7 +54,7 @@ public final class HoldPattern extends NamedPattern {
             throw new IllegalArgumentException(
                     "breath hold: creep_fraction " + creepFraction + ", expected from 0 to below 1");
         }
-        this.around = new PeriodicPattern(name, around);
+        this.around = new PeriodicPattern(around);
         this.breathsBefore = breathsBefore;
         this.holdS = holdS;
         startS = breathsBefore * around.periodS();

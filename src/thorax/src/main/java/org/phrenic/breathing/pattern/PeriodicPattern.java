@@ -6,12 +6,12 @@ import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.breathing.RespiratoryPhase;
 
 /** Identical periodic breaths, such as quiet, deep, rapid shallow breathing or sniffs. */
-public final class PeriodicPattern extends NamedPattern {
+public final class PeriodicPattern extends PatternOfPeriod {
     private final BreathWaveform wave;
     private final RespiratoryDrive drive;
 
-    public PeriodicPattern(String name, BreathingParameters parameters) {
-        super(name, parameters.periodS());
+    public PeriodicPattern(BreathingParameters parameters) {
+        super(parameters.periodS());
         wave = parameters.wave();
         drive = new RespiratoryDrive(parameters);
     }

@@ -14,11 +14,6 @@ import org.phrenic.breathing.TimeWarp;
  */
 public record TimeWarpedPattern(BreathingPattern pattern, TimeWarp clock, double originS) implements BreathingPattern {
     @Override
-    public String name() {
-        return pattern.name();
-    }
-
-    @Override
     public double periodS() {
         return pattern.periodS();
     }

@@ -51,7 +51,7 @@ public final class TracePattern implements BreathingPattern {
         double startS = trace.timeS()[first];
         durationS = trace.timeS()[last] - startS;
         if (!(durationS > 2 * FADE_S)) {
-            throw new IllegalArgumentException(name() + ": " + durationS
+            throw new IllegalArgumentException(trace.name() + ": " + durationS
                     + " s from the first to the last end-expiration, " + "expected more than " + 2 * FADE_S + " s");
         }
         double deepest = drive.maxDepth();
@@ -66,11 +66,6 @@ public final class TracePattern implements BreathingPattern {
         Arrays.setAll(onsetsS, i -> timeS[restful[i] - first]);
         peaksS = new double[restful.length - 1];
         Arrays.setAll(peaksS, i -> timeS[highest(amplitude, restful[i], restful[i + 1]) - first]);
-    }
-
-    @Override
-    public String name() {
-        return trace.name();
     }
 
     @Override
@@ -124,7 +119,7 @@ public final class TracePattern implements BreathingPattern {
                 + " rate and inspiratory fraction are those of the recording";
         return Numbers.format(
                 text,
-                Path.of(name()).getFileName(),
+                Path.of(trace.name()).getFileName(),
                 trace.signal(),
                 low,
                 high,

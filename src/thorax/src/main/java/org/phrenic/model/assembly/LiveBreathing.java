@@ -117,11 +117,6 @@ public final class LiveBreathing implements BreathingPattern {
     }
 
     @Override
-    public String name() {
-        return state.pattern.name();
-    }
-
-    @Override
     public double periodS() {
         return state.pattern.periodS();
     }

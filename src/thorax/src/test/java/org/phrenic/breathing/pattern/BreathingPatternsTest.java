@@ -20,7 +20,7 @@ class BreathingPatternsTest {
 
     @Test
     void breathsRepeatExactlyAndRestInThePause() {
-        BreathingPattern quiet = new PeriodicPattern("quiet", QUIET);
+        BreathingPattern quiet = new PeriodicPattern(QUIET);
         for (int n = 0; n < 64; n++) {
             // 1/16 s are exact in binary, as is the period: the same bits must come back
             double t = n / 16.0;
@@ -41,14 +41,14 @@ class BreathingPatternsTest {
     /** Passive expiration: half emptied well before half of its time. */
     @Test
     void expirationIsFastFirst() {
-        BreathingPattern quiet = new PeriodicPattern("quiet", QUIET);
+        BreathingPattern quiet = new PeriodicPattern(QUIET);
         assertThat(at(quiet, 1.6 + 1).activation).isLessThan(0.3 * 0.26);
     }
 
     /** Beyer et al. 2016: above the middle of the capacity ribs move much less than below it. */
     @Test
     void deepBreathsTurnTheRibsEarlyAndTheMuscleGoesWithThem() {
-        BreathingPattern deep = new PeriodicPattern("deep", FULL);
+        BreathingPattern deep = new PeriodicPattern(FULL);
         BreathState middle = at(deep, 1.8);
         assertThat(middle.ribTurn).isCloseTo(0.731, within(1e-3));
         // muscle and pressure go with them, for the dome follows the volume (Houston et al. 1994)
@@ -60,7 +60,7 @@ class BreathingPatternsTest {
     @Test
     void heldInspirationCreepsByTheStatedShare() {
         double creep = 5.6 / 70;
-        HoldPattern hold = new HoldPattern("hold", QUIET, 2, FULL, 30, creep);
+        HoldPattern hold = new HoldPattern(QUIET, 2, FULL, 30, creep);
         double start = 2 * 4 + 0.45 * 8;
         BreathState beginning = at(hold, start);
         assertThat(beginning.activation).isCloseTo(1, ROUNDING);
@@ -80,7 +80,7 @@ class BreathingPatternsTest {
 
     @Test
     void heldExpirationRests() {
-        HoldPattern hold = new HoldPattern("hold", QUIET, 1, null, 10, 0);
+        HoldPattern hold = new HoldPattern(QUIET, 1, null, 10, 0);
         for (double t = 4; t < 14; t += 0.1) {
             BreathState state = at(hold, t);
             assertThat(state.activation).isZero();
@@ -97,7 +97,7 @@ class BreathingPatternsTest {
     @Test
     void coughPressesAfterTheDiaphragmGaveWay() {
         BreathingParameters cough = new BreathingParameters(10, 0.15, 0, 0.5, 0.12, 0.33, 0.5);
-        CoughPattern pattern = new CoughPattern("cough", cough, 0.2, 0.4, 0.75);
+        CoughPattern pattern = new CoughPattern(cough, 0.2, 0.4, 0.75);
         assertThat(at(pattern, 0.9).activation).isCloseTo(0.5, ROUNDING);
         assertThat(at(pattern, 1.0).respiratoryPhase).isEqualTo(RespiratoryPhase.HOLD);
         assertThat(at(pattern, 1.1).abdominalPressure).isCloseTo(0.75, ROUNDING);
@@ -110,14 +110,14 @@ class BreathingPatternsTest {
         assertThat(rest.abdominalPressure).isZero();
         assertThat(rest.ribTurn).isZero();
         BreathingPatternContract.check(pattern, 12);
-        assertThatThrownBy(() -> new CoughPattern("cough", cough.withRatePerMin(60), 0.2, 0.4, 0.75))
+        assertThatThrownBy(() -> new CoughPattern(cough.withRatePerMin(60), 0.2, 0.4, 0.75))
                 .hasMessageContaining("within the period of 1.0 s");
     }
 
     @Test
     void waxingBreathsWaxWaneAndStop() {
         BreathingParameters deepest = new BreathingParameters(24, 0.42, 0.05, 0.5, 0.12, 0.33, 0.5);
-        CheyneStokesPattern pattern = new CheyneStokesPattern("cheyne-stokes", deepest, 16, 20);
+        CheyneStokesPattern pattern = new CheyneStokesPattern(deepest, 16, 20);
         assertThat(pattern.periodS()).isEqualTo(60);
         double[] peaks = new double[16];
         for (int k = 0; k < 16; k++) {
@@ -151,12 +151,12 @@ class BreathingPatternsTest {
 
     @Test
     void badHoldsAndCyclesAreRefused() {
-        assertThatThrownBy(() -> new HoldPattern("h", QUIET, 1, FULL, 0, 0.1))
+        assertThatThrownBy(() -> new HoldPattern(QUIET, 1, FULL, 0, 0.1))
                 .hasMessage(
                         "breath hold: breaths_before 1 and hold_s 0.0, expected at least 0 breaths and more than 0 s");
-        assertThatThrownBy(() -> new HoldPattern("h", QUIET, 1, FULL, 5, 1))
+        assertThatThrownBy(() -> new HoldPattern(QUIET, 1, FULL, 5, 1))
                 .hasMessage("breath hold: creep_fraction 1.0, expected from 0 to below 1");
-        assertThatThrownBy(() -> new CheyneStokesPattern("w", QUIET, 0, 20))
+        assertThatThrownBy(() -> new CheyneStokesPattern(QUIET, 0, 20))
                 .hasMessage(
                         "waxing and waning: breaths 0 and apnoea_s 20.0, expected at least 1 breath and at least 0 s");
     }

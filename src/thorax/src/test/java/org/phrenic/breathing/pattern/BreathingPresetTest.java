@@ -37,8 +37,8 @@ class BreathingPresetTest {
     @ParameterizedTest
     @MethodSource("names")
     void everyPresetIsSmoothAndWithinItsRange(String name) {
+        assertThat(BreathingPreset.named(name).name()).isEqualTo(name);
         BreathingPattern pattern = BreathingPreset.named(name).pattern();
-        assertThat(pattern.name()).isEqualTo(name);
         BreathingPatternContract.check(pattern, Math.min(2.1 * pattern.periodS(), 65));
     }
 

@@ -2,20 +2,13 @@ package org.phrenic.breathing.pattern;
 
 import org.phrenic.breathing.BreathingPattern;
 
-/** A pattern with a name and a period. */
-abstract class NamedPattern implements BreathingPattern {
-    private final String name;
+/** A pattern with a stated period. */
+abstract class PatternOfPeriod implements BreathingPattern {
     private final double periodS;
 
     /** @param periodS period, s; infinite for a pattern that does not repeat */
-    NamedPattern(String name, double periodS) {
-        this.name = name;
+    PatternOfPeriod(double periodS) {
         this.periodS = periodS;
-    }
-
-    @Override
-    public final String name() {
-        return name;
     }
 
     @Override
