@@ -70,8 +70,8 @@ final class UltrasoundCommand extends ReportingCommand {
         probeOptions.validate();
         ReportFolder.requireWritable(out);
         Scenario scenario = scenarioOptions.resolved();
-        ConsoleProgress progress = progress();
-        try (ScenePlayer player = new ScenePlayer(scenario, progress)) {
+        try (ConsoleProgress progress = progress();
+                ScenePlayer player = new ScenePlayer(scenario, progress)) {
             double[] times = timeOptions.times(player.durationS());
             ProbeOnSkin place = probeOptions.place(player.surfaces());
             Ultrasound ultrasound = new Ultrasound(player.surfaces(), probeOptions.probe(), scenario.threads());
@@ -90,8 +90,6 @@ final class UltrasoundCommand extends ReportingCommand {
                 UltrasoundPicture.write(out.resolve(file), image);
                 list(file, frame.timeS(), image);
             }
-        } finally {
-            progress.end();
         }
         OrderedValues report = report(scenario);
         JsonWriter.write(out.resolve(REPORT), report);

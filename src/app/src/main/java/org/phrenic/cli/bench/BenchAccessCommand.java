@@ -71,12 +71,9 @@ final class BenchAccessCommand extends ReportingCommand {
         List<RehearsalPlan> asked =
                 exercises.stream().map(plan -> plan.with(set)).toList();
         Attempts<AccessStudy.Result> results = new Attempts<>();
-        ConsoleProgress progress = progress();
-        try {
+        try (ConsoleProgress progress = progress()) {
             asked.forEach(plan -> results.add(plan.title(), () -> AccessStudy.of(plan, maps, progress)));
             results.failures().forEach(progress::note);
-        } finally {
-            progress.end();
         }
         AccessReport report = new AccessReport(results.results(), results.failures());
         out.write("access.md", MarkdownPage.format(report.document(provenance.lines())));

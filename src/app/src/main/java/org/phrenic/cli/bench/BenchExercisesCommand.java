@@ -71,14 +71,11 @@ final class BenchExercisesCommand extends ReportingCommand {
                 : plans.stream().map(RehearsalPlan::read).toList();
         List<RehearsalPlan> asked =
                 exercises.stream().map(plan -> plan.with(set)).toList();
-        ConsoleProgress progress = progress();
         Attempts<List<ExerciseStudy.Result>> done = new Attempts<>();
-        try {
+        try (ConsoleProgress progress = progress()) {
             asked.forEach(plan -> done.add(
                     plan.title(), () -> ExerciseStudy.of(plan, RobotOperator.Hand.STANDARD, attempts, progress)));
             done.failures().forEach(progress::note);
-        } finally {
-            progress.end();
         }
         List<ExerciseStudy.Result> results =
                 done.results().stream().flatMap(List::stream).toList();

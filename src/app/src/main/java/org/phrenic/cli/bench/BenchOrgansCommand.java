@@ -54,11 +54,8 @@ final class BenchOrgansCommand extends ReportingCommand {
         out.check();
         Scenario scenario = Scenario.defaults().with(List.of(resolution.assignment()));
         OrganReport report;
-        ConsoleProgress progress = progress();
-        try {
+        try (ConsoleProgress progress = progress()) {
             report = OrganStudy.of(scenario, bodies.isEmpty() ? RunSettings.VIRTUAL_BODIES : bodies, progress);
-        } finally {
-            progress.end();
         }
         out.write("organs.md", MarkdownPage.format(report.document(provenance.lines())));
         out.write("organs.json", report.values());

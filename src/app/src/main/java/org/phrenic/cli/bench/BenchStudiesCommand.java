@@ -108,8 +108,7 @@ final class BenchStudiesCommand extends ReportingCommand {
     private StudyCostReport measure(SweepStudy study, List<Integer> widths, int parts) {
         List<StudyCost> costs = new ArrayList<>();
         List<FailedWay> failures = new ArrayList<>();
-        ConsoleProgress progress = progress();
-        try {
+        try (ConsoleProgress progress = progress()) {
             for (int width : widths) {
                 attempt(
                         costs,
@@ -135,8 +134,6 @@ final class BenchStudiesCommand extends ReportingCommand {
             for (String master : masters) {
                 attempt(costs, failures, spark(master), () -> onSpark(master, study, progress));
             }
-        } finally {
-            progress.end();
         }
         return new StudyCostReport(costs, failures);
     }

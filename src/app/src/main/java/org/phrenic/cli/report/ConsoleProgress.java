@@ -12,7 +12,7 @@ import org.phrenic.simulation.SimulationRun;
  * Prints progress to stderr, without colours. Continuous progress is one line that is redrawn on a terminal, and a
  * plain line every few seconds otherwise. Counted items are printed one per line.
  */
-public class ConsoleProgress implements SimulationRun.Progress, ProgressListener, FitProgress, ImportProgress {
+public class ConsoleProgress implements SimulationRun.Progress, ProgressListener, FitProgress, ImportProgress, AutoCloseable {
     private static final int BAR_WIDTH = 30;
     private static final long LINE_INTERVAL_NS = 5_000_000_000L;
     private static final long FIRST_ESTIMATE_NS = 10_000_000_000L;
@@ -125,5 +125,10 @@ public class ConsoleProgress implements SimulationRun.Progress, ProgressListener
             err.println();
             drawn = false;
         }
+    }
+
+    @Override
+    public void close() {
+        end();
     }
 }
