@@ -12,7 +12,8 @@ import org.phrenic.simulation.SimulationRun;
  * Prints progress to stderr, without colours. Continuous progress is one line that is redrawn on a terminal, and a
  * plain line every few seconds otherwise. Counted items are printed one per line.
  */
-public class ConsoleProgress implements SimulationRun.Progress, ProgressListener, FitProgress, ImportProgress, AutoCloseable {
+public class ConsoleProgress
+        implements SimulationRun.Progress, ProgressListener, FitProgress, ImportProgress, AutoCloseable {
     private static final int BAR_WIDTH = 30;
     private static final long LINE_INTERVAL_NS = 5_000_000_000L;
     private static final long FIRST_ESTIMATE_NS = 10_000_000_000L;

@@ -79,8 +79,7 @@ public final class BreathingPreset {
         String kind = yaml.text("kind");
         return switch (kind) {
             case "periodic" ->
-                new BreathingPreset(
-                        name, parameters(yaml), (p, depth) -> new PeriodicPattern(p.withDepth(depth)));
+                new BreathingPreset(name, parameters(yaml), (p, depth) -> new PeriodicPattern(p.withDepth(depth)));
             case "cough" -> {
                 BreathingParameters parameters = parameters(yaml, "compression_s", "expulsion_s", "abdominal_pressure");
                 double compressionS = yaml.number("compression_s");
@@ -97,9 +96,7 @@ public final class BreathingPreset {
                 int breaths = yaml.wholeInt("breaths");
                 double apnoeaS = yaml.number("apnoea_s");
                 yield new BreathingPreset(
-                        name,
-                        parameters,
-                        (p, depth) -> new CheyneStokesPattern(p.withDepth(depth), breaths, apnoeaS));
+                        name, parameters, (p, depth) -> new CheyneStokesPattern(p.withDepth(depth), breaths, apnoeaS));
             }
             case "hold" -> hold(yaml, name);
 

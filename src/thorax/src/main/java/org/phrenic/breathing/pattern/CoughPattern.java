@@ -26,10 +26,8 @@ public final class CoughPattern extends PatternOfPeriod {
      * @param expulsionS time with open glottis, s
      * @param abdominalPressure peak abdominal pressure as a fraction of the maximum, 0 to 1
      */
-    public CoughPattern(BreathingParameters parameters,
-            double compressionS,
-            double expulsionS,
-            double abdominalPressure) {
+    public CoughPattern(
+            BreathingParameters parameters, double compressionS, double expulsionS, double abdominalPressure) {
         super(parameters.periodS());
         BreathingParameters.requireShare("abdominal_pressure", abdominalPressure);
         this.drive = new RespiratoryDrive(parameters);

@@ -40,7 +40,8 @@ public final class HoldPattern extends PatternOfPeriod {
      * @param holdS duration of the hold, s, above 0
      * @param creepFraction fraction of the drive lost in {@value #CREEP_TIME_S} s, at least 0 and below 1
      */
-    public HoldPattern(BreathingParameters around,
+    public HoldPattern(
+            BreathingParameters around,
             int breathsBefore,
             BreathingParameters held,
             double holdS,
