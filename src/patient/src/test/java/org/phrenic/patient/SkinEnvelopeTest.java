@@ -14,7 +14,6 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.Shapes;
@@ -24,7 +23,7 @@ import org.phrenic.mesh.query.SurfaceDistance;
 
 class SkinEnvelopeTest {
     private static PatientBody body(PatientStructure.Source ofSkin) {
-        Thorax thorax = VirtualThorax.generate(VirtualThoraxParameters.preset("adult-female"), Resolution.LOW);
+        Thorax thorax = VirtualThorax.ofPreset("adult-female", Resolution.LOW);
         return new PatientBody(
                 "body",
                 thorax.structures().stream()

@@ -7,13 +7,11 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.cage.SkinningWeights;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 
 class BoneCarriageTest {
-    private static final Thorax MAN =
-            VirtualThorax.generate(VirtualThoraxParameters.preset("adult-male"), Resolution.LOW);
+    private static final Thorax MAN = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
     private static final TriangleMesh LUNG = MAN.find("lung_R").orElseThrow().mesh();
     private static final BoneCarriage FULL = new BoneCarriage(MAN, 1);
 

@@ -15,7 +15,6 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.Shapes;
 import org.phrenic.mesh.TriangleMesh;
@@ -26,8 +25,7 @@ import org.phrenic.mesh.query.TriangleTree;
 
 /** The virtual adult female without her diaphragm: what is built from the rest is held against it. */
 class DiaphragmBuilderTest {
-    private static final Thorax FEMALE =
-            VirtualThorax.generate(VirtualThoraxParameters.preset("adult-female"), Resolution.LOW);
+    private static final Thorax FEMALE = VirtualThorax.ofPreset("adult-female", Resolution.LOW);
     private static final TriangleMesh TRUE_SHEET =
             FEMALE.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh();
     private static final CageEnvelope CAGE = new CageEnvelope(FEMALE);

@@ -16,7 +16,6 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.SelfIntersections;
@@ -26,8 +25,7 @@ import org.phrenic.patient.segmentation.CutPlane;
 
 /** The virtual man, and the same with lungs that reach farther down and a lower liver, as at inspiration. */
 class EndExpirationTest {
-    private static final Thorax MAN =
-            VirtualThorax.generate(VirtualThoraxParameters.preset("adult-male"), Resolution.LOW);
+    private static final Thorax MAN = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
     /** Heights of the lungs of the inspired body as a multiple of those at end-expiration. */
     private static final double TALLER = 1.3;
 

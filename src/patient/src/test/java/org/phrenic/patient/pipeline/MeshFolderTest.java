@@ -19,7 +19,6 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Hashes;
 import org.phrenic.file.InputBytes;
@@ -61,7 +60,7 @@ class MeshFolderTest {
 
     @Test
     void bonesInAnotherFrameAndUnitAreBroughtToLpsAndMillimetres() {
-        Thorax body = VirtualThorax.generate(VirtualThoraxParameters.preset("adult-female"), Resolution.LOW);
+        Thorax body = VirtualThorax.ofPreset("adult-female", Resolution.LOW);
         writeBones(body);
         ImportResult result = imported(folder);
         assertThat(result.body().structures())
@@ -90,7 +89,7 @@ class MeshFolderTest {
     /** Among the last files of the import is a folder, which no file can replace. */
     @Test
     void anImportThatStopsHalfWayIsReadAsNoBodyUntilItIsRepeated() throws IOException {
-        writeBones(VirtualThorax.generate(VirtualThoraxParameters.preset("adult-female"), Resolution.LOW));
+        writeBones(VirtualThorax.ofPreset("adult-female", Resolution.LOW));
         ImportResult result = imported(folder);
         Path out = folder.resolve("body");
         result.write(out);
@@ -139,7 +138,7 @@ class MeshFolderTest {
      */
     @Test
     void filesOfOneStructureAreAllInTheBodyThatIsWritten() {
-        Thorax body = VirtualThorax.generate(VirtualThoraxParameters.preset("adult-female"), Resolution.LOW);
+        Thorax body = VirtualThorax.ofPreset("adult-female", Resolution.LOW);
         writeFourBones(body);
         TriangleMesh lung = body.find("lung_L").orElseThrow().mesh();
         write("lung_lower_lobe_left", half(lung, false));
@@ -170,7 +169,7 @@ class MeshFolderTest {
     /** A folder that an import has made is imported again. */
     @Test
     void whatAFolderStatesNotToBeInTheScanStaysSo() throws IOException {
-        writeFourBones(VirtualThorax.generate(VirtualThoraxParameters.preset("adult-female"), Resolution.LOW));
+        writeFourBones(VirtualThorax.ofPreset("adult-female", Resolution.LOW));
         String raised = "end-expiration (domes raised by 41 mm)";
         Files.writeString(
                 folder.resolve("thorax.yaml"),

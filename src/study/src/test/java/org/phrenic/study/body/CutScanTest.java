@@ -11,13 +11,11 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
-import org.phrenic.anatomy.virtual.VirtualThoraxParameters;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 class CutScanTest {
-    private static final Thorax MAN =
-            VirtualThorax.generate(VirtualThoraxParameters.preset("adult-male"), Resolution.LOW);
+    private static final Thorax MAN = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
     private static final int LIVER = 5;
     private static final int RIGHT_LUNG = 12;
     private static final int LEFT_LUNG = 10;
