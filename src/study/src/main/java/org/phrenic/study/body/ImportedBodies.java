@@ -28,12 +28,21 @@ public final class ImportedBodies {
      */
     public static List<BodyCase> cuts(
             BodyCase source, Collection<BodyCut> cuts, Supplier<Thorax> template, Path folder) {
-        String stem = stem(source.name());
-        Set<Double> shares = cuts.stream()
+        return cuts(source, cuts, new InspiredBody(source.thorax(), shares(cuts)), template, folder);
+    }
+
+    /** The shares of inspiration at which scans show a body. */
+    static Set<Double> shares(Collection<BodyCut> cuts) {
+        return cuts.stream()
                 .map(BodyCut::inspiration)
                 .filter(share -> share > 0)
                 .collect(Collectors.toSet());
-        InspiredBody inspired = new InspiredBody(source.thorax(), shares);
+    }
+
+    /** As {@link #cuts(BodyCase, Collection, Supplier, Path)}, with the inspiration of the body. */
+    static List<BodyCase> cuts(
+            BodyCase source, Collection<BodyCut> cuts, InspiredBody inspired, Supplier<Thorax> template, Path folder) {
+        String stem = stem(source.name());
         return cuts.stream()
                 .map(cut -> {
                     String name = stem + "-" + cut.label();

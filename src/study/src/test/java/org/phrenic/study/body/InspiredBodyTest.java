@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Set;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.anatomy.Resolution;
@@ -19,6 +19,9 @@ import org.phrenic.patient.diaphragm.SheetQuality;
 /** Scans of the virtual woman at inspiration; {@code phrenic bench bodies} measures more of them. */
 class InspiredBodyTest {
     private static final Thorax WOMAN = VirtualThorax.ofPreset("adult-female", Resolution.LOW);
+    private static final InspiredBody INSPIRED = new InspiredBody(
+            () -> WOMAN,
+            ImportedBodies.shares(List.of(BodyCut.WHOLE, BodyCut.HALF_INSPIRED, BodyCut.INSPIRED_ABDOMEN)));
 
     private static double lungMl(Thorax body) {
         return body.structuresOf(StructureKind.LUNG).stream()
@@ -33,9 +36,8 @@ class InspiredBodyTest {
     /** A deep breath takes the domes down by 48 mm and the lungs take in 1.8 l; half way lies between. */
     @Test
     void lungsFillAndTheLiverGoesDown() {
-        InspiredBody inspired = new InspiredBody(() -> WOMAN, Set.of(0.5, 1.0));
-        Thorax half = inspired.at(0.5);
-        Thorax full = inspired.at(1);
+        Thorax half = INSPIRED.at(0.5);
+        Thorax full = INSPIRED.at(1);
         assertThat(lungMl(full) - lungMl(WOMAN)).isBetween(1500.0, 2100.0);
         assertThat((lungMl(half) - lungMl(WOMAN)) / (lungMl(full) - lungMl(WOMAN)))
                 .isBetween(0.4, 0.6);
@@ -56,8 +58,8 @@ class InspiredBodyTest {
         BodyCase woman = new BodyCase("woman", "virtual", 1, () -> WOMAN);
         double top = WOMAN.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh().bounds()[5];
         List<BodyCut> cuts = List.of(BodyCut.INSPIRED_ABDOMEN);
-        for (BodyCase scan :
-                ImportedBodies.cuts(woman, cuts, () -> VirtualThorax.ofPreset("adult-male", Resolution.LOW), folder)) {
+        Supplier<Thorax> template = () -> VirtualThorax.ofPreset("adult-male", Resolution.LOW);
+        for (BodyCase scan : ImportedBodies.cuts(woman, cuts, INSPIRED, template, folder)) {
             Thorax imported = scan.thorax().get();
             assertThat(imported.structuresOf(StructureKind.DIAPHRAGM)
                             .get(0)
