@@ -15,6 +15,7 @@ import org.phrenic.document.YamlWriter;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
@@ -180,7 +181,7 @@ public class Regression {
     /** The body of a scene, generated once and cached. */
     private Thorax body(Scenario scenario) {
         return bodyCache.computeIfAbsent(
-                scenario.anatomy() + " " + scenario.resolution(), key -> bodies.apply(scenario));
+                scenario.anatomy() + " " + OrganSettings.budget(scenario).vertices(), key -> bodies.apply(scenario));
     }
 
     /** Hook before the first step of every simulation, for tests. */

@@ -23,6 +23,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Observation;
 
@@ -45,7 +46,8 @@ class RegressionTest {
     }
 
     private static Thorax body(Scenario scenario) {
-        return VirtualThorax.ofPreset(scenario.anatomy().substring("virtual/".length()), Resolution.LOW);
+        return VirtualThorax.ofPreset(
+                scenario.anatomy().substring("virtual/".length()), OrganSettings.budget(scenario));
     }
 
     private static Regression of(Path folder, RegressionScene scene) {
@@ -98,6 +100,23 @@ class RegressionTest {
         assertThat(comparison.sentence())
                 .contains("node " + comparison.worstNode())
                 .contains("the tolerance is " + scene.toleranceMm() + " mm");
+    }
+
+    /** Scenes share a body only where it is meshed alike. */
+    @Test
+    void aSceneOnAnotherMeshHasABodyOfItsOwn() {
+        RegressionScene scene = small();
+        List<String> settings = new ArrayList<>(scene.settings());
+        settings.add("mesh_vertices=3000");
+        RegressionScene coarse = new RegressionScene(
+                "coarse", settings, scene.changes(), scene.timesS(), scene.toleranceMm(), scene.observableTolerance());
+        List<Integer> meshed = new ArrayList<>();
+        Regression regression = new Regression(folder, List.of(scene, coarse), List.of(), s -> {
+            meshed.add(OrganSettings.budget(s).vertices());
+            return body(s);
+        });
+        regression.write(List.of(), SILENT);
+        assertThat(meshed).containsExactly(Resolution.LOW.budget().vertices(), 3000);
     }
 
     @Test
