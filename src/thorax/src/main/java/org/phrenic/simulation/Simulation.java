@@ -43,6 +43,7 @@ public final class Simulation implements AutoCloseable {
     private LiveTuning tuning;
     private BreathRepetition repetition;
     private int nextScheduled;
+    private int restarts;
 
     private Simulation(
             Scenario scenario,
@@ -271,7 +272,13 @@ public final class Simulation implements AutoCloseable {
         restartFrom();
     }
 
+    /** How often time has begun at 0 again. */
+    public int restarts() {
+        return restarts;
+    }
+
     private void restartFrom() {
+        restarts++;
         // The rib cage caches the pose of the last time; a time that never occurs invalidates it.
         scene.pose().update(-1);
         scene.tuning().restart(start, system());
@@ -304,11 +311,6 @@ public final class Simulation implements AutoCloseable {
     /** The initial scenario, without changes. */
     public Scenario start() {
         return start;
-    }
-
-    /** Number of springs. */
-    public int springCount() {
-        return scene.springCount();
     }
 
     /** Largest relative length error of the active rigid links; 0 if there are none. */

@@ -79,7 +79,7 @@ public record ModelCounts(
                     .count();
             return new ModelCounts(
                     simulation.system().nodeCount(),
-                    simulation.springCount(),
+                    simulation.scene().springCount(),
                     sheet.rest().vertexCount(),
                     sheet.rest().triangleCount(),
                     new MeshTopology(sheet.rest()).eulerCharacteristic(),

@@ -42,6 +42,8 @@ public final class SheetContact {
     private final double[] positions;
     /** Sum of the largest distances that a vertex has moved from update to update, mm. */
     private double travelMm;
+    /** Number of the run whose frames the organs' searches may follow. */
+    private int run = -1;
 
     private final double[] normal = new double[3];
     private final MeshTopology topology;
@@ -66,6 +68,15 @@ public final class SheetContact {
         travelMm += farthestMm(nodes);
         System.arraycopy(nodes, 3 * first, positions, 0, positions.length);
         sheet.refit(positions);
+    }
+
+    /**
+     * Begins a run. All points are searched anew at its first frame: where the sheet passes through itself, a search
+     * that follows earlier frames finds other points beyond a face than a new one, and what is shown of a run may not
+     * depend on the runs before.
+     */
+    public void beginRun(int number) {
+        run = number;
     }
 
     /** Largest distance from a vertex of the sheet to where it is now. */
@@ -101,19 +112,31 @@ public final class SheetContact {
         /** Whether the point that was last searched lay beyond the face of the organ's side. */
         private boolean beyond;
 
+        private int searchedIn = run;
+
         private Organ(double[] rest, boolean above) {
             this.above = above;
             clusters = new PointClusters(rest);
             nearest = new int[rest.length / 3];
-            Arrays.fill(nearest, -1);
             searchedAt = rest.clone();
             leastMm = new double[nearest.length];
-            Arrays.fill(leastMm, Double.NEGATIVE_INFINITY);
             onSide = new boolean[nearest.length];
+            forget();
+        }
+
+        /** Lets every point be searched anew. */
+        private void forget() {
+            Arrays.fill(nearest, -1);
+            Arrays.fill(leastMm, Double.NEGATIVE_INFINITY);
+            Arrays.fill(onSide, false);
+            searchedIn = run;
         }
 
         /** Moves the points that lie beyond the face of the organ's side; three numbers a point, changed in place. */
         public void pushBack(double[] points) {
+            if (searchedIn != run) {
+                forget();
+            }
             int[] order = clusters.order();
             for (int c = 0; c < clusters.count(); c++) {
                 int k = 3 * order[clusters.start(c)];

@@ -236,6 +236,40 @@ class SheetContactTest {
         assertYieldsAsAlone(contact, points, false);
     }
 
+    /**
+     * A point 24 mm above the dome, and the abdominal face bulging 15 mm through the thoracic one: of the sheet alone
+     * the point lies beyond its face, after frames in which it came near from above it does not.
+     */
+    @Test
+    void whatYieldsInARunDoesNotDependOnTheRunBefore() {
+        DiaphragmPart part = simulation.scene().diaphragm();
+        double[] rest = simulation.scene().restPositions();
+        double[] bulged = rest.clone();
+        for (int v = 0; v < part.diaphragm.sheet().vertexCount(); v++) {
+            int k = 3 * (part.firstNode + v);
+            boolean inPatch = Math.hypot(rest[k] + 68, rest[k + 1] + 16) < 20 && rest[k + 2] > 100;
+            bulged[k + 2] += inPatch && !part.diaphragm.isThoracic(v) ? 15 : 0;
+        }
+        double[] lung = {-68, -16, 140};
+        double[] expected = lung.clone();
+        SheetContact once = contactWith(part);
+        once.update(bulged);
+        once.organ(lung, true).pushBack(expected);
+
+        SheetContact again = contactWith(part);
+        SheetContact.Organ organ = again.organ(lung, true);
+        again.update(rest);
+        organ.pushBack(lung.clone());
+        double[] followed = lung.clone();
+        again.update(bulged);
+        organ.pushBack(followed);
+        assertThat(followed).isNotEqualTo(expected);
+        again.beginRun(1);
+        again.update(bulged);
+        organ.pushBack(lung);
+        assertThat(lung).containsExactly(expected);
+    }
+
     /** What lies before its own face, farther from it than the sheet is thick, is not drawn to pleats. */
     @Test
     void pointsBeforeTheirFaceStayWherePleatsPassThroughOneAnother() {

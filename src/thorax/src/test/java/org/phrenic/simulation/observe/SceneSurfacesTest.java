@@ -136,7 +136,8 @@ class SceneSurfacesTest {
             int nodes = physical.system().nodeCount();
             Map<Overlay.Kind, Overlay> of = byKind(physical);
             assertThat(of).doesNotContainKey(Overlay.Kind.ACTION_LINES);
-            assertThat(of.get(Overlay.Kind.SPRINGS).nodePairs()).hasSize(2 * physical.springCount());
+            assertThat(of.get(Overlay.Kind.SPRINGS).nodePairs())
+                    .hasSize(2 * physical.scene().springCount());
             assertThat(of.get(Overlay.Kind.RIGID_LINKS).nodePairs())
                     .hasSize(2 * physical.scene().activeLinks().orElseThrow().count());
             assertThat(of.get(Overlay.Kind.ATTACHMENTS).nodePairs())
