@@ -100,7 +100,9 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
             }
             return ofPointPairs(part, points(table, FROM), points(table, TO));
         }
-        TriangleMesh mesh = MeshRepair.repair(MeshFiles.read(file), ThoraxFolder.WELD_MM, ThoraxFolder.SEAM_MM)
+        TriangleMesh read = MeshFiles.read(file);
+        ThoraxFolder.requireSize(file, read, "");
+        TriangleMesh mesh = MeshRepair.repair(read, ThoraxFolder.WELD_MM, ThoraxFolder.SEAM_MM)
                 .mesh();
         if (mesh.triangleCount() == 0) {
             throw new BadInputException(file + ": found no triangle with an area, expected a surface");

@@ -59,6 +59,15 @@ class FitTargetTest {
                 .hasMessageContaining("lung_R.ply: found no triangle with an area, expected a surface");
     }
 
+    @Test
+    void aSurfaceWithACoordinateBeyondAnyBodyIsRefused() {
+        double[] p = LUNG.positions().clone();
+        p[4] = 1e30;
+        assertThatThrownBy(() -> read(LUNG.withPositions(p)))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("lung_R.ply: found a structure of 1.000e+30 mm, expected at most 3000 mm");
+    }
+
     private static int count(boolean[] mask) {
         int count = 0;
         for (boolean one : mask) {

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -105,9 +106,8 @@ public final class ThoraxFolder {
             frame.axesMismatch(raw).ifPresent(notes::add);
         }
         List<Repaired> repaired = raw.stream()
-                .map(s -> repairedSurface(s.name(), frame.toLps(s.mesh())))
+                .map(s -> repairedSurface(folder, s.name(), frame.toLps(s.mesh())))
                 .toList();
-        repaired.forEach(s -> requireSize(folder, s.mesh()));
         List<Structure> structures = new ArrayList<>();
         for (int i = 0; i < raw.size(); i++) {
             structures.add(raw.get(i).withMesh(repaired.get(i).mesh()));
@@ -199,7 +199,8 @@ public final class ThoraxFolder {
         };
     }
 
-    private static Repaired repairedSurface(String name, TriangleMesh mesh) {
+    private static Repaired repairedSurface(Path folder, String name, TriangleMesh mesh) {
+        requireSize(folder, mesh, "; the units of " + INDEX_FILE + " may be wrong");
         MeshRepair.Result result = MeshRepair.repair(mesh, WELD_MM, SEAM_MM);
         if (result.mesh().triangleCount() == 0) {
             throw new BadInputException(
@@ -243,13 +244,26 @@ public final class ThoraxFolder {
         return files;
     }
 
-    private static void requireSize(Path folder, TriangleMesh mesh) {
-        double[] box = mesh.bounds();
+    /**
+     * Refuses a mesh with triangles farther apart than those of any structure of a person. Call it before a repair,
+     * which drops a triangle with one coordinate far away as one without area.
+     *
+     * @param source file or folder of the mesh
+     * @param hint what may be wrong, after the sentence; empty for none
+     * @throws BadInputException if the triangles extend over more than 3 m along an axis
+     */
+    public static void requireSize(Path source, TriangleMesh mesh, String hint) {
+        double[] p = mesh.positions();
         for (int axis = 0; axis < 3; axis++) {
-            if (box[axis + 3] - box[axis] > LARGEST_MM) {
-                throw new BadInputException(folder + ": found a structure of "
-                        + Math.round(box[axis + 3] - box[axis]) + " mm, expected at most " + Math.round(LARGEST_MM)
-                        + " mm; the units of " + INDEX_FILE + " may be wrong");
+            double low = Double.POSITIVE_INFINITY;
+            double high = Double.NEGATIVE_INFINITY;
+            for (int v : mesh.triangles()) {
+                low = Math.min(low, p[3 * v + axis]);
+                high = Math.max(high, p[3 * v + axis]);
+            }
+            if (high - low > LARGEST_MM) {
+                String pattern = "%s: found a structure of %.4g mm, expected at most %.0f mm%s";
+                throw new BadInputException(String.format(Locale.ROOT, pattern, source, high - low, LARGEST_MM, hint));
             }
         }
     }

@@ -208,4 +208,15 @@ class ThoraxFolderTest {
         Files.writeString(folder.resolve("liver.ply"), "");
         refused("liver.ply");
     }
+
+    @Test
+    void aBodyWithACoordinateBeyondAnyBodyIsRefused() throws IOException {
+        List<Structure> body = BoxBody.structures();
+        double[] p = body.get(0).mesh().positions().clone();
+        p[0] = 1e30;
+        write(body);
+        write(List.of(body.get(0).withMesh(body.get(0).mesh().withPositions(p))));
+        Files.writeString(folder.resolve("thorax.yaml"), "axes: LPS\nunits: mm\n");
+        refused("found a structure of 1.000e+30 mm, expected at most 3000 mm; the units of thorax.yaml may be wrong");
+    }
 }

@@ -9,6 +9,8 @@ final class VertexWelder {
     private static final double CELL = 4;
     /** Search distance in tolerances, with a margin for rounding. */
     private static final double REACH = 1.01;
+    /** Index of the last cell in each direction; coordinates beyond it share this cell. */
+    private static final double LAST_CELL = 0x1p62;
 
     private final double[] positions;
     private final double tolerance;
@@ -34,9 +36,12 @@ final class VertexWelder {
             double py = positions[3 * v + 1];
             double pz = positions[3 * v + 2];
             int best = v;
-            for (long x = cellOf(px - reach); x <= cellOf(px + reach); x++) {
-                for (long y = cellOf(py - reach); y <= cellOf(py + reach); y++) {
-                    for (long z = cellOf(pz - reach); z <= cellOf(pz + reach); z++) {
+            long lastX = cellOf(px + reach);
+            long lastY = cellOf(py + reach);
+            long lastZ = cellOf(pz + reach);
+            for (long x = cellOf(px - reach); x <= lastX; x++) {
+                for (long y = cellOf(py - reach); y <= lastY; y++) {
+                    for (long z = cellOf(pz - reach); z <= lastZ; z++) {
                         best = nearest(v, best, head[slot(x, y, z)]);
                     }
                 }
@@ -73,7 +78,7 @@ final class VertexWelder {
         if (!(tolerance > 0)) {
             return Double.doubleToLongBits(coordinate + 0.0);
         }
-        double cell = coordinate / (CELL * tolerance);
+        double cell = Math.max(-LAST_CELL, Math.min(LAST_CELL, coordinate / (CELL * tolerance)));
         long cut = (long) cell;
         return cut > cell ? cut - 1 : cut;
     }

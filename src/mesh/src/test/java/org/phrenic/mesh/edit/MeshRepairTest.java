@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import net.jqwik.api.ForAll;
@@ -40,6 +41,24 @@ class MeshRepairTest {
         }
         assertThat(MeshRepair.weld(soup.withPositions(p), 0.05).mesh().vertexCount())
                 .isEqualTo(162);
+    }
+
+    /**
+     * Some files write 1e30 for a missing value; cells of the grid are numbered far beyond the range of a long there.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {3.7e16, 1e30, -1e30, 1e300, Double.MAX_VALUE})
+    void aCoordinateFarFromAllOthersStaysAVertexOfItsOwn(double far) {
+        TriangleMesh soup = Shapes.soup(Shapes.box(1, 2, 3));
+        double[] p = Arrays.copyOf(soup.positions(), soup.positions().length + 9);
+        int first = soup.vertexCount();
+        p[3 * first] = far;
+        p[3 * first + 4] = far;
+        p[3 * first + 6] = far;
+        int[] t = Arrays.copyOf(soup.triangles(), soup.triangles().length + 3);
+        Arrays.setAll(t, i -> i < t.length - 3 ? t[i] : first + i - t.length + 3);
+        assertThat(MeshRepair.weld(new TriangleMesh(p, t), 1e-3).mesh().vertexCount())
+                .isEqualTo(8 + 2);
     }
 
     @Test
