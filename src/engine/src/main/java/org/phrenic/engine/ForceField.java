@@ -16,6 +16,14 @@ public interface ForceField {
     default void prepare(double time) {}
 
     /**
+     * Called instead of {@link #prepare(double)} before the forces on the nodes of blocks {@code from} to {@code end -
+     * 1} alone are evaluated, which may be at other times than those on the rest.
+     */
+    default void prepare(double time, int from, int end) {
+        prepare(time);
+    }
+
+    /**
      * Adds this field's force on the nodes of one block.
      *
      * @param x positions, mm

@@ -50,7 +50,7 @@ final class ForceSet {
     void prepare(double time, int from, int end) {
         for (ForceField field : active) {
             if (field.actsOn(from, end)) {
-                field.prepare(time);
+                field.prepare(time, from, end);
             }
         }
     }

@@ -19,8 +19,9 @@ import org.phrenic.engine.parallel.NodeLayout;
  * where it is small. There the force is -γ τ dv/dt, an added mass γ τ. The pair is passive: it never adds energy.
  *
  * <p>u is advanced once for each later time at which forces are evaluated, by the exact solution for a constant v, from
- * u = v after {@link #invalidate}. Where the translation of a group of nodes is lighter ({@link SelectiveMass}), the
- * force on the group is smaller in proportion. Evaluations with velocities other than the system's own get no force.
+ * u = v after {@link #invalidate}; that of nodes apart goes with their own steps. Where the translation of a group of
+ * nodes is lighter ({@link SelectiveMass}), the force on the group is smaller in proportion. Evaluations with
+ * velocities other than the system's own get no force.
  */
 public final class SlowMotionRelease implements ForceField {
     private static final double SAME_TIME_S = 1e-9;
@@ -30,22 +31,40 @@ public final class SlowMotionRelease implements ForceField {
     private final double timeS;
     private final double[] velocities;
     private final double[] u;
+    private final Optional<SelectiveMass> group;
     /** Nodes of the group whose translation is lighter, block by block. */
     private final int[] relieved;
 
     private final int[] relievedStart;
+    /** Block of the first node of the group; the others are in step with it. */
+    private final int firstRelievedBlock;
     /** Share of the group's mean velocity that is taken off. */
     private final double relief;
 
     private final double[] groupMean = new double[3];
     private final double[] groupVelocity = new double[3];
-    private double now = Double.NaN;
     private boolean active = true;
-    /** Weight of v in the next u; 1 sets u to v, 0 keeps it. */
-    private double weight;
+    private final Clock clock = new Clock();
+    /** Clock of the nodes apart, which may be at another time than the others. */
+    private final Clock clockApart = new Clock();
+
+    /** Time up to which u has been advanced. */
+    private final class Clock {
+        private double now = Double.NaN;
+        /** Weight of v in the next u; 1 sets u to v, 0 keeps it. */
+        private double weight;
+
+        void advanceTo(double time) {
+            double passed = time - now;
+            // Times that differ by rounding are one time; an earlier one means that a state was restored.
+            weight = Math.abs(passed) < SAME_TIME_S ? 0 : passed > 0 ? -StrictMath.expm1(-passed / timeS) : 1;
+            now = weight == 0 ? now : time;
+        }
+    }
 
     /**
-     * @param system its viscosities are read at every evaluation
+     * @param system its viscosities are read at every evaluation, its group with a lighter translation once: call
+     *     {@link ParticleSystem#setSelectiveMass} before
      * @param timeS τ, s, more than 0
      */
     public SlowMotionRelease(ParticleSystem system, double timeS) {
@@ -57,13 +76,15 @@ public final class SlowMotionRelease implements ForceField {
         layout = system.layout();
         velocities = system.velocities();
         u = new double[velocities.length];
-        relieved = system.selectiveMass().map(SelectiveMass::nodes).orElse(new int[0]);
-        relief = system.selectiveMass().map(SelectiveMass::relief).orElse(0.0);
+        group = system.selectiveMass();
+        relieved = group.map(SelectiveMass::nodes).orElse(new int[0]);
+        relief = group.map(SelectiveMass::relief).orElse(0.0);
         relievedStart = new int[layout.blockCount() + 1];
         for (int node : relieved) {
             relievedStart[layout.blockOf(node) + 1]++;
         }
         Arrays.parallelPrefix(relievedStart, Integer::sum);
+        firstRelievedBlock = relieved.length == 0 ? 0 : layout.blockOf(relieved[0]);
     }
 
     /** Switches all such fields of a system off, so that slow motion is damped as well, or on. */
@@ -78,24 +99,43 @@ public final class SlowMotionRelease implements ForceField {
 
     @Override
     public void invalidate() {
-        now = Double.NaN;
+        clock.now = Double.NaN;
+        clockApart.now = Double.NaN;
     }
 
     @Override
     public void prepare(double time) {
-        double passed = time - now;
-        // Times that differ by rounding are one time; an earlier one means that a state was restored.
-        weight = Math.abs(passed) < SAME_TIME_S ? 0 : passed > 0 ? -StrictMath.expm1(-passed / timeS) : 1;
-        now = weight == 0 ? now : time;
-        Optional<SelectiveMass> group = system.selectiveMass();
-        if (weight > 0 && group.isPresent()) {
-            group.get().mean(velocities, groupVelocity);
-            advance(groupMean, groupVelocity, 0, groupMean.length);
+        prepare(time, 0, layout.blockCount());
+    }
+
+    @Override
+    public void prepare(double time, int from, int end) {
+        if (!system.selectiveMass().equals(group)) {
+            throw new IllegalStateException(
+                    "release of slow motion: found another group with a lighter translation than when the field was"
+                            + " made, expected setSelectiveMass before it");
+        }
+        if (from < layout.firstBlockApart()) {
+            clock.advanceTo(time);
+        }
+        if (end > layout.firstBlockApart()) {
+            clockApart.advanceTo(time);
+        }
+        if (group.isPresent() && from <= firstRelievedBlock && firstRelievedBlock < end) {
+            double weight = clockOf(firstRelievedBlock).weight;
+            if (weight > 0) {
+                group.get().mean(velocities, groupVelocity);
+                advance(groupMean, groupVelocity, weight, 0, groupMean.length);
+            }
         }
     }
 
+    private Clock clockOf(int block) {
+        return block < layout.firstBlockApart() ? clock : clockApart;
+    }
+
     /** Advances means; with weight 1 they are v to the last bit, whatever they were, so a restored state forgets. */
-    private void advance(double[] mean, double[] v, int from, int end) {
+    private static void advance(double[] mean, double[] v, double weight, int from, int end) {
         if (weight == 1) {
             System.arraycopy(v, from, mean, from, end - from);
         } else {
@@ -124,8 +164,9 @@ public final class SlowMotionRelease implements ForceField {
         if (!active || v != velocities) {
             return;
         }
+        double weight = clockOf(block).weight;
         if (weight > 0) {
-            advance(u, v, 3 * layout.start(block), 3 * layout.end(block));
+            advance(u, v, weight, 3 * layout.start(block), 3 * layout.end(block));
         }
         double[] gamma = system.viscosities();
         addProducts(gamma, u, force, layout.start(block), layout.end(block));

@@ -85,9 +85,14 @@ public final class NodeLayout {
      *
      * @param firstApart first of the nodes apart, caller's number
      * @param apart number of nodes apart, fewer than all; 0 for none
+     * @throws IllegalArgumentException if the nodes apart are all nodes, or not among them
      */
     public static NodeLayout morton(double[] positions, int firstApart, int apart) {
         int n = positions.length / 3;
+        if (apart != 0 && (apart < 0 || apart >= n || firstApart < 0 || firstApart > n - apart)) {
+            throw new IllegalArgumentException("nodes apart: found " + apart + " from node " + firstApart
+                    + " on, expected fewer than all " + n + " nodes, and among them");
+        }
         double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
         double extent = 0;
         for (int i = 0; i < 3 * n; i++) {

@@ -1,6 +1,7 @@
 package org.phrenic.engine.force;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
@@ -124,5 +125,18 @@ class SlowMotionReleaseTest {
         diverged.forces(1, diverged.positions(), diverged.velocities(), force);
         // With u = v to the last bit the force is γ v.
         assertThat(force[0]).isEqualTo(diverged.viscosities()[0] * 0.3);
+    }
+
+    /** Made before the group it would drive the group instead of releasing it. */
+    @Test
+    void aGroupThatIsMadeLighterLaterIsRefused() {
+        ParticleSystem system = SampleSystems.oneNode(KG);
+        system.setViscosityPerMass(RATE);
+        system.add(new SlowMotionRelease(system, TIME_S));
+        system.setSelectiveMass(new int[] {0}, 10);
+        Integrator integrator = IntegratorKind.VERLET.create(system);
+        assertThatThrownBy(() -> integrator.step(0, STEP_S))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("expected setSelectiveMass before it");
     }
 }

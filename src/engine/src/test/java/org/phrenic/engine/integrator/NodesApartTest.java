@@ -6,10 +6,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.PrescribedMotion;
 import org.phrenic.engine.SampleSystems;
 import org.phrenic.engine.force.Attachments;
+import org.phrenic.engine.force.SlowMotionRelease;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
@@ -132,5 +135,66 @@ class NodesApartTest {
             assertThat(layout.caller(layout.internal(node))).isEqualTo(node);
         }
         assertThat(NodeLayout.morton(positions()).hasNodesApart()).isFalse();
+    }
+
+    /** Viscosity with and without release: whatever the steps of nodes apart, they are damped alike. */
+    @Test
+    void nodesApartAreReleasedOfViscosityInSlowMotionAlone() {
+        double[] one = energiesReleased(1);
+        double[] four = energiesReleased(4);
+        double[] scale = energiesReleased(0);
+        // The release keeps the error of order 1 of rk2, h r times the energy.
+        assertThat(four[0]).isCloseTo(one[0], within(1e-12));
+        assertThat(four[1]).isCloseTo(one[1], within(0.01 * one[1]));
+        assertThat(one[1]).isLessThan(0.1 * scale[1]);
+    }
+
+    /**
+     * Energies of two swinging pairs, the second apart, after a second in a scheme that releases slow motion.
+     *
+     * @param stepsApart 0 for the energies at the beginning
+     */
+    private static double[] energiesReleased(int stepsApart) {
+        double[] x = {0, 0, 0, 11, 0, 0, 100, 0, 0, 111, 0, 0};
+        NodeLayout layout = NodeLayout.morton(x, 2, 2);
+        ParticleSystem system = new ParticleSystem(layout, x, SampleSystems.masses(4, 0.001), Workers.of(1));
+        Springs[] pairs = new Springs[2];
+        for (int i = 0; i < 2; i++) {
+            pairs[i] = Springs.between(layout, new int[] {2 * i}, new int[] {2 * i + 1})
+                    .stiffness(1)
+                    .restLengths(new double[] {10})
+                    .build();
+            system.add(pairs[i]);
+        }
+        system.setViscosityPerMass(5);
+        system.add(new SlowMotionRelease(system, 1));
+        double h = 5e-4;
+        Integrator integrator = IntegratorKind.RK2.create(system);
+        if (stepsApart > 0) {
+            integrator.setStepsApart(stepsApart);
+        }
+        for (int i = 0; stepsApart > 0 && i < 2000; i++) {
+            integrator.step(i * h, h);
+        }
+        double[] energy = new double[2];
+        for (int n = 0; n < 4; n++) {
+            int i = layout.caller(n) / 2;
+            for (int axis = 0; axis < 3; axis++) {
+                double v = system.velocities()[3 * n + axis];
+                energy[i] += 0.5 * 0.001 * v * v;
+            }
+        }
+        for (int i = 0; i < 2; i++) {
+            energy[i] += pairs[i].potentialEnergy(system.positions());
+        }
+        return energy;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"3, 4", "-1, 2", "0, 6", "0, -1", "2147483647, 2"})
+    void nodesApartThatAreNotAmongTheNodesOrAreAllOfThemAreRefused(int first, int apart) {
+        assertThatThrownBy(() -> NodeLayout.morton(positions(), first, apart))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("nodes apart: found " + apart + " from node " + first + " on");
     }
 }
