@@ -90,6 +90,8 @@ public final class NewtonEquilibrium {
             boolean converged, boolean activeSetSettled, double[] residualsMn, int activeRows, int activeSetChanges) {}
 
     /**
+     * Sets all velocities to 0.
+     *
      * @param system a system near equilibrium; its positions are changed
      * @param timeS time at which prescribed motion is evaluated, s
      * @param mayMove for each node in the caller's numbering, whether it is free; the others stay fixed
@@ -120,7 +122,8 @@ public final class NewtonEquilibrium {
     }
 
     /**
-     * Alternates Newton solves and active-set updates until the active set no longer changes.
+     * Puts prescribed nodes where they are at the time of the equilibrium, then alternates Newton solves and active-set
+     * updates until the active set no longer changes.
      *
      * @param toleranceMn bound of the residual, rms over free nodes, mN
      * @param mostRounds maximum number of rounds, at least 1
@@ -128,6 +131,7 @@ public final class NewtonEquilibrium {
     public Result findEquilibrium(double toleranceMn, int mostRounds) {
         // Time does not advance, so kept planes, normals and anchors must be evaluated afresh.
         system.invalidate();
+        system.applyPrescribed(timeS, x, system.velocities());
         system.project(timeS, NO_TIME_S);
         Arrays.fill(system.velocities(), 0);
         rows.collect();

@@ -159,4 +159,35 @@ class NewtonEquilibriumTest {
         assertThat(Arrays.copyOf(after, half)).isEqualTo(Arrays.copyOf(before, half));
         assertThat(after).isNotEqualTo(before);
     }
+
+    /**
+     * Three nodes in a row; the right end leaves at 10 mm/s and is at 40 mm after 2 s, so the middle rests at 20 mm.
+     */
+    @Test
+    void prescribedNodesAreWhereTheyAreAtTheTimeOfTheEquilibrium() {
+        double[] x = {0, 0, 0, 10, 0, 0, 20, 0, 0};
+        NodeLayout layout = NodeLayout.natural(3);
+        ParticleSystem system = new ParticleSystem(layout, x, SampleSystems.masses(3, 0.001), Workers.of(1));
+        system.add(Springs.between(layout, new int[] {0, 1}, new int[] {1, 2})
+                .stiffness(10)
+                .restLengthsAt(x)
+                .build());
+        system.prescribe(new int[] {0, 2}, new PrescribedMotion() {
+            @Override
+            public int pointCount() {
+                return 2;
+            }
+
+            @Override
+            public void at(double time, double[] position, double[] velocity) {
+                position[3] = 20 + 10 * time;
+                velocity[3] = 10;
+            }
+        });
+        NewtonEquilibrium.Result result =
+                new NewtonEquilibrium(system, 2, all(system)).findEquilibrium(TOLERANCE_MN, 10);
+        assertThat(result.activeSetSettled()).isTrue();
+        assertThat(system.positions()).containsExactly(new double[] {0, 0, 0, 20, 0, 0, 40, 0, 0}, within(1e-9));
+        assertThat(system.velocities()).containsOnly(0);
+    }
 }
