@@ -28,11 +28,23 @@ final class ConstraintSet {
     }
 
     void add(Constraint constraint) {
+        if (contains(constraint)) {
+            throw new IllegalArgumentException("constraint: found one that was added before, expected a new one");
+        }
         all.add(constraint);
         setEnabled(constraint, true);
     }
 
+    /** Whether this very constraint has been added. */
+    private boolean contains(Constraint constraint) {
+        return all.stream().anyMatch(added -> added == constraint);
+    }
+
     void setEnabled(Constraint constraint, boolean on) {
+        if (!contains(constraint)) {
+            throw new IllegalArgumentException(
+                    "constraint: found one that was never added, expected one of the system");
+        }
         List<Constraint> chosen = new ArrayList<>(Arrays.asList(active));
         chosen.remove(constraint);
         if (on) {

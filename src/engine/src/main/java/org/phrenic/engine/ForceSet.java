@@ -10,11 +10,23 @@ final class ForceSet {
     private boolean dependsOnVelocity;
 
     void add(ForceField field) {
+        if (contains(field)) {
+            throw new IllegalArgumentException("force field: found one that was added before, expected a new one");
+        }
         all.add(field);
         setEnabled(field, true);
     }
 
+    /** Whether this very field has been added. */
+    private boolean contains(ForceField field) {
+        return all.stream().anyMatch(added -> added == field);
+    }
+
     void setEnabled(ForceField field, boolean on) {
+        if (!contains(field)) {
+            throw new IllegalArgumentException(
+                    "force field: found one that was never added, expected one of the system");
+        }
         List<ForceField> chosen = new ArrayList<>(List.of(active));
         chosen.remove(field);
         if (on) {
@@ -34,6 +46,14 @@ final class ForceSet {
 
     void invalidate() {
         all.forEach(ForceField::invalidate);
+    }
+
+    void saveHistory() {
+        all.forEach(ForceField::saveHistory);
+    }
+
+    void restoreHistory() {
+        all.forEach(ForceField::restoreHistory);
     }
 
     void setRefreshInterval(double seconds) {

@@ -17,9 +17,7 @@ public final class ParticleSystem {
     private final Workers workers;
     private final double[] x;
     private final double[] v;
-    private final double[] mass;
-    private final double[] inverseMass;
-    private final double[] viscosity;
+    private final NodeInertia masses;
     private final ForceSet fields = new ForceSet();
     private final ConstraintSet constraints;
     private final PrescribedNodes prescribed = new PrescribedNodes();
@@ -43,18 +41,9 @@ public final class ParticleSystem {
         this.workers = workers;
         this.x = layout.toInternal(positions);
         this.v = new double[3 * n];
-        this.mass = new double[n];
-        this.inverseMass = new double[n];
-        this.viscosity = new double[n];
+        this.masses = new NodeInertia(layout, mass);
         this.constraints = new ConstraintSet(n);
         for (int i = 0; i < n; i++) {
-            double m = mass[layout.caller(i)];
-            if (!(m > 0) || Double.isInfinite(m)) {
-                throw new IllegalArgumentException(
-                        "mass of node " + layout.caller(i) + ": found " + m + " kg, expected more than 0");
-            }
-            this.mass[i] = m;
-            this.inverseMass[i] = 1 / m;
             for (int axis = 0; axis < 3; axis++) {
                 if (!Double.isFinite(x[3 * i + axis])) {
                     throw new IllegalArgumentException("position of node " + layout.caller(i) + ": found "
@@ -88,17 +77,17 @@ public final class ParticleSystem {
 
     /** Mass of each node in internal order, kg. */
     public double[] masses() {
-        return mass;
+        return masses.mass;
     }
 
     /** 1/mass of each node, 0 for prescribed nodes; internal order, 1/kg. */
     public double[] inverseMasses() {
-        return inverseMass;
+        return masses.inverse;
     }
 
     /** Viscous damping γ of each node (force -γ v), internal order, N s/m. */
     public double[] viscosities() {
-        return viscosity;
+        return masses.viscosity;
     }
 
     /**
@@ -107,8 +96,7 @@ public final class ParticleSystem {
      * @throws IllegalArgumentException if the value is negative or not finite
      */
     public void setViscosity(double gamma) {
-        checkDamping("viscosity", gamma, "N s/m");
-        Arrays.fill(viscosity, gamma);
+        masses.setViscosity(gamma);
     }
 
     /**
@@ -117,34 +105,25 @@ public final class ParticleSystem {
      * @throws IllegalArgumentException if the rate is negative or not finite
      */
     public void setViscosityPerMass(double rate) {
-        checkDamping("viscosity per mass", rate, "1/s");
-        for (int i = 0; i < viscosity.length; i++) {
-            viscosity[i] = rate * mass[i];
-        }
+        masses.setViscosityPerMass(rate);
     }
 
-    private static void checkDamping(String what, double value, String unit) {
-        if (!(value >= 0) || Double.isInfinite(value)) {
-            throw new IllegalArgumentException(what + ": found " + value + " " + unit + ", expected 0 or more");
-        }
-    }
-
-    /** Adds and enables a force field. */
+    /** Adds and enables a force field; one that was added before is refused. */
     public void add(ForceField field) {
         fields.add(field);
     }
 
-    /** Adds and enables a constraint. Constraints are projected in the order they were added. */
+    /** Adds and enables a constraint that was not added before. Constraints are projected in the order of adding. */
     public void add(Constraint constraint) {
         constraints.add(constraint);
     }
 
-    /** Enables or disables a field. A disabled field costs nothing. */
+    /** Enables or disables a field; one that was never added is refused. A disabled field costs nothing. */
     public void setEnabled(ForceField field, boolean on) {
         fields.setEnabled(field, on);
     }
 
-    /** Enables or disables a constraint. A disabled constraint costs nothing. */
+    /** Enables or disables a constraint; one that was never added is refused. A disabled constraint costs nothing. */
     public void setEnabled(Constraint constraint, boolean on) {
         constraints.setEnabled(constraint, on);
     }
@@ -165,16 +144,30 @@ public final class ParticleSystem {
     }
 
     /**
-     * Changes the mass of a node.
+     * Saves what fields, enabled or not, and prescribed motion keep from earlier times and cannot compute from the
+     * state; allocates nothing.
+     */
+    public void saveHistory() {
+        fields.saveHistory();
+        prescribed.saveMotion();
+    }
+
+    /** Restores what {@link #saveHistory} saved last. Call {@link #invalidate} after it. */
+    public void restoreHistory() {
+        fields.restoreHistory();
+        prescribed.restoreMotion();
+    }
+
+    /**
+     * Changes the mass of a node. Its viscosity stays: call {@link #setViscosityPerMass} after it where the two go
+     * together.
      *
      * @param internalNode internal number
      * @param kg more than 0
+     * @throws IllegalArgumentException if the mass is not positive and finite; nothing has changed then
      */
     public void setMass(int internalNode, double kg) {
-        mass[internalNode] = kg;
-        if (inverseMass[internalNode] > 0) {
-            inverseMass[internalNode] = 1 / kg;
-        }
+        masses.set(internalNode, kg);
         if (selectiveMass != null) {
             selectiveMass.invalidate();
         }
@@ -183,12 +176,11 @@ public final class ParticleSystem {
     /**
      * Makes the translation of a group of free nodes lighter ({@link SelectiveMass}) in integrators created later.
      *
-     * @param callerNodes the group, in the caller's numbering
+     * @param callerNodes the group, in the caller's numbering, each once, at least one
      * @param lightness factor, at least 1
      */
     public void setSelectiveMass(int[] callerNodes, double lightness) {
-        int[] nodes = Arrays.stream(callerNodes).map(layout::internal).toArray();
-        selectiveMass = new SelectiveMass(nodes, lightness, mass);
+        selectiveMass = new SelectiveMass(internal(callerNodes), lightness, masses.mass);
     }
 
     /** The group of nodes whose translation is lighter, if there is one. */
@@ -212,22 +204,26 @@ public final class ParticleSystem {
     }
 
     /**
-     * Sets the nodes with prescribed motion. Replaces any earlier choice.
+     * Sets the nodes with prescribed motion. Replaces any earlier choice, also that of {@link #fix}.
      *
      * @param callerNodes in the caller's numbering, each once
      * @param motion their positions and velocities in the same order
+     * @throws IllegalArgumentException if the numbers of nodes and points differ; the earlier choice holds then
      */
     public void prescribe(int[] callerNodes, PrescribedMotion motion) {
-        for (int node : prescribed.nodes()) {
-            inverseMass[node] = 1 / mass[node];
-        }
-        prescribed.prescribe(Arrays.stream(callerNodes).map(layout::internal).toArray(), motion);
-        for (int node : prescribed.nodes()) {
-            inverseMass[node] = 0;
-        }
+        int[] earlier = prescribed.nodes();
+        prescribed.prescribe(internal(callerNodes), motion);
+        masses.release(earlier);
+        masses.hold(prescribed.nodes());
     }
 
-    /** Fixes nodes (caller's numbering) at their current positions. */
+    private int[] internal(int[] callerNodes) {
+        return Arrays.stream(callerNodes).map(layout::internal).toArray();
+    }
+
+    /**
+     * Fixes nodes (caller's numbering) at their current positions. As {@link #prescribe}, it lets go all other nodes.
+     */
     public void fix(int... callerNodes) {
         double[] here = new double[3 * callerNodes.length];
         for (int i = 0; i < callerNodes.length; i++) {
@@ -300,7 +296,10 @@ public final class ParticleSystem {
         constraints.setSweeps(sweeps);
     }
 
-    /** Sets the simulated time between two evaluations of prescribed motion, for all fields and constraints, s. */
+    /**
+     * Sets the simulated time between two evaluations of prescribed motion, for all fields and constraints added so
+     * far, s.
+     */
     public void setRefreshInterval(double seconds) {
         fields.setRefreshInterval(seconds);
         constraints.setRefreshInterval(seconds);
@@ -328,6 +327,7 @@ public final class ParticleSystem {
 
     /** Kinetic energy, µJ. */
     public double kineticEnergy() {
+        double[] mass = masses.mass;
         double sum = 0;
         for (int i = 0; i < mass.length; i++) {
             double vx = v[3 * i];

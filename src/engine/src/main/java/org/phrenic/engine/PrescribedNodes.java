@@ -39,6 +39,14 @@ final class PrescribedNodes {
         stationaryApplied = false;
     }
 
+    void saveMotion() {
+        motion.saveMotion();
+    }
+
+    void restoreMotion() {
+        motion.restoreMotion();
+    }
+
     /**
      * Sets the nodes to their positions and velocities at a time.
      *

@@ -36,7 +36,11 @@ public final class SelectiveMass {
         if (!(lightness >= 1) || Double.isInfinite(lightness)) {
             throw new IllegalArgumentException("selective mass: found factor " + lightness + ", expected 1 or more");
         }
-        this.nodes = Arrays.stream(nodes).sorted().toArray();
+        this.nodes = Arrays.stream(nodes).sorted().distinct().toArray();
+        if (nodes.length == 0 || this.nodes.length < nodes.length) {
+            throw new IllegalArgumentException("selective mass: found " + nodes.length + " nodes, of which "
+                    + this.nodes.length + " differ, expected at least one and each once");
+        }
         this.lightness = lightness;
         this.masses = masses;
     }
@@ -84,7 +88,7 @@ public final class SelectiveMass {
 
     /** Viscosity over mass in the group, 1/s; it must be one number for all its nodes. */
     public double dampingRate(double[] viscosity) {
-        return nodes.length == 0 ? 0 : viscosity[nodes[0]] / masses[nodes[0]];
+        return viscosity[nodes[0]] / masses[nodes[0]];
     }
 
     /** Internal numbers of the group's nodes, ascending. */

@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.engine.constraint.RigidLinks;
 import org.phrenic.engine.force.ConstantLoad;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.parallel.NodeLayout;
@@ -150,5 +151,60 @@ class ParticleSystemTest {
         assertThatThrownBy(() -> system.prescribe(new int[] {0, 1}, PrescribedMotion.stationary(new double[3])))
                 .hasMessage("found 2 nodes and 1 prescribed points, expected as many");
         assertThat(Arrays.stream(system.inverseMasses())).containsOnly(1.0);
+    }
+
+    /** A call that is refused leaves everything as it was: what was fixed does not fall. */
+    @Test
+    void fixedNodesStayFixedWhereAMotionIsRefused() {
+        ParticleSystem system = system(new double[] {0, 0, 0, 5, 0, 0}, 1, 4);
+        system.fix(0, 1);
+        PrescribedMotion ofTwo = PrescribedMotion.stationary(new double[6]);
+        assertThatThrownBy(() -> system.prescribe(new int[] {1}, ofTwo))
+                .hasMessage("found 1 nodes and 2 prescribed points, expected as many");
+        assertThatThrownBy(() -> system.prescribe(new int[] {1, 2}, ofTwo))
+                .isInstanceOf(IndexOutOfBoundsException.class);
+        assertThat(system.inverseMasses()).containsExactly(0, 0);
+        system.fix(1);
+        assertThat(system.inverseMasses()).containsExactly(1, 0);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, -1, Double.NaN, Double.POSITIVE_INFINITY})
+    void aMassThatCannotBeIsRefusedAndChangesNothing(double bad) {
+        ParticleSystem system = system(new double[] {0, 0, 0, 5, 0, 0}, 1, 4);
+        system.fix(1);
+        for (int node : new int[] {0, 1}) {
+            assertThatThrownBy(() -> system.setMass(node, bad))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessage("mass of node " + node + ": found " + bad + " kg, expected more than 0");
+        }
+        assertThat(system.masses()).containsExactly(1, 4);
+        system.setMass(0, 2);
+        system.setMass(1, 8);
+        assertThat(system.inverseMasses()).containsExactly(0.5, 0);
+        system.fix();
+        assertThat(system.inverseMasses()).containsExactly(0.5, 0.125);
+    }
+
+    /** Its force or its correction would count twice. */
+    @Test
+    void aFieldOrConstraintIsAddedOnceAndSwitchedOnlyThen() {
+        ParticleSystem system = system(new double[] {0, 0, 0, 5, 0, 0}, 1, 1);
+        ConstantLoad load = new ConstantLoad(system.layout(), new double[] {0, 0, -1, 0, 0, 0});
+        RigidLinks link =
+                RigidLinks.singlePass(system.layout(), new int[] {0}, new int[] {1}, new double[] {0, 0, 0, 5, 0, 0});
+        assertThatThrownBy(() -> system.setEnabled(load, true)).hasMessageContaining("never added");
+        assertThatThrownBy(() -> system.setEnabled(link, true)).hasMessageContaining("never added");
+        system.add(load);
+        system.add(link);
+        system.setEnabled(load, false);
+        assertThatThrownBy(() -> system.add(load))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("force field: found one that was added before, expected a new one");
+        assertThatThrownBy(() -> system.add(link))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("constraint: found one that was added before, expected a new one");
+        assertThat(system.fields()).isEmpty();
+        assertThat(system.constraints()).containsExactly(link);
     }
 }

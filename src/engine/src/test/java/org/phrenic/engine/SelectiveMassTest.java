@@ -1,6 +1,7 @@
 package org.phrenic.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
@@ -105,5 +106,17 @@ class SelectiveMassTest {
         assertThat(system.kineticEnergy()).isCloseTo(0.5 * 2 * KG / LIGHTNESS * 9, within(1e-12));
         v[4] = -3;
         assertThat(system.kineticEnergy()).isCloseTo(0.5 * 2 * KG * 9, within(1e-12));
+    }
+
+    /** A node that is listed twice would weigh twice in the mean; of no nodes there is no mean. */
+    @Test
+    void groupsWithoutANodeOrWithOneListedTwiceAreRefused() {
+        ParticleSystem system = pair(BETWEEN, 0);
+        for (int[] group : new int[][] {{}, {0, 1, 1}}) {
+            assertThatThrownBy(() -> system.setSelectiveMass(group, LIGHTNESS))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("found " + group.length + " nodes")
+                    .hasMessageContaining("expected at least one and each once");
+        }
     }
 }

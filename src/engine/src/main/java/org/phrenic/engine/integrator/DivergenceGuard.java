@@ -3,7 +3,6 @@ package org.phrenic.engine.integrator;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.function.IntFunction;
-import org.phrenic.engine.ForceField;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
@@ -113,7 +112,7 @@ final class DivergenceGuard {
             replaceableFrom = step + Math.max(kept, STEPS_BETWEEN_SNAPSHOTS);
             System.arraycopy(system.positions(), 0, checkpointX, 0, checkpointX.length);
             System.arraycopy(system.velocities(), 0, checkpointV, 0, checkpointV.length);
-            system.fields().forEach(ForceField::saveHistory);
+            system.saveHistory();
             checkpointStep = step;
         }
     }
@@ -259,7 +258,7 @@ final class DivergenceGuard {
     long restore() {
         System.arraycopy(checkpointX, 0, system.positions(), 0, checkpointX.length);
         System.arraycopy(checkpointV, 0, system.velocities(), 0, checkpointV.length);
-        system.fields().forEach(ForceField::restoreHistory);
+        system.restoreHistory();
         return checkpointStep;
     }
 }

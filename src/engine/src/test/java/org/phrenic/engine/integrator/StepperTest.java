@@ -5,13 +5,16 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.engine.ForceField;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.PrescribedMotion;
 import org.phrenic.engine.SampleSystems;
 
 /** The clock, what it does with too long a step, and what it does when a state is lost. */
@@ -186,6 +189,59 @@ class StepperTest {
         system.velocities()[2] = Double.NaN;
         assertThatThrownBy(stepper::step).isInstanceOf(DivergenceException.class);
         assertThat(forgotten[0]).isEqualTo(before + 1);
+    }
+
+    /**
+     * What a given motion and a field that is off keep from earlier times belongs to the checkpoint: the field may be
+     * switched on before the state is lost.
+     */
+    @Test
+    void aCheckpointHoldsTheHistoryOfGivenMotionAndOfFieldsThatAreOff() {
+        ParticleSystem system = SampleSystems.oneNode(1);
+        List<String> calls = new ArrayList<>();
+        ForceField field = new ForceField() {
+            @Override
+            public void addForces(double[] x, double[] v, double[] force, int block) {}
+
+            @Override
+            public void saveHistory() {
+                calls.add("field saved");
+            }
+
+            @Override
+            public void restoreHistory() {
+                calls.add("field restored");
+            }
+        };
+        system.add(field);
+        system.prescribe(new int[0], new PrescribedMotion() {
+            @Override
+            public int pointCount() {
+                return 0;
+            }
+
+            @Override
+            public void at(double time, double[] position, double[] velocity) {}
+
+            @Override
+            public void saveMotion() {
+                calls.add("motion saved");
+            }
+
+            @Override
+            public void restoreMotion() {
+                calls.add("motion restored");
+            }
+        });
+        system.setEnabled(field, false);
+        Stepper stepper = stepper(system, 0.001, StepPolicy.SUBSTEP);
+        stepper.step();
+        calls.clear();
+        stepper.checkpoint();
+        system.setEnabled(field, true);
+        system.velocities()[2] = Double.NaN;
+        assertThatThrownBy(stepper::step).isInstanceOf(DivergenceException.class);
+        assertThat(calls).containsExactly("field saved", "motion saved", "field restored", "motion restored");
     }
 
     /** One step before it leaves all bounds a node is very fast and yet within them: no state to go back to. */
