@@ -55,7 +55,8 @@ public abstract class Integrator {
     public abstract void step(double time, double h);
 
     /**
-     * Discards cached values of earlier steps. Call it after positions, velocities or forces were changed from outside.
+     * Discards cached values of earlier steps. Call it, and {@link ParticleSystem#invalidate}, after positions,
+     * velocities or forces were changed from outside.
      */
     public void reset() {}
 
