@@ -32,6 +32,8 @@ public final class Workers implements AutoCloseable {
 
     private static final int PIECE_BITS = 24;
     private static final long PIECE_MASK = (1L << PIECE_BITS) - 1;
+    /** Greatest number of pieces of a round: those of one thread are counted in the low bits. */
+    public static final int MOST_PIECES = (1 << PIECE_BITS) - 1;
     /** Distance between the counters of two threads, in longs: two cache lines, to avoid false sharing. */
     private static final int STRIDE = 16;
 
@@ -94,12 +96,15 @@ public final class Workers implements AutoCloseable {
     /**
      * Runs pieces 0 to {@code pieces - 1} in any order and returns when all are done. Only one thread may call it at a
      * time. An exception of a piece is rethrown after the other pieces are done (one of them if there are several).
+     *
+     * @throws IllegalArgumentException if there are more than {@value #MOST_PIECES} pieces
      */
     public void run(int pieces, Task work) {
+        if (pieces > MOST_PIECES) {
+            throw new IllegalArgumentException("pieces: found " + pieces + ", expected at most " + MOST_PIECES);
+        }
         if (threads.length == 0 || pieces < 2 || callerOnly) {
-            for (int i = 0; i < pieces; i++) {
-                work.run(i);
-            }
+            runAlone(pieces, work);
             return;
         }
         long next = round + 1;
@@ -118,12 +123,30 @@ public final class Workers implements AutoCloseable {
         Throwable thrown = failure;
         if (thrown != null) {
             failure = null;
-            // A task declares no checked exceptions.
-            if (thrown instanceof Error error) {
-                throw error;
-            }
-            throw (RuntimeException) thrown;
+            throw unchecked(thrown);
         }
+    }
+
+    private static void runAlone(int pieces, Task work) {
+        Throwable thrown = null;
+        for (int i = 0; i < pieces; i++) {
+            try {
+                work.run(i);
+            } catch (Throwable e) {
+                thrown = thrown == null ? e : thrown;
+            }
+        }
+        if (thrown != null) {
+            throw unchecked(thrown);
+        }
+    }
+
+    /** Throws an error; returns any other failure. A task declares no checked exceptions. */
+    private static RuntimeException unchecked(Throwable thrown) {
+        if (thrown instanceof Error error) {
+            throw error;
+        }
+        return (RuntimeException) thrown;
     }
 
     private int firstPiece(int owner, int all) {

@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicIntegerArray;
+import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.parallel.Isolated;
@@ -78,6 +79,43 @@ class WorkersTest {
                     assertThat(done.get(i)).isEqualTo(1);
                 }
             }
+        }
+    }
+
+    /** A piece that fails takes no other with it, on whichever threads they are. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2})
+    void theOtherPiecesAreDoneWhereOneFails(int threads) {
+        for (boolean alone : new boolean[] {false, true}) {
+            AtomicIntegerArray done = new AtomicIntegerArray(8);
+            try (Workers workers = Workers.of(threads)) {
+                workers.useCallerOnly(alone);
+                assertThatThrownBy(() -> workers.run(8, i -> {
+                            if (i == 2) {
+                                throw new IllegalStateException("piece " + i);
+                            }
+                            done.getAndIncrement(i);
+                        }))
+                        .hasMessage("piece 2");
+            }
+            assertThat(done).hasToString("[1, 1, 0, 1, 1, 1, 1, 1]");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2})
+    void refusesMorePiecesThanItCanCount(int threads) {
+        try (Workers workers = Workers.of(threads)) {
+            assertThatThrownBy(() -> workers.run(40_000_000, i -> {}))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessage("pieces: found 40000000, expected at most " + Workers.MOST_PIECES);
+            AtomicLong sum = new AtomicLong();
+            workers.run(Workers.MOST_PIECES, i -> {
+                if (i == Workers.MOST_PIECES - 1) {
+                    sum.addAndGet(i);
+                }
+            });
+            assertThat(sum).hasValue(Workers.MOST_PIECES - 1);
         }
     }
 
