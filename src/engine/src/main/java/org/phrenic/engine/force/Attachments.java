@@ -259,6 +259,9 @@ public final class Attachments implements ForceField {
                 squared += d * d;
             }
             sum += 0.5 * stiffnessFactor * stiffness[i] * squared;
+            for (int axis = 0; preload != null && axis < 3; axis++) {
+                sum -= preload[3 * i + axis] * x[nodes.node[i] + axis];
+            }
         }
         return sum;
     }

@@ -12,11 +12,27 @@ final class SpringData {
     final double damping;
 
     double activation;
+    /** Whether some passive rest length is 0, so that the ends of a spring may coincide. */
+    boolean mayCoincide;
 
     SpringData(double[] stiffness, double[] rest, double[] shortening, double damping) {
         this.stiffness = stiffness;
         this.rest = rest;
         this.shortening = shortening;
         this.damping = damping;
+        findRestLengthsOfZero();
+    }
+
+    /** Call it after rest lengths were changed. */
+    void findRestLengthsOfZero() {
+        mayCoincide = false;
+        for (double l : rest) {
+            mayCoincide |= l == 0;
+        }
+    }
+
+    /** Whether a spring with ends in one place has no force, and so needs no direction. */
+    boolean isAtRestWithoutLength(int entry) {
+        return rest[entry] == 0 && (shortening == null || activation * shortening[entry] == 0);
     }
 }

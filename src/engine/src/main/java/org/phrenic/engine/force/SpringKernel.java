@@ -137,7 +137,19 @@ final class SpringKernel {
         return dx * dx + dy * dy + dz * dz;
     }
 
+    /** Gives springs of no length that are at rest a length to divide by: their forces are tension times 0. */
+    private void lengthenCoincident(int from, int to) {
+        for (int i = from; i < to; i++) {
+            if (tension[i] == 0 && data.isAtRestWithoutLength(i)) {
+                tension[i] = 1;
+            }
+        }
+    }
+
     private void computeTension(int from, int to) {
+        if (data.mayCoincide) {
+            lengthenCoincident(from, to);
+        }
         boolean damped = data.damping != 0;
         if (data.shortening == null) {
             if (damped) {

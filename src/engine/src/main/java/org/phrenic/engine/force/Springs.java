@@ -25,9 +25,9 @@ public final class Springs implements ForceField {
 
     private Springs(Builder b) {
         edges = new BlockedEdges(b.layout, b.nodeA, b.nodeB);
-        stiffness = b.stiffness;
-        rest = b.restLengths;
-        share = b.share;
+        stiffness = b.stiffness.clone();
+        rest = b.restLengths.clone();
+        share = b.share == null ? null : b.share.clone();
         double[] entryRest = edges.toEntries(rest);
         double[] shortening = null;
         if (share != null) {
@@ -81,6 +81,7 @@ public final class Springs implements ForceField {
             constants.stiffness[i] = k[edge[i]];
             constants.rest[i] = length[edge[i]];
         }
+        constants.findRestLengthsOfZero();
         if (constants.shortening != null) {
             for (int i = 0; i < edge.length; i++) {
                 constants.shortening[i] = shortening[edge[i]];
@@ -170,6 +171,9 @@ public final class Springs implements ForceField {
             double ux = u[b] - u[a];
             double uy = u[b + 1] - u[a + 1];
             double uz = u[b + 2] - u[a + 2];
+            if (squared == 0 && constants.isAtRestWithoutLength(i)) {
+                squared = 1;
+            }
             double l = restLengths[i] - (shortening == null ? 0 : activation * shortening[i]);
             double across = Math.max(0, k[i] * (1 - l / Math.sqrt(squared)));
             double along = (k[i] - across) * (ux * dx + uy * dy + uz * dz) / squared;
@@ -217,8 +221,8 @@ public final class Springs implements ForceField {
 
         private Builder(NodeLayout layout, int[] nodeA, int[] nodeB) {
             this.layout = layout;
-            this.nodeA = nodeA;
-            this.nodeB = nodeB;
+            this.nodeA = nodeA.clone();
+            this.nodeB = nodeB.clone();
         }
 
         /** Sets one stiffness for all springs, N/m. */
@@ -256,7 +260,7 @@ public final class Springs implements ForceField {
             return this;
         }
 
-        /** Sets the rest length of each spring, mm. */
+        /** Sets the rest length of each spring, mm; where it is 0 the ends may coincide, and then there is no force. */
         public Builder restLengths(double[] lengths) {
             restLengths = lengths.clone();
             return this;

@@ -8,6 +8,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.phrenic.engine.ForceField;
 import org.phrenic.engine.ParticleSystem;
+import org.phrenic.engine.PrescribedMotion;
 import org.phrenic.engine.SampleMotions;
 import org.phrenic.engine.SampleSystems;
 import org.phrenic.engine.SphereMeshes;
@@ -74,6 +75,62 @@ class ForceFormulasTest {
             springs.setActivation(0);
             assertForces(forces(springs, PAIR, new double[6]), 0, 0, 0, 0, 0, 0);
         }
+    }
+
+    @Test
+    void springsOfOneBuilderHaveTheirOwnCoefficients() {
+        Springs.Builder builder = pair(4).contractileShares(new double[] {0.5});
+        Springs first = builder.build();
+        Springs second = builder.build();
+        first.setCoefficients(new double[] {100}, new double[] {3}, new double[] {0.3});
+        assertThat(second.stiffnesses()).containsExactly(10);
+        assertThat(second.restLengths()).containsExactly(4);
+        assertThat(second.shortenings()).containsExactly(2);
+        assertThat(second.potentialEnergy(PAIR)).isEqualTo(5);
+        double[] rowSum = new double[2];
+        second.addRowSums(PAIR, rowSum, new double[2]);
+        assertThat(rowSum).containsOnly(20);
+    }
+
+    @Test
+    void springsKeepTheEndsTheyWereGiven() {
+        int[] a = {0};
+        Springs.Builder builder = Springs.between(TWO, a, new int[] {1}).stiffness(10);
+        a[0] = 1;
+        Springs springs = builder.restLengths(new double[] {4}).build();
+        assertThat(springs.callerPairs(TWO)).containsExactly(0, 1);
+    }
+
+    /** A spring without length at rest pulls its ends together, and leaves them alone where they are in one place. */
+    @Test
+    void endsOfASpringWithoutLengthMayCoincide() {
+        for (double c : new double[] {0, 2}) {
+            for (boolean contractile : new boolean[] {false, true}) {
+                Springs.Builder builder = pair(0).damping(c);
+                Springs springs = (contractile ? builder.contractileShares(new double[] {1}) : builder).build();
+                springs.setActivation(0.4);
+                assertForces(forces(springs, PAIR, new double[6]), 30, 40, 0, -30, -40, 0);
+                double[] one = {1, 2, 3, 1, 2, 3};
+                assertForces(forces(springs, one, new double[] {1, 0, 0, 0, 2, 0}), 0, 0, 0, 0, 0, 0);
+                double[] out = new double[6];
+                springs.addStiffness(one, new double[] {1, 0, 0, 0, 2, 0}, out, 0);
+                assertForces(out, 10, -20, 0, -10, 20, 0);
+            }
+        }
+        Springs changed = pair(4).build();
+        changed.setCoefficients(new double[] {10}, new double[] {0}, null);
+        assertForces(forces(changed, new double[6], new double[6]), 0, 0, 0, 0, 0, 0);
+    }
+
+    /** 1 mm up against a spring of 1 N/m and with 5 mN: 0.5 - 5 µJ. */
+    @Test
+    void energyOfAttachmentsHoldsTheirConstantForce() {
+        NodeLayout layout = NodeLayout.natural(1);
+        Attachments springs =
+                new Attachments(layout, new int[] {0}, new double[] {1}, 0, PrescribedMotion.stationary(new double[3]));
+        springs.setCoefficients(new double[] {1}, new double[] {0, 0, 5});
+        assertThat(springs.potentialEnergy(new double[] {0, 0, 1}) - springs.potentialEnergy(new double[3]))
+                .isCloseTo(-4.5, within(ROUNDING));
     }
 
     /**
