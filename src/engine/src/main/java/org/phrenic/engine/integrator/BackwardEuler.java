@@ -25,7 +25,13 @@ final class BackwardEuler extends Integrator {
     /** Relative residual of the linear solve, well below the scheme's own error at any usable step. */
     private static final double TOLERANCE = 1e-8;
 
-    private static final int MAX_ITERATIONS = 500;
+    /** Least bound of the number of iterations of a linear solve. */
+    private static final int MIN_BOUND = 500;
+    /**
+     * Bound of the number of iterations of a linear solve, a node: in exact arithmetic one an unknown is enough, which
+     * rounding makes more.
+     */
+    private static final int ITERATIONS_A_NODE = 10;
 
     private final double[] right;
     private final double[] residual;
@@ -34,6 +40,7 @@ final class BackwardEuler extends Integrator {
     private final double[] stiffnessSum;
     private final double[] dampingSum;
     private final VelocitySolver solver;
+    private final int maxIterations;
     private double h;
 
     BackwardEuler(ParticleSystem system) {
@@ -45,6 +52,8 @@ final class BackwardEuler extends Integrator {
         stiffnessSum = new double[system.nodeCount()];
         dampingSum = new double[system.nodeCount()];
         solver = new VelocitySolver();
+        maxIterations =
+                (int) Math.min(Integer.MAX_VALUE, Math.max(MIN_BOUND, (long) ITERATIONS_A_NODE * diagonal.length));
     }
 
     /** Conjugate-gradient iterations of the last step. */
@@ -90,10 +99,11 @@ final class BackwardEuler extends Integrator {
         }
         solver.precondition(right, image);
         double goal = TOLERANCE * TOLERANCE * solver.dot(right, image);
-        // Forces or stiffness that are not finite make the velocities NaN, which the divergence guard detects.
+        // Forces or stiffness that are not finite, or a solve without an end, make the velocities NaN, which the
+        // divergence guard detects.
         if (!Double.isFinite(solver.start(residual))) {
             DenseVectors.addScaled(v, 1, residual);
-        } else if (!solver.solve(v, residual, goal, MAX_ITERATIONS)) {
+        } else if (!solver.solve(v, residual, goal, maxIterations) || solver.isExhausted()) {
             Arrays.fill(v, Double.NaN);
         }
     }

@@ -16,6 +16,7 @@ public abstract class ConjugateGradient {
     private final double[] image;
     private double rho;
     private int iterations;
+    private boolean exhausted;
 
     /**
      * @param unknowns length of x
@@ -75,6 +76,7 @@ public abstract class ConjugateGradient {
      * @return false if the iteration stopped at a direction along which A is not positive
      */
     public final boolean solve(double[] x, double[] residual, double goal, int maxIterations) {
+        exhausted = false;
         for (iterations = 0; iterations < maxIterations && stopMeasure(rho, residual) > goal; iterations++) {
             multiply(direction, image);
             double curvature = curvature(direction, image);
@@ -92,7 +94,13 @@ public abstract class ConjugateGradient {
             }
             rho = next;
         }
+        exhausted = stopMeasure(rho, residual) > goal;
         return true;
+    }
+
+    /** Whether the last solve ended at its maximum number of iterations, above the goal. */
+    public final boolean isExhausted() {
+        return exhausted;
     }
 
     /** Number of iterations of the last solve. */

@@ -3,11 +3,16 @@ package org.phrenic.engine.integrator;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.SampleMotions;
 import org.phrenic.engine.SampleSystems;
 import org.phrenic.engine.force.Attachments;
+import org.phrenic.engine.force.ConstantLoad;
+import org.phrenic.engine.force.Springs;
+import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.engine.parallel.Workers;
 
 class BackwardEulerTest extends IntegratorContract {
     @Override
@@ -73,5 +78,56 @@ class BackwardEulerTest extends IntegratorContract {
         }
         assertThat(system.kineticEnergy() + system.potentialEnergy()).isLessThan(0.01 * before);
         assertThat(((BackwardEuler) integrator).lastIterationCount()).isLessThan(100);
+    }
+
+    /**
+     * A chain of 4000 nodes that falls under a load, at ω h = 1012: the velocities are those of the three-term system,
+     * solved by elimination.
+     */
+    @Test
+    void aLongStiffChainIsSolvedToTheEnd() {
+        int n = 4000;
+        double h = 0.016;
+        double mass = 1e-6;
+        double stiffness = 1000;
+        double length = 0.9;
+        double[] x = new double[3 * n];
+        double[] load = new double[3 * n];
+        for (int i = 0; i < n; i++) {
+            x[3 * i] = i;
+            load[3 * i + 2] = -1e-3;
+        }
+        NodeLayout layout = NodeLayout.natural(n);
+        ParticleSystem system = new ParticleSystem(layout, x, SampleSystems.masses(n, mass), Workers.of(1));
+        int[] first = IntStream.range(0, n - 1).toArray();
+        int[] second = IntStream.range(1, n).toArray();
+        system.add(Springs.between(layout, first, second)
+                .stiffness(stiffness)
+                .restLengths(SampleSystems.masses(n - 1, length))
+                .build());
+        system.add(new ConstantLoad(layout, load));
+        system.fix(0, n - 1);
+        kind().create(system).step(0, h);
+        // Across the chain, springs stretched to 1 mm resist by k (1 - l).
+        double beside = -h * h * stiffness * (1 - length);
+        double[] exact = threeTerms(n - 2, mass - 2 * beside, beside, -1e-3 * h);
+        for (int i = 0; i < n - 2; i++) {
+            assertThat(system.velocities()[3 * (i + 1) + 2]).isCloseTo(exact[i], within(1e-4));
+        }
+    }
+
+    /** Solves the system with one number on the diagonal, one beside it and one on the right. */
+    private static double[] threeTerms(int n, double diagonal, double beside, double right) {
+        double[] factor = new double[n];
+        double[] v = new double[n];
+        for (int i = 0; i < n; i++) {
+            double pivot = diagonal - (i == 0 ? 0 : beside * factor[i - 1]);
+            factor[i] = beside / pivot;
+            v[i] = (right - (i == 0 ? 0 : beside * v[i - 1])) / pivot;
+        }
+        for (int i = n - 2; i >= 0; i--) {
+            v[i] -= factor[i] * v[i + 1];
+        }
+        return v;
     }
 }
