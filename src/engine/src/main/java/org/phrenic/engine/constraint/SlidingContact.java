@@ -109,7 +109,7 @@ public final class SlidingContact implements SeparableConstraint {
         return new int[][] {node};
     }
 
-    /** Number of nodes in contact in the last step. */
+    /** Number of nodes that the wall held in a sweep of the last step. */
     public int contactCount() {
         return (int) IntStream.range(0, node.length).filter(i -> inContact[i]).count();
     }
@@ -121,6 +121,7 @@ public final class SlidingContact implements SeparableConstraint {
 
     @Override
     public void prepare(ParticleSystem particles, double time) {
+        Arrays.fill(inContact, false);
         if (refresh.advanceTo(time)) {
             surface.prepare(time);
             system = particles;
@@ -139,7 +140,6 @@ public final class SlidingContact implements SeparableConstraint {
             double gap = gap(x, i);
             double speed = Math.sqrt(v[n] * v[n] + v[n + 1] * v[n + 1] + v[n + 2] * v[n + 2]) + Math.abs(plane[p + 4]);
             far[i] = !adhering && gap > FAR_MM + 2 * refresh.interval() * speed;
-            inContact[i] = false;
         }
     }
 
@@ -166,8 +166,8 @@ public final class SlidingContact implements SeparableConstraint {
             double wallSpeed = planes[p + 4];
             double gap = nx * x[n] + ny * x[n + 1] + nz * x[n + 2] - planes[p + 3] - wallSpeed * elapsed;
             boolean held = (adhering || gap < 0) && w[n / 3] > 0;
-            inContact[i] = held;
             if (held) {
+                inContact[i] = true;
                 moved[end++] = i;
                 double shift = Math.max(-farthest, Math.min(farthest, gap));
                 x[n] -= shift * nx;

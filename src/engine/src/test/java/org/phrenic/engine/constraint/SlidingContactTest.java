@@ -11,6 +11,8 @@ import org.phrenic.engine.SampleSystems;
 import org.phrenic.engine.force.ConstantLoad;
 import org.phrenic.engine.integrator.Integrator;
 import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.engine.parallel.Workers;
 
 class SlidingContactTest {
     private static final double ROUNDING = 1e-12;
@@ -198,5 +200,27 @@ class SlidingContactTest {
         system.project(0, H);
         assertThat(system.positions()[2]).isEqualTo(3);
         assertThat(contact.contactCount()).isZero();
+    }
+
+    /**
+     * A second sweep finds the node on the wall, where the first has put it (to the bit, with numbers of few digits).
+     */
+    @Test
+    void aNodeThatTheWallHoldsCountsInAnyNumberOfSweeps() {
+        for (int sweeps : new int[] {1, 2, 5}) {
+            double[] x = {0, 0, 0, 10, 0, 0, 20, 0, 0};
+            NodeLayout layout = NodeLayout.natural(3);
+            ParticleSystem system = new ParticleSystem(layout, x, SampleSystems.masses(3, 0.1), Workers.of(1));
+            SlidingContact contact = contact(system, new SampleSystems.Ceiling(1, 0), 0.01);
+            // With a constraint that is put right as a whole all are swept, whether they have moved a node or not.
+            system.add(RigidLinks.singlePass(layout, new int[] {1}, new int[] {2}, x));
+            system.setProjectionSweeps(sweeps);
+            system.positions()[2] = 1.0625;
+            system.project(0, H);
+            assertThat(contact.contactCount()).isEqualTo(1);
+            system.positions()[2] = 0.5;
+            system.project(H, H);
+            assertThat(contact.contactCount()).isZero();
+        }
     }
 }
