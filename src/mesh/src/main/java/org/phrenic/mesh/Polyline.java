@@ -3,22 +3,35 @@ package org.phrenic.mesh;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /** A densely sampled polyline, parametrised by arc length. */
 public final class Polyline {
     private final List<double[]> points;
     private final double[] arcLength;
 
+    /** @param points points in turn; one at the place of the point before it adds nothing */
     public Polyline(List<double[]> points) {
-        this.points = List.copyOf(points);
-        arcLength = new double[points.size()];
+        this.points = IntStream.range(0, points.size())
+                .filter(i -> i == 0 || Vectors.distance(points.get(i), points.get(i - 1)) != 0)
+                .mapToObj(points::get)
+                .toList();
+        arcLength = new double[this.points.size()];
         for (int i = 1; i < arcLength.length; i++) {
-            arcLength[i] = arcLength[i - 1] + Vectors.distance(points.get(i), points.get(i - 1));
+            arcLength[i] = arcLength[i - 1] + Vectors.distance(this.points.get(i), this.points.get(i - 1));
         }
     }
 
-    /** The polyline through points given as x, y, z in turn. */
+    /**
+     * The polyline through points given as x, y, z in turn.
+     *
+     * @throws IllegalArgumentException if a coordinate is missing
+     */
     public static Polyline of(double[] xyz) {
+        if (xyz.length % 3 != 0) {
+            throw new IllegalArgumentException(
+                    "polyline: found " + xyz.length + " coordinates, expected three for each point");
+        }
         List<double[]> points = new ArrayList<>();
         for (int i = 0; i < xyz.length; i += 3) {
             points.add(Arrays.copyOfRange(xyz, i, i + 3));

@@ -88,9 +88,13 @@ public abstract sealed class RigidLinks implements CoupledConstraint permits Gau
         return Arrays.stream(callerNodes).map(layout::internal).toArray();
     }
 
-    /** @throws IllegalArgumentException if a link has zero length */
+    /** @throws IllegalArgumentException if a link has zero length or joins a node to itself */
     static void checkLengths(int[] callerA, int[] callerB, double[] l) {
         for (int i = 0; i < l.length; i++) {
+            if (callerA[i] == callerB[i]) {
+                throw new IllegalArgumentException(
+                        "rigid link " + i + ": found node " + callerA[i] + " at both ends, expected two nodes");
+            }
             if (!(l[i] > 0)) {
                 throw new IllegalArgumentException("rigid link " + i + " between nodes " + callerA[i] + " and "
                         + callerB[i] + ": found length " + l[i] + " mm, expected more than 0");

@@ -9,7 +9,7 @@ package org.phrenic.engine.kinematics;
  * F. E. Veldpaus 1980, doi 10.1016/0021-9290(80)90020-2). Errors of direction and position grow as {@code 1 / (2
  * sin(theta/2))} (H. J. Woltring et al. 1985, J. Biomech. 18:379), so fit axes to full breaths, not to tidal ones.
  *
- * @param directionX unit direction, right-hand rule
+ * @param directionX unit direction, right-hand rule; exact to 9 digits at least, and made exact to all
  * @param directionY unit direction
  * @param directionZ unit direction
  * @param pointX a point on the axis, mm
@@ -32,6 +32,8 @@ public record HelicalAxis(
     public static final double MIN_ANGLE = 1e-13;
 
     private static final double UNIT_TOLERANCE = 1e-9;
+    /** Error of a direction's length below which it is kept to the bit: its rotations are orthonormal to 1e-9. */
+    private static final double EXACT_TOLERANCE = 1e-11;
 
     public HelicalAxis {
         double length = norm(directionX, directionY, directionZ);
@@ -41,6 +43,11 @@ public record HelicalAxis(
         if (!Double.isFinite(pointX + pointY + pointZ + angle + slide)) {
             throw new IllegalArgumentException("helical axis: point (" + pointX + ", " + pointY + ", " + pointZ
                     + "), angle " + angle + ", slide " + slide + ", expected finite numbers");
+        }
+        if (Math.abs(length - 1) > EXACT_TOLERANCE) {
+            directionX /= length;
+            directionY /= length;
+            directionZ /= length;
         }
     }
 

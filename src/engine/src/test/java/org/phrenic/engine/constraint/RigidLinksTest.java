@@ -240,6 +240,14 @@ class RigidLinksTest {
     }
 
     @Test
+    void refusesALinkFromANodeToItself() {
+        assertThatThrownBy(() -> RigidLinks.gaussSeidelToLengths(
+                        NodeLayout.natural(2), new int[] {0, 1}, new int[] {1, 1}, new double[] {5, 5}, 1e-9, 20))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("rigid link 1: found node 1 at both ends, expected two nodes");
+    }
+
+    @Test
     void noLinksAreNoWork() {
         ParticleSystem system = system(new double[6], 1, 1);
         RigidLinks links = sweeping(system, new int[0], new int[0], new double[6], 1e-9, 5);

@@ -2,6 +2,7 @@ package org.phrenic.engine.kinematics;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
 import net.jqwik.api.ForAll;
@@ -103,6 +104,14 @@ class HelicalAxisTest {
         assertThat(small / large).isCloseTo(expected, Offset.offset(0.15 * expected));
         // 0.2 mm on 20 points 150 mm apart: a few degrees at the turn of a tidal breath
         assertThat(Math.toDegrees(small)).isBetween(0.1, 5.0);
+    }
+
+    /** Nine digits of a direction from a table. */
+    @Test
+    void aDirectionRoundedToNineDigitsHasAMotion() {
+        HelicalAxis axis = new HelicalAxis(0.577350269, 0.577350269, 0.577350269, 0, 0, 0, 3, 0);
+        assertThat(axis.directionX()).isCloseTo(1 / Math.sqrt(3), within(1e-15));
+        assertThat(HelicalAxis.of(axis.motion()).angle()).isCloseTo(3, within(1e-9));
     }
 
     @Test

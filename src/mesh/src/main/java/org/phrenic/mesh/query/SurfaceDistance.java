@@ -86,7 +86,7 @@ public final class SurfaceDistance {
     }
 
     /**
-     * Signed distances of points, negative inside.
+     * Signed distances of points, negative inside; infinite for a point with a coordinate that is not a number.
      *
      * @throws IllegalStateException if the reference is not closed, manifold and oriented, see {@link #isSigned}
      */
@@ -123,6 +123,9 @@ public final class SurfaceDistance {
     /** Positive outside, negative inside, for the query point of the last hit. */
     private double side(double x, double y, double z) {
         int t = hit.triangle;
+        if (t < 0) {
+            return 1;
+        }
         int sideOfA = 3 * t;
         double dx = x - hit.x;
         double dy = y - hit.y;

@@ -12,6 +12,8 @@ import org.phrenic.mesh.TriangleMesh;
 public final class MeshVoxelizer {
     private static final double BESIDE_J = 1.3e-4;
     private static final double BESIDE_K = 0.7e-4;
+    /** Greatest number in a byte without a sign. */
+    private static final int MAX_LABEL = 255;
 
     private final int columns;
     private final int rows;
@@ -35,8 +37,16 @@ public final class MeshVoxelizer {
         this.labels = labels;
     }
 
-    /** Gives all voxels inside a surface a label; returns their number. */
+    /**
+     * Gives all voxels inside a surface a label; returns their number.
+     *
+     * @param label 0 to 255
+     * @throws IllegalArgumentException if the label does not fit in a byte
+     */
     public int fill(TriangleMesh mesh, int label) {
+        if (label < 0 || label > MAX_LABEL) {
+            throw new IllegalArgumentException("label: found " + label + ", expected 0 to " + MAX_LABEL);
+        }
         double[] p = indices(mesh.positions());
         DoubleList[] crossings = new DoubleList[rows * slices];
         int[] t = mesh.triangles();

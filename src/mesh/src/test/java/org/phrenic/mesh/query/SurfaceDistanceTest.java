@@ -45,6 +45,14 @@ class SurfaceDistanceTest {
     }
 
     @Test
+    void aPointThatIsNotANumberIsInfinitelyFarAsWithoutASign() {
+        SurfaceDistance distance = new SurfaceDistance(Shapes.box(9, 5, 2));
+        double[] points = {Double.NaN, 0, 0, 100, 0, 0};
+        assertThat(distance.signedDistance(points)).containsExactly(distance.unsignedDistance(points));
+        assertThat(distance.signedDistance(points)[0]).isInfinite();
+    }
+
+    @Test
     void sidesAreToldApartWhereTheSurfaceHasAHoleToo() {
         TriangleMesh whole = Shapes.sphere(8, 2);
         TriangleMesh open =

@@ -1,11 +1,14 @@
 package org.phrenic.mesh.voxel;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.Shapes;
 import org.phrenic.mesh.TriangleMesh;
@@ -54,6 +57,16 @@ class MeshVoxelizerTest {
                 assertThat(grid.label(v)).as("%s from the middle", r).isEqualTo(r < 20 ? 7 : 0);
             }
         }
+    }
+
+    /** As a byte, 256 would be 0, the label of what is outside. */
+    @ParameterizedTest
+    @ValueSource(ints = {-1, 256})
+    void aLabelThatDoesNotFitInAByteIsRefused(int label) {
+        MeshVoxelizer voxels = new MeshVoxelizer(1, 1, 1, TO_VOXEL, new byte[1]);
+        assertThatThrownBy(() -> voxels.fill(SPHERE, label))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("label: found " + label + ", expected 0 to 255");
     }
 
     /** What is written is read again: labels, places and spacing, to the single precision of the header. */
