@@ -101,7 +101,7 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
             return ofPointPairs(part, points(table, FROM), points(table, TO));
         }
         TriangleMesh read = MeshFiles.read(file);
-        ThoraxFolder.requireSize(file, read, "");
+        ThoraxFolder.requireSize(file.toString(), read, "");
         TriangleMesh mesh = MeshRepair.repair(read, ThoraxFolder.WELD_MM, ThoraxFolder.SEAM_MM)
                 .mesh();
         if (mesh.triangleCount() == 0) {

@@ -200,7 +200,7 @@ public final class ThoraxFolder {
     }
 
     private static Repaired repairedSurface(Path folder, String name, TriangleMesh mesh) {
-        requireSize(folder, mesh, "; the units of " + INDEX_FILE + " may be wrong");
+        requireSize(folder + ", " + name, mesh, "; the units of " + INDEX_FILE + " may be wrong");
         MeshRepair.Result result = MeshRepair.repair(mesh, WELD_MM, SEAM_MM);
         if (result.mesh().triangleCount() == 0) {
             throw new BadInputException(
@@ -248,11 +248,11 @@ public final class ThoraxFolder {
      * Refuses a mesh with triangles farther apart than those of any structure of a person. Call it before a repair,
      * which drops a triangle with one coordinate far away as one without area.
      *
-     * @param source file or folder of the mesh
+     * @param source names the mesh in the message
      * @param hint what may be wrong, after the sentence; empty for none
      * @throws BadInputException if the triangles extend over more than 3 m along an axis
      */
-    public static void requireSize(Path source, TriangleMesh mesh, String hint) {
+    public static void requireSize(String source, TriangleMesh mesh, String hint) {
         double[] p = mesh.positions();
         for (int axis = 0; axis < 3; axis++) {
             double low = Double.POSITIVE_INFINITY;

@@ -217,6 +217,8 @@ class ThoraxFolderTest {
         write(body);
         write(List.of(body.get(0).withMesh(body.get(0).mesh().withPositions(p))));
         Files.writeString(folder.resolve("thorax.yaml"), "axes: LPS\nunits: mm\n");
-        refused("found a structure of 1.000e+30 mm, expected at most 3000 mm; the units of thorax.yaml may be wrong");
+        refused(
+                body.get(0).name() + ": found a structure of 1.000e+30 mm, expected at most 3000 mm",
+                "; the units of thorax.yaml may be wrong");
     }
 }
