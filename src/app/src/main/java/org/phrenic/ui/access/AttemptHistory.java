@@ -24,12 +24,10 @@ import org.phrenic.file.Numbers;
 import org.phrenic.file.OutputException;
 
 /**
- * The attempts of all sessions, a row each in a CSV file on this machine: the learning curve of its user.
- *
- * @param file the CSV file; made by the first attempt
- * @param session begin of the session, which tells sessions apart
+ * The attempts of all sessions, a row each in a CSV file on this machine: the learning curve of its user. A row that
+ * cannot be written, as while another program has the file open, waits here and is written later.
  */
-public record AttemptHistory(Path file, String session) {
+public final class AttemptHistory {
     private static final String HEADER =
             "session,time,exercise,help,hit,distance_mm,axial_mm,lateral_mm,time_s,no_go_s,"
                     + "probe_s,tip_out_of_beam_s,needle_in_beam_mm,needle_in_beam_share,aims_by_program,"
@@ -39,6 +37,25 @@ public record AttemptHistory(Path file, String session) {
 
     /** Attempts at either end of a learning curve whose mean is taken. */
     private static final int ENDS = 5;
+
+    private final Path file;
+    private final String session;
+    private final List<String> waiting = new ArrayList<>();
+
+    /**
+     * A history in a file.
+     *
+     * @param file the CSV file; made by the first attempt
+     * @param session begin of the session, which tells sessions apart
+     */
+    public AttemptHistory(Path file, String session) {
+        this.file = file;
+        this.session = session;
+    }
+
+    public Path file() {
+        return file;
+    }
 
     /** The history in a folder, from a session that begins now. */
     public static AttemptHistory in(Path folder) {
@@ -55,19 +72,32 @@ public record AttemptHistory(Path file, String session) {
     }
 
     /**
-     * Adds an attempt.
+     * Adds an attempt, after those that wait.
      *
-     * @throws OutputException if the file cannot be written
+     * @throws OutputException if the file cannot be written; the attempt waits then
+     * @throws BadInputException if the file cannot be read; the attempt waits then
      */
     public void add(Rehearsal attempt) {
-        List<String> lines = new ArrayList<>(lines());
-        if (lines.isEmpty()) {
-            lines.add(HEADER);
+        waiting.add(row(attempt));
+        writeWaiting();
+    }
+
+    /**
+     * Writes the attempts that wait, if there are any.
+     *
+     * @throws OutputException if the file cannot be written
+     * @throws BadInputException if the file cannot be read
+     */
+    public void writeWaiting() {
+        if (!waiting.isEmpty()) {
+            AtomicFile.write(file, String.join("\n", lines()) + "\n");
+            waiting.clear();
         }
-        // Files of before have fewer columns; the later ones come last.
-        lines.set(0, HEADER);
-        lines.add(row(attempt));
-        AtomicFile.write(file, String.join("\n", lines) + "\n");
+    }
+
+    /** How many attempts are not in the file yet. */
+    public int waiting() {
+        return waiting.size();
     }
 
     private String row(Rehearsal attempt) {
@@ -107,17 +137,26 @@ public record AttemptHistory(Path file, String session) {
         return Numbers.format("%.2f", value);
     }
 
+    /** The header and all rows: those of the file, then those that wait. */
     private List<String> lines() {
+        List<String> lines = new ArrayList<>();
         try {
-            return Files.isRegularFile(file) ? Files.readAllLines(file, StandardCharsets.UTF_8) : List.of();
+            if (Files.isRegularFile(file)) {
+                lines.addAll(Files.readAllLines(file, StandardCharsets.UTF_8));
+            }
         } catch (IOException e) {
             throw new BadInputException(file + ": cannot be read: " + e.getMessage(), e);
         }
+        if (lines.isEmpty()) {
+            lines.add(HEADER);
+        }
+        // Files of before have fewer columns; the later ones come last.
+        lines.set(0, HEADER);
+        lines.addAll(waiting);
+        return lines;
     }
 
-    /**
-     * The rows of the file. Those of earlier versions have fewer columns: the later ones, which come last, are empty.
-     */
+    /** All rows. Those of earlier versions have fewer columns: the later ones, which come last, are empty. */
     private CsvTable table() {
         String rows = lines().stream()
                 .skip(1)
@@ -184,7 +223,6 @@ public record AttemptHistory(Path file, String session) {
      * @throws OutputException if it cannot be written
      */
     public void export(Path to) {
-        List<String> lines = lines();
-        AtomicFile.write(to, lines.isEmpty() ? HEADER + "\n" : String.join("\n", lines) + "\n");
+        AtomicFile.write(to, String.join("\n", lines()) + "\n");
     }
 }

@@ -20,6 +20,7 @@ import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.OutputException;
 import org.phrenic.scenario.Scenario;
 
 /** What is said of a file of attempts, which a user may edit. */
@@ -73,6 +74,29 @@ class AttemptHistoryTest {
                         row -> assertThat(row).startsWith("Practice,see-through,true,5.00,3.00,4.00,"),
                         row -> assertThat(row).startsWith("Practice,see-through,,,,,"));
         assertThat(kept.learningCurve("Practice")).startsWith("This exercise: 2 samples in 1 session, 1 hit, 9.0");
+    }
+
+    /** A spreadsheet on Windows keeps others from the file that it shows. */
+    @Test
+    void attemptsThatCannotBeWrittenAreWrittenLaterInTheirOrder() throws IOException {
+        AttemptHistory kept = new AttemptHistory(folder.resolve("kept.csv"), "2026-11-25T10:00");
+        Path inTheWay = Files.createDirectory(kept.file());
+        TargetingError first = new TargetingError(3, 4, true, OptionalDouble.empty());
+        TargetingError second = new TargetingError(-12, 5, false, OptionalDouble.empty());
+        assertThatExceptionOfType(OutputException.class)
+                .isThrownBy(() -> kept.add(SampledAttempts.rehearsal(first)))
+                .withMessageStartingWith(kept.file().toString());
+        assertThat(kept.waiting()).isEqualTo(1);
+        Files.delete(inTheWay);
+        kept.add(SampledAttempts.rehearsal(second));
+        assertThat(kept.waiting()).isZero();
+        assertThat(Files.readAllLines(kept.file()))
+                .satisfiesExactly(
+                        header -> assertThat(header).startsWith("session,time,exercise,"),
+                        row -> assertThat(row).contains(",true,5.00,3.00,4.00,"),
+                        row -> assertThat(row).contains(",false,13.00,-12.00,5.00,"));
+        kept.writeWaiting();
+        assertThat(Files.readAllLines(kept.file())).hasSize(3);
     }
 
     @Test

@@ -174,6 +174,17 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
         export.setVisible(true);
     }
 
+    /** The last moment of a window to write what waits. */
+    @Override
+    public void removeNotify() {
+        super.removeNotify();
+        try {
+            history.ifPresent(AttemptHistory::writeWaiting);
+        } catch (OutputException | BadInputException e) {
+            session.refuse(e.getMessage());
+        }
+    }
+
     private void export(Path file) {
         try {
             history.orElseThrow().export(file);
@@ -197,7 +208,8 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
             curve.setTextIfChanged(history.get().learningCurve(attempt.plan().title()));
             curve.setVisible(!curve.getText().isEmpty());
         } catch (OutputException | BadInputException e) {
-            session.refuse(e.getMessage());
+            boolean waits = history.get().waiting() > 0;
+            session.refuse(e.getMessage() + (waits ? "; the attempt is kept and written with the next one" : ""));
         }
     }
 
