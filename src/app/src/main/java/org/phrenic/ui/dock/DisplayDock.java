@@ -285,17 +285,21 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
     }
 
     private void applyColours() {
-        StructureItem chosen = (StructureItem) structure.getSelectedItem();
-        if (chosen == null) {
-            return;
-        }
         boolean unmeasured = selectedField() == ColourField.DISTANCE
                 && appearance.reference().isEmpty();
         ColourField coloured = unmeasured ? ColourField.NONE : selectedField();
         Optional<ColourScale> scale = scale(coloured);
-        Controls.mark(minimum, scale.isPresent());
-        Controls.mark(maximum, scale.isPresent());
-        scale.ifPresent(s -> change(style -> style.withField(coloured, chosen.structure(), s)));
+        Optional<String> problem = scale.isPresent()
+                ? Optional.empty()
+                : Optional.of("Range of the colours: found '" + minimum.getText() + "' to '" + maximum.getText()
+                        + "', expected two numbers, the smaller first; the former range stays.");
+        Controls.mark(minimum, problem);
+        Controls.mark(maximum, problem);
+        problem.filter(sentence -> !following).ifPresent(session::refuse);
+        StructureItem chosen = (StructureItem) structure.getSelectedItem();
+        if (chosen != null) {
+            scale.ifPresent(s -> change(style -> style.withField(coloured, chosen.structure(), s)));
+        }
     }
 
     private Optional<ColourScale> scale(ColourField coloured) {
@@ -321,6 +325,7 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         double low = bounds[selected.axis];
         double place = low + share * (bounds[3 + selected.axis] - low);
         clipSlider.setToolTipText(Numbers.format("Where the plane is: %.0f mm", place));
+        Controls.tellValue(clipSlider, Numbers.format("%.0f mm", place));
         ClipPlane plane = selected.plane.apply(place);
         change(style -> style.withClip(Optional.of(plane)));
     }

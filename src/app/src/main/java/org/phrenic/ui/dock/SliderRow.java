@@ -145,6 +145,7 @@ final class SliderRow extends SettingRow {
         if (!slider.getValueIsAdjusting() && scale.positionOf(newValue) != slider.getValue()) {
             slider.setValue(scale.positionOf(newValue));
         }
+        Controls.tellValue(slider, NumberFormats.withUnit(newValue, unit));
         String text = NumberFormats.format(newValue);
         if (!text.equals(field.getText())) {
             field.setText(text);

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.swing.DefaultCellEditor;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
@@ -27,6 +28,7 @@ import org.phrenic.scenario.RunSettings;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Dialogs;
 import org.phrenic.ui.widget.FileDialogs;
+import org.phrenic.ui.widget.Theme;
 
 /**
  * Asks which label is which structure, how the volume lies in the body, what completes the body, and where its thorax
@@ -50,6 +52,7 @@ final class ScanImportDialog {
     private final Path file;
     private final ScanLabels labels;
     private final JLabel recognised = new JLabel();
+    private final JLabel refused = new JLabel(" ");
     private final JComboBox<String> template =
             new JComboBox<>(TEMPLATES.keySet().stream().sorted().toArray(String[]::new));
     private final JTextField axes = new JTextField();
@@ -63,9 +66,15 @@ final class ScanImportDialog {
         this.labels = labels;
         template.setSelectedItem("the virtual man");
         axes.setText(labels.axes());
-        axes.setName("import.axes");
         spacing.setText(labels.spacing());
         folder.setText(proposedFolder(file).toString());
+        Controls.describe(
+                axes,
+                "Axes",
+                "Sides of the body to which columns, rows and slices run: one each of L or R, P or A, S or I");
+        Controls.describe(spacing, "Voxel, mm", "Size of a voxel along columns, rows and slices");
+        Controls.describe(folder, "Thorax folder", "The folder that the body is written to");
+        axes.setName("import.axes");
         labels.addTableModelListener(e -> showRecognised());
         List.of(axes, spacing, folder).forEach(field -> Controls.onEdit(field, this::enableStart));
         showRecognised();
@@ -121,38 +130,34 @@ final class ScanImportDialog {
         dialog.setVisible(true);
     }
 
-    private JPanel content() {
+    JPanel content() {
         JPanel content =
-                new JPanel(new MigLayout("insets 14, gap 8, fill", "[][grow, fill][]", "[][][grow, fill][][][][]"));
+                new JPanel(new MigLayout("insets 14, gap 8, fill", "[][grow, fill][]", "[][][grow, fill][][][][][]"));
         content.add(new JLabel(file.getFileName() + ", " + labels.size()), "span 3, wmin 0, wrap");
         content.add(recognised, "span 2, wmin 0, split 2, growx");
         content.add(new JLabel("Numbers of"));
         content.add(numbers(), "wrap");
         content.add(new JScrollPane(table()), "span 3, grow, wrap");
         content.add(new JLabel("Axes"));
-        content.add(
-                Controls.describe(
-                        axes,
-                        "Axes",
-                        "Sides of the body to which columns, rows and slices run: one each of L or R, P or A, S or I"),
-                "span 2, wmin 0, wrap");
+        content.add(axes, "span 2, wmin 0, wrap");
         labels.axesProblem()
                 .ifPresent(problem -> content.add(
                         new JLabel("<html>" + Controls.capitalise(problem) + "."), "skip 1, span 2, wmin 0, wrap"));
         content.add(new JLabel("Voxel, mm"));
-        content.add(
-                Controls.describe(spacing, "Voxel, mm", "Size of a voxel along columns, rows and slices"),
-                "span 2, wmin 0, wrap");
+        content.add(spacing, "span 2, wmin 0, wrap");
         content.add(new JLabel("Complete from"));
         content.add(
                 Controls.describe(template, "Complete from", "Where structures come from that the scan lacks"),
                 "span 2, wrap");
         content.add(new JLabel("Thorax folder"));
-        content.add(Controls.describe(folder, "Thorax folder", "The folder that the body is written to"), "wmin 0");
+        content.add(folder, "wmin 0");
         content.add(
                 Controls.button("Choose...", "Choose the folder that the body is written to", () -> FileDialogs.folder(
                                 content, "Thorax folder")
-                        .ifPresent(chosen -> folder.setText(chosen.toString()))));
+                        .ifPresent(chosen -> folder.setText(chosen.toString()))),
+                "wrap");
+        refused.setForeground(Theme.WARNING_TEXT);
+        content.add(refused, "span 3, wmin 0, growx");
         return content;
     }
 
@@ -192,15 +197,36 @@ final class ScanImportDialog {
     }
 
     private void enableStart() {
-        boolean hasAxes = Controls.mark(axes, GeometryOverride.areAxes(axes.getText()));
-        boolean hasSpacing = Controls.mark(spacing, GeometryOverride.isSpacing(spacing.getText()));
-        boolean hasFolder = Controls.mark(
-                folder,
-                folder(folder.getText()).filter(ScanImportDialog::isWritable).isPresent());
+        boolean hasFolder =
+                folder(folder.getText()).filter(ScanImportDialog::isWritable).isPresent();
+        Optional<String> first = Stream.of(
+                        check(
+                                axes,
+                                GeometryOverride.areAxes(axes.getText()),
+                                "one each of L or R, P or A, S or I, such as LPS"),
+                        check(
+                                spacing,
+                                GeometryOverride.isSpacing(spacing.getText()),
+                                "three sizes in mm, such as 1.75, 1.75, 1.25"),
+                        check(folder, hasFolder, "a folder that can be written"))
+                .flatMap(Optional::stream)
+                .findFirst();
+        refused.setText(first.orElse(" "));
+        refused.setToolTipText(first.orElse(null));
         boolean replaces = folder(folder.getText())
                 .filter(to -> Files.exists(to.resolve(ThoraxFolder.INDEX_FILE)))
                 .isPresent();
         start.setText(replaces ? "Import and replace the body" : "Import");
-        start.setEnabled(labels.recognised() > 0 && labels.unknown().isEmpty() && hasAxes && hasSpacing && hasFolder);
+        start.setEnabled(labels.recognised() > 0 && labels.unknown().isEmpty() && first.isEmpty());
+    }
+
+    /** Marks a field that is not valid; what is wrong with it, in one sentence. */
+    private static Optional<String> check(JTextField field, boolean valid, String expected) {
+        Optional<String> wrong = valid
+                ? Optional.empty()
+                : Optional.of(field.getAccessibleContext().getAccessibleName() + ": found '" + field.getText()
+                        + "', expected " + expected + ".");
+        Controls.mark(field, wrong);
+        return wrong;
     }
 }

@@ -6,6 +6,7 @@ import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.RenderingHints;
 import java.awt.event.MouseEvent;
+import java.util.Optional;
 import java.util.function.Function;
 import javax.swing.AbstractButton;
 import javax.swing.DefaultListCellRenderer;
@@ -41,10 +42,15 @@ public final class Controls {
         return control;
     }
 
-    /** Marks a field whose text cannot be used; returns whether it can. */
-    public static boolean mark(JComponent field, boolean valid) {
-        field.putClientProperty("JComponent.outline", valid ? null : "error");
-        return valid;
+    /** Tells a screen reader the value that a control shows, such as "300 N/m": its description. */
+    public static void tellValue(JComponent control, String value) {
+        control.getAccessibleContext().setAccessibleDescription(value);
+    }
+
+    /** Marks a field whose text cannot be used, and tells a screen reader why; empty if it can be used. */
+    public static void mark(JComponent field, Optional<String> problem) {
+        field.putClientProperty("JComponent.outline", problem.isPresent() ? "error" : null);
+        tellValue(field, problem.orElse(""));
     }
 
     /** Calls an action after each edit of a text. */

@@ -147,6 +147,7 @@ final class StatusBar extends JPanel {
     /** Names the structure under the cursor at the last click. */
     void showPicked(String text) {
         pickedLabel.setText(text.isEmpty() ? " " : text);
+        Controls.tellValue(pickedLabel, text);
         pickedLabel.setToolTipText(text.isEmpty() ? null : text);
         pickedLabel.setFont(pickedLabel.getFont().deriveFont(text.isEmpty() ? Font.PLAIN : Font.BOLD));
     }
@@ -155,6 +156,7 @@ final class StatusBar extends JPanel {
         JLabel label = fields.get(name);
         if (!label.getText().equals(text)) {
             label.setText(text);
+            Controls.tellValue(label, text.strip());
         }
     }
 

@@ -58,6 +58,20 @@ class StatusBarTest {
         assertThat(text("time")).isEqualTo("t 1.00 s");
     }
 
+    /** Their names say what the fields are; a reader of the screen says name and description. */
+    @Test
+    void aScreenReaderIsToldWhatTheFieldsShow() {
+        bar.show(status(true));
+        assertThat(description("time")).isEqualTo("t 1.00 s");
+        bar.showRecorded(0.12);
+        assertThat(description("time")).isEqualTo("t 0.12 s");
+        assertThat(description("steps")).isEmpty();
+    }
+
+    private String description(String name) {
+        return field(name).getAccessibleContext().getAccessibleDescription();
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {500, 800, 1100, 1400})
     void noFieldIsPrintedOverAnother(int width) {

@@ -74,6 +74,8 @@ public final class FluoroscopyDock extends AccessPanel {
                 Numbers.format("%s %d\u00b0", oblique.getValue() < 0 ? "RAO" : "LAO", Math.abs(oblique.getValue())));
         cranialText.setText(Numbers.format(
                 "%s %d\u00b0", cranial.getValue() < 0 ? "caudal" : "cranial", Math.abs(cranial.getValue())));
+        Controls.tellValue(oblique, obliqueText.getText());
+        Controls.tellValue(cranial, cranialText.getText());
     }
 
     /** The picture that is shown. */

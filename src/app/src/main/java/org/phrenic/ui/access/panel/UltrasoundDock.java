@@ -127,6 +127,7 @@ public final class UltrasoundDock extends AccessPanel {
     private record Row(JSlider slider, JLabel text, String format, double perStep) {
         void tell(double value) {
             text.setText(Numbers.format(format, value));
+            Controls.tellValue(slider, text.getText());
         }
     }
 
