@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.UUID;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import org.phrenic.anatomy.Thorax;
@@ -108,7 +109,7 @@ public final class ScanImporter {
         running = Optional.of(progress);
         display.showProgress("importing " + file.getFileName(), 0);
         BackgroundWorker.execute(
-                () -> build(file, choice, progress),
+                () -> build(file, choice, progress, Path.of(System.getProperty("java.io.tmpdir"))),
                 built -> built.filter(result -> isRunning(progress))
                         .ifPresent(result -> finish(choice.folder(), result)),
                 sentence -> {
@@ -120,10 +121,15 @@ public final class ScanImporter {
                 });
     }
 
-    /** The imported body, written to its folder; empty if the import was cancelled. */
-    private static Optional<ImportResult> build(Path file, ScanImportDialog.Choice choice, CancellableProgress progress)
+    /**
+     * The imported body, written to its folder; empty if the import was cancelled.
+     *
+     * @param temporary folder for a table of labels, which is written if they are edited
+     */
+    static Optional<ImportResult> build(
+            Path file, ScanImportDialog.Choice choice, CancellableProgress progress, Path temporary)
             throws IOException {
-        Path table = Files.createTempFile("phrenic-labels", ".csv");
+        Path table = temporary.resolve("phrenic-labels-" + UUID.randomUUID() + ".csv");
         try {
             String name = FileNames.ofBody(choice.folder());
             ImportRequest request = new ImportRequest(
@@ -141,7 +147,9 @@ public final class ScanImporter {
         } catch (CancellationException cancelled) {
             return Optional.empty();
         } finally {
-            Files.deleteIfExists(table);
+            if (Files.exists(table)) {
+                Files.delete(table);
+            }
         }
     }
 

@@ -1,8 +1,10 @@
 package org.phrenic.ui.scan;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,8 +16,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.file.OutputException;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.ScanSamples;
+import org.phrenic.patient.label.GeometryOverride;
 import org.phrenic.patient.pipeline.ImportResult;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.session.EventThread;
@@ -89,6 +93,24 @@ class ScanImporterTest {
             rehearse(session);
             assertThat(opened).containsExactly(folder);
         }
+    }
+
+    /** A table of labels that need no table would fail an import on a full disc. */
+    @Test
+    void onlyEditedLabelsTakeATemporaryFolder() throws IOException {
+        Path scan = folder.resolve("scan.mha");
+        ScanSamples.writeMha(scan);
+        ScanLabels labels = ScanLabels.read(scan, VirtualThorax.ofPreset("adult-male", Resolution.LOW));
+        ScanImportDialog.Choice choice =
+                new ScanImportDialog.Choice(labels, GeometryOverride.NONE, Optional.empty(), folder.resolve("body"));
+        CancellableProgress cancelled = new CancellableProgress((stage, share) -> {});
+        cancelled.cancel();
+        Path noFolder = Files.createFile(folder.resolve("file"));
+        assertThat(ScanImporter.build(scan, choice, cancelled, noFolder)).isEmpty();
+        labels.assignByNumber(labels.tools().iterator().next());
+        assertThatExceptionOfType(OutputException.class)
+                .isThrownBy(() -> ScanImporter.build(scan, choice, cancelled, noFolder))
+                .withMessageContaining("writing into folder " + noFolder + " failed: ");
     }
 
     @Test
