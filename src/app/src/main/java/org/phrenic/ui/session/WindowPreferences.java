@@ -11,6 +11,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BinaryOperator;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import java.util.prefs.BackingStoreException;
 import java.util.prefs.Preferences;
 
 /** What the window remembers, in the platform's preferences. Headless runs do not use it. */
@@ -21,6 +24,29 @@ public final class WindowPreferences {
     private static final String DEFAULT_NODE = "org/phrenic/window";
     private static final int MAX_RECENT = 8;
     private static final String SEPARATOR = "\n";
+
+    /** A strong reference: java.util.logging keeps loggers, and their levels, weakly. */
+    private static final Logger PLATFORM = Logger.getLogger("java.util.prefs");
+
+    /** What stands in where the platform stores nothing. */
+    private static final WindowPreferences UNTIL_THE_END = unsaved();
+
+    /** Whether the platform stores preferences is found out at the first use. */
+    private static final class Platform {
+        static final Optional<String> OBSTACLE = obstacle();
+
+        /** Silences the platform where it stores nothing: it would warn of that every 30 s. */
+        private static Optional<String> obstacle() {
+            Level before = PLATFORM.getLevel();
+            PLATFORM.setLevel(Level.OFF);
+            Optional<String> problem = problem(Preferences.userRoot());
+            problem.ifPresentOrElse(
+                    sentence -> System.getLogger(WindowPreferences.class.getName())
+                            .log(System.Logger.Level.WARNING, sentence),
+                    () -> PLATFORM.setLevel(before));
+            return problem;
+        }
+    }
 
     private final BinaryOperator<String> get;
     private final BiConsumer<String, String> put;
@@ -35,8 +61,30 @@ public final class WindowPreferences {
         this.put = put;
     }
 
+    /**
+     * Those of the user. Where the platform cannot store them, as in a home folder that cannot be written, they last
+     * until the program ends.
+     */
     public static WindowPreferences ofUser() {
-        return new WindowPreferences(Preferences.userRoot().node(System.getProperty(NODE_PROPERTY, DEFAULT_NODE)));
+        return obstacle().isPresent()
+                ? UNTIL_THE_END
+                : new WindowPreferences(Preferences.userRoot().node(System.getProperty(NODE_PROPERTY, DEFAULT_NODE)));
+    }
+
+    /** Why what the window remembers lasts until the program ends; empty if the platform stores it. */
+    public static Optional<String> obstacle() {
+        return Platform.OBSTACLE;
+    }
+
+    /** Why preferences cannot be stored; empty if they can. */
+    static Optional<String> problem(Preferences node) {
+        try {
+            node.flush();
+            return Optional.empty();
+        } catch (BackingStoreException | SecurityException e) {
+            return Optional.of("What the window remembers cannot be stored and lasts until it is closed ("
+                    + String.valueOf(e.getMessage()).replaceFirst("\\.$", "") + ").");
+        }
     }
 
     /** Preferences that are not saved. */

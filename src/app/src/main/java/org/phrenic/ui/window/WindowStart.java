@@ -71,6 +71,7 @@ public final class WindowStart {
                 window.docks()
                         .keepAttempts(AttemptHistory.in(ScenarioStore.ofUser().dataFolder()));
                 window.show();
+                WindowPreferences.obstacle().ifPresent(session::note);
                 content.scan().ifPresent(window.files()::open);
                 content.plan().ifPresent(window::openExercise);
                 closed[0] = window.closed();
