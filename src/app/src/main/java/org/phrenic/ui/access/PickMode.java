@@ -11,9 +11,9 @@ import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.SceneViewport;
 
 /**
- * The mouse in the view during a rehearsal: a click chooses entry, target or the place of the probe when that is asked
- * for, dragging moves probe and needle, and the wheel moves the needle once an entry is chosen. With Ctrl, or without
- * an entry, the wheel zooms. Used on the event dispatch thread.
+ * The mouse in the view during a rehearsal: a click, or the Enter key for the middle of the view, chooses entry, target
+ * or the place of the probe when that is asked for, dragging moves probe and needle, and the wheel moves the needle
+ * once an entry is chosen. With Ctrl, or without an entry, the wheel zooms. Used on the event dispatch thread.
  */
 public final class PickMode implements SceneViewport.MouseTool {
     /** What a click chooses. */
@@ -45,6 +45,7 @@ public final class PickMode implements SceneViewport.MouseTool {
             session.note("The exercise sets the target; choose Practice for one of your own.");
         }
         view.setCursor(Cursor.getPredefinedCursor(mode == Kind.NONE ? Cursor.DEFAULT_CURSOR : Cursor.CROSSHAIR_CURSOR));
+        view.repaint();
         rehearsal.fireState();
     }
 

@@ -1,14 +1,19 @@
 package org.phrenic.ui.view;
 
 import java.awt.Point;
+import java.awt.event.FocusEvent;
+import java.awt.event.FocusListener;
+import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import javax.swing.JComponent;
+import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 
 /**
  * The mouse in the view: left drag orbits, middle or shift drag pans, the wheel zooms towards the cursor, a click names
- * the structure, a double click makes it the centre of rotation.
+ * the structure, a double click makes it the centre of rotation. The Enter key is a click in the middle.
  */
 final class CameraController extends MouseAdapter {
     private static final double DEGREES_PER_PIXEL = 0.4;
@@ -23,6 +28,22 @@ final class CameraController extends MouseAdapter {
         view.addMouseListener(this);
         view.addMouseMotionListener(this);
         view.addMouseWheelListener(this);
+        view.registerKeyboardAction(
+                e -> view.click(view.getWidth() / 2, view.getHeight() / 2, false),
+                KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0),
+                JComponent.WHEN_FOCUSED);
+        // The cross in the middle comes and goes with the focus.
+        view.addFocusListener(new FocusListener() {
+            @Override
+            public void focusGained(FocusEvent e) {
+                view.repaint();
+            }
+
+            @Override
+            public void focusLost(FocusEvent e) {
+                view.repaint();
+            }
+        });
     }
 
     @Override

@@ -1,6 +1,7 @@
 package org.phrenic.ui.view;
 
 import com.formdev.flatlaf.util.UIScale;
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
@@ -9,7 +10,6 @@ import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
-import javax.swing.JComponent;
 import org.phrenic.scene.NeedleMarkers;
 import org.phrenic.scene.annotate.Annotations;
 import org.phrenic.scene.camera.Camera;
@@ -19,11 +19,16 @@ import org.phrenic.ui.widget.Theme;
 final class ViewportPainter {
     private record LayerKey(Annotations annotations, Camera camera, int width, int height, double scale) {}
 
-    private final JComponent view;
+    /** Length of the arms of the cross in the middle, pixels. */
+    private static final int ARM = 10;
+    /** Widths of the dark and the light lines of the cross, pixels. */
+    private static final float[] WIDTHS = {4, 1.5f};
+
+    private final SceneViewport view;
     private LayerKey layerKey;
     private BufferedImage layer;
 
-    ViewportPainter(JComponent view) {
+    ViewportPainter(SceneViewport view) {
         this.view = view;
     }
 
@@ -48,6 +53,23 @@ final class ViewportPainter {
             g.drawImage(image, place, null);
         }
         paintAnnotations(g, annotations, camera);
+        if (view.isFocusOwner()
+                && view.tool().filter(SceneViewport.MouseTool::isPicking).isPresent()) {
+            paintCross(g);
+        }
+    }
+
+    /** Marks the middle, where the Enter key picks. */
+    private void paintCross(Graphics2D g) {
+        int x = view.getWidth() / 2;
+        int y = view.getHeight() / 2;
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        for (int line = 0; line < WIDTHS.length; line++) {
+            g.setColor(line == 0 ? Color.BLACK : Color.WHITE);
+            g.setStroke(new BasicStroke(WIDTHS[line]));
+            g.drawLine(x - ARM, y, x + ARM, y);
+            g.drawLine(x, y - ARM, x, y + ARM);
+        }
     }
 
     /** Draws the outlines of the needle over an image that is so many times as large as the view. */

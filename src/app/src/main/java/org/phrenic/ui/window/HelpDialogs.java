@@ -48,6 +48,7 @@ final class HelpDialogs {
             {"Middle or Shift+drag", "Move", "In the plane of the picture"},
             {"Wheel", "Enlarge", "Towards the cursor; with an entry by Ctrl+wheel"},
             {"Click", "Name", "Structure and place, in the status line"},
+            {"Enter", "Click in the middle", "Names what is there, or chooses what T, E, U ask for (rehearsing)"},
             {"Double click", "Turn about here", "The view turns about the place under the cursor"},
             {"Wheel, with an entry", "Insert or withdraw", "2 mm a notch; with Shift 10 mm (rehearsing)"},
             {"Left drag of the hub", "Turn the needle", "About its point on the skin (rehearsing)"},
