@@ -4,7 +4,10 @@ import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.GraphicsConfiguration;
+import java.awt.Insets;
 import java.awt.KeyboardFocusManager;
+import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import javax.swing.BorderFactory;
@@ -28,6 +31,7 @@ public final class Dialogs {
     /**
      * A dialog that is not shown yet. The Escape key hides it.
      *
+     * @param size wanted size; the screen of the owner limits it
      * @param note text on the left of the buttons, or empty
      * @param buttons the last one is the default button
      */
@@ -45,9 +49,21 @@ public final class Dialogs {
         KeyStroke escape = KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0);
         dialog.getRootPane()
                 .registerKeyboardAction(e -> dialog.setVisible(false), escape, JComponent.WHEN_IN_FOCUSED_WINDOW);
-        dialog.setSize(UIScale.scale(size));
+        dialog.setSize(within(UIScale.scale(size), screen(owner == null ? dialog : owner)));
         dialog.setLocationRelativeTo(owner);
         return dialog;
+    }
+
+    private static Dimension within(Dimension wanted, Dimension most) {
+        return new Dimension(Math.min(wanted.width, most.width), Math.min(wanted.height, most.height));
+    }
+
+    /** What can be used of the screen that shows a window. */
+    private static Dimension screen(Window window) {
+        GraphicsConfiguration configuration = window.getGraphicsConfiguration();
+        Insets taken = window.getToolkit().getScreenInsets(configuration);
+        Rectangle all = configuration.getBounds();
+        return new Dimension(all.width - taken.left - taken.right, all.height - taken.top - taken.bottom);
     }
 
     /** A button that closes its dialog, and then runs an action. */

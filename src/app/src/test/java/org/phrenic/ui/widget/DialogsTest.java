@@ -3,13 +3,31 @@ package org.phrenic.ui.widget;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.AWTKeyStroke;
+import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
+import java.awt.Rectangle;
 import java.util.Set;
+import javax.swing.JDialog;
+import javax.swing.JPanel;
 import javax.swing.JTable;
 import org.junit.jupiter.api.Test;
 import org.phrenic.ui.session.EventThread;
+import org.phrenic.ui.window.WindowHarness;
 
 class DialogsTest {
+    /** The buttons at its foot would lie below the screen. */
+    @Test
+    void aDialogIsNoLargerThanItsScreen() {
+        WindowHarness.assumeDisplay();
+        EventThread.run(() -> {
+            JDialog dialog = Dialogs.of(null, "Large", new JPanel(), new Dimension(100_000, 100_000), "");
+            Rectangle screen = dialog.getGraphicsConfiguration().getBounds();
+            assertThat(dialog.getWidth()).isLessThanOrEqualTo(screen.width);
+            assertThat(dialog.getHeight()).isLessThanOrEqualTo(screen.height);
+            dialog.dispose();
+        });
+    }
+
     @Test
     void theTabKeyLeavesATable() {
         Set<AWTKeyStroke> leaving = EventThread.get(() -> {
