@@ -26,11 +26,17 @@ public final class FileNames {
         try {
             return Path.of(text);
         } catch (InvalidPathException e) {
-            throw new BadInputException(
-                    "found a name that this system cannot write, expected one in the encoding of file names, "
-                            + System.getProperty("sun.jnu.encoding") + " (LANG=C.UTF-8 allows all letters)",
-                    e);
+            throw new BadInputException(refusal(e), e);
         }
+    }
+
+    /** Why a name is none here: letters that the encoding lacks, or else a character that names do not have. */
+    static String refusal(InvalidPathException refused) {
+        boolean hasUsualLetters = refused.getInput().chars().allMatch(c -> c >= ' ' && c <= '~');
+        return hasUsualLetters
+                ? "found '" + refused.getInput() + "', expected the name of a file (" + refused.getReason() + ")"
+                : "found a name that this system cannot write, expected one in the encoding of file names, "
+                        + System.getProperty("sun.jnu.encoding") + " (LANG=C.UTF-8 allows all letters)";
     }
 
     /** Whether this system can write a name. */

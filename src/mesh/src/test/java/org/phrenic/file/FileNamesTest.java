@@ -2,6 +2,7 @@ package org.phrenic.file;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -20,6 +21,15 @@ class FileNamesTest {
             strings = {"", " ", "con", "AUX", "nul.old", "Com1", "lpt9.a.b", "a:b", "a/b", "a\\b", "a?", "a.", "a "})
     void someSystemHasNoFilesOfThese(String name) {
         assertThat(FileNames.isPortable(name)).isFalse();
+    }
+
+    /** As Windows refuses a quotation mark that its command line leaves in a path that ends with a backslash. */
+    @Test
+    void aCharacterThatNamesDoNotHaveIsToldWithTheName() {
+        assertThat(FileNames.refusal(new InvalidPathException("C:\\data\"", "Illegal char <\">", 7)))
+                .isEqualTo("found 'C:\\data\"', expected the name of a file (Illegal char <\">)");
+        assertThat(FileNames.refusal(new InvalidPathException("M\u00fcller", "Malformed input", 1)))
+                .contains("expected one in the encoding of file names");
     }
 
     @Test
