@@ -17,6 +17,14 @@ public final class NoGraphicsException extends Exception {
     /** A library of the system is missing; JOGL's own depend on it. */
     static NoGraphicsException missingLibrary(UnsatisfiedLinkError error) {
         String message = String.valueOf(error.getMessage());
+        // A method in quotes: its library was never loaded, for JOGL found no place for it.
+        if (message.startsWith("'")) {
+            return new NoGraphicsException(
+                    "No pictures can be made here: JOGL could not unpack its libraries into the temporary folder "
+                            + System.getProperty("java.io.tmpdir")
+                            + ", expected one that can be written and that programs may run from",
+                    error);
+        }
         String library = Arrays.stream(message.split(": "))
                 .map(part -> part.substring(part.lastIndexOf('/') + 1))
                 .filter(part -> part.matches("[\\w.+-]+\\.so[.\\d]*"))

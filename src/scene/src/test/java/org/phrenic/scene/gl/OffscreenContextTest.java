@@ -62,6 +62,18 @@ class OffscreenContextTest {
                 .hasMessageContaining("no awt in path");
     }
 
+    /** JOGL goes on without its libraries until the first method of theirs is called. */
+    @Test
+    void aTemporaryFolderThatTakesNoLibrariesIsNamed() {
+        UnsatisfiedLinkError error =
+                new UnsatisfiedLinkError("'boolean jogamp.common.jvm.JVMUtil.initialize(java.nio.ByteBuffer)'");
+        assertThat(NoGraphicsException.missingLibrary(error))
+                .hasCause(error)
+                .hasMessageContaining(
+                        "unpack its libraries into the temporary folder " + System.getProperty("java.io.tmpdir"))
+                .hasMessageNotContaining("jogamp");
+    }
+
     @Test
     void onlyADisplayThatAnswersCounts() {
         assertThat(DisplayServer.isReachable(null)).isFalse();
