@@ -61,10 +61,8 @@ public record FfmpegMovieWriter(Path program) implements MovieWriter {
 
     @Override
     public void write(Path file, double framesPerS, Iterator<BufferedImage> frames) {
-        Path work = null;
+        Path work = workFolder(file, Path.of(System.getProperty("java.io.tmpdir")));
         try {
-            work = Files.createTempDirectory("phrenic-movie");
-            UnfinishedFiles.add(work);
             Path made = work.resolve("movie.mp4");
             encode(file, made, work.resolve("log.txt"), framesPerS, frames);
             AtomicFile.write(file, out -> Files.copy(made, out));
@@ -72,6 +70,18 @@ public record FfmpegMovieWriter(Path program) implements MovieWriter {
             throw new OutputException(file + ": " + program + " could not be started: " + e.getMessage(), e);
         } finally {
             deleteFolder(work);
+        }
+    }
+
+    /** Makes a folder in a temporary folder for what ffmpeg writes. */
+    static Path workFolder(Path file, Path temporary) {
+        try {
+            Path work = Files.createTempDirectory(temporary, "phrenic-movie");
+            UnfinishedFiles.add(work);
+            return work;
+        } catch (IOException e) {
+            throw new OutputException(
+                    file + ": found the temporary folder " + temporary + ", expected one that can be written", e);
         }
     }
 
@@ -139,9 +149,6 @@ public record FfmpegMovieWriter(Path program) implements MovieWriter {
     }
 
     private static void deleteFolder(Path work) {
-        if (work == null) {
-            return;
-        }
         try (var files = Files.list(work)) {
             for (Path file : files.toList()) {
                 Files.deleteIfExists(file);

@@ -56,6 +56,16 @@ class PictureFilesTest {
         }
     }
 
+    /** Such as a full disc, which has nothing to do with ffmpeg. */
+    @Test
+    void aTemporaryFolderThatTakesNoMovieIsNamed() {
+        Path missing = folder.resolve("missing");
+        assertThatThrownBy(() -> FfmpegMovieWriter.workFolder(folder.resolve("breath.mp4"), missing))
+                .isInstanceOf(OutputException.class)
+                .hasMessage(folder.resolve("breath.mp4") + ": found the temporary folder " + missing
+                        + ", expected one that can be written");
+    }
+
     @Test
     void aPngIsThePictureAndOpaque() throws IOException {
         BufferedImage translucent = new BufferedImage(20, 10, BufferedImage.TYPE_INT_ARGB);
