@@ -50,8 +50,12 @@ class ScenarioStoreTest {
         Path home = Path.of("home");
         assertThat(ScenarioStore.folderOf("Linux", name -> null, home))
                 .isEqualTo(home.resolve(".local/share/phrenic/settings"));
+        Path data = folder.toAbsolutePath();
+        assertThat(ScenarioStore.folderOf("Linux", Map.of("XDG_DATA_HOME", data.toString())::get, home))
+                .isEqualTo(data.resolve("phrenic/settings"));
         assertThat(ScenarioStore.folderOf("Linux", Map.of("XDG_DATA_HOME", "data")::get, home))
-                .isEqualTo(Path.of("data/phrenic/settings"));
+                .as("else files would lie in the working folder")
+                .isEqualTo(home.resolve(".local/share/phrenic/settings"));
         assertThat(ScenarioStore.folderOf("Mac OS X", name -> null, home))
                 .isEqualTo(home.resolve("Library/Application Support/Phrenic/settings"));
         assertThat(ScenarioStore.folderOf("Windows 11", Map.of("APPDATA", "roaming")::get, home))
