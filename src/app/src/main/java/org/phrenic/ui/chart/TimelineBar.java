@@ -19,6 +19,7 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.file.Numbers;
 import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.PaintedComponent;
@@ -99,7 +100,7 @@ final class TimelineBar extends PaintedComponent {
         to = Math.max(newTo, newFrom + 1e-3);
         markTime = newMark;
         bands = newBands;
-        Controls.tellValue(this, Double.isNaN(newMark) ? "" : NumberFormats.text("%.2f s", newMark));
+        Controls.tellValue(this, Double.isNaN(newMark) ? "" : Numbers.format("%.2f s", newMark));
         repaint();
     }
 

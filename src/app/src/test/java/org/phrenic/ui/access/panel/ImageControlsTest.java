@@ -6,10 +6,10 @@ import java.awt.Component;
 import javax.swing.JSlider;
 import org.junit.jupiter.api.Test;
 import org.phrenic.access.ultrasound.UltrasoundSettings;
+import org.phrenic.file.Numbers;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.session.EventThread;
-import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.AppearanceModel;
 import org.phrenic.ui.view.SceneViewport;
@@ -27,7 +27,7 @@ class ImageControlsTest {
             try {
                 UltrasoundDock ultrasound = new UltrasoundDock(session, rehearsal);
                 assertThat(description(slider(ultrasound, "Depth")))
-                        .isEqualTo(NumberFormats.text("%.0f mm", UltrasoundSettings.DEFAULT.depthMm()));
+                        .isEqualTo(Numbers.format("%.0f mm", UltrasoundSettings.DEFAULT.depthMm()));
                 JSlider oblique = slider(new FluoroscopyDock(session, rehearsal), "C-arm to the left");
                 oblique.setValue(-30);
                 assertThat(description(oblique)).isEqualTo("RAO 30\u00b0");
