@@ -92,7 +92,7 @@ final class ImportCommand extends ReportingCommand {
             names = "--edge",
             paramLabel = "MM",
             description = "Edge of the triangles, 0 for those of the decimation. Default: 4 on soft organs, 2.5 on "
-                    + "bones, 8 on skin, or a voxel.")
+                    + "bones, 8 on skin and muscles, or a voxel.")
     private String edge;
 
     @Option(
