@@ -122,12 +122,13 @@ public final class SimulationRun {
         long stepping = 0;
         long told = System.nanoTime();
         String finer = "";
-        long nextSample = sampleInterval(scenario, dt);
+        double recordS = scenario.get(RunSettings.RECORD_EVERY);
+        long nextSample = sampleInterval(recordS, dt);
         while (simulation.steps() < end) {
             long chunk = Math.min(
                     Math.min(nextSample, end) - simulation.steps(), recorder.stepsToMeshes(simulation.time(), dt));
             long start = System.nanoTime();
-            for (long i = 0; i < chunk; i++) {
+            for (long i = 0; i < chunk && simulation.stepper().dt() == dt; i++) {
                 simulation.step();
             }
             long now = System.nanoTime();
@@ -140,10 +141,12 @@ public final class SimulationRun {
                 // The time step changed during the run; the remaining time takes another number of steps.
                 dt = simulation.stepper().dt();
                 end = scenario.steps() >= 0 ? end : simulation.steps() + stepsFor(total - simulation.time(), dt);
+                double sampledS = samples.get(samples.size() - 1).get("time_s");
+                nextSample = simulation.steps() + stepsFor(sampledS + recordS - simulation.time(), dt);
             }
             if (simulation.steps() >= Math.min(nextSample, end)) {
                 samples.add(observer.observe(simulation.time()));
-                nextSample = simulation.steps() + sampleInterval(scenario, dt);
+                nextSample = simulation.steps() + sampleInterval(recordS, dt);
             }
             recorder.recordMeshes(simulation.time());
             if ((now - told) * 1e-9 > PROGRESS_EVERY_S || simulation.steps() >= end) {
@@ -155,8 +158,8 @@ public final class SimulationRun {
         return stepping * 1e-9;
     }
 
-    private static long sampleInterval(Scenario scenario, double dt) {
-        return Math.max(1, Math.round(scenario.get(RunSettings.RECORD_EVERY) / dt));
+    private static long sampleInterval(double recordS, double dt) {
+        return Math.max(1, Math.round(recordS / dt));
     }
 
     private static Map<String, Object> summary(

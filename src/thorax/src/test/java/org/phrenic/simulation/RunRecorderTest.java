@@ -68,14 +68,40 @@ class RunRecorderTest {
         Path out = folder.resolve("out");
         execute(scenario("record_every_s=0.1", "meshes_every_s=0.03"), out);
         assertThat(Files.readAllLines(out.resolve("observables.csv"))).hasSize(1 + 2);
-        List<String> times = Files.readAllLines(out.resolve("scene.pvd")).stream()
-                .filter(line -> line.contains("meshes/diaphragm_"))
-                .map(line -> line.replaceAll(".*timestep=\"([^\"]*)\".*", "$1"))
-                .toList();
+        List<Double> times = frameTimes(out);
         assertThat(times).hasSize(4);
         for (int frame = 0; frame < 4; frame++) {
-            assertThat(Double.parseDouble(times.get(frame))).isCloseTo(0.03 * frame, within(1e-9));
+            assertThat(times.get(frame)).isCloseTo(0.03 * frame, within(1e-9));
         }
+    }
+
+    private static List<Double> frameTimes(Path out) throws IOException {
+        return Files.readAllLines(out.resolve("scene.pvd")).stream()
+                .filter(line -> line.contains("meshes/diaphragm_"))
+                .map(line -> Double.valueOf(line.replaceAll(".*timestep=\"([^\"]*)\".*", "$1")))
+                .toList();
+    }
+
+    /**
+     * After five steps of 2.5 ms the step is 10 ms: 29 steps more reach 0.3 s. What is written changes neither the end
+     * nor the state.
+     */
+    @Test
+    void aRunWhoseStepChangesEndsAtItsTimeWhateverIsWritten() throws IOException {
+        Scenario changed = scenario("time_step_s=0.0025", "duration_s=0.3", "record_every_s=0.3")
+                .withChanges(List.of(ScheduledChange.parse("5:time_step_s=0.01")));
+        Map<String, Object> without = execute(changed, null);
+        assertThat(without).containsEntry("steps", 34L);
+        Path out = folder.resolve("out");
+        assertThat(execute(changed.with("meshes_every_s=0.1"), out))
+                .containsEntry("steps", 34L)
+                .containsEntry("state_sha256", without.get("state_sha256"));
+        assertThat(execute(changed.with("record_every_s=0.02"), null))
+                .containsEntry("steps", 34L)
+                .containsEntry("state_sha256", without.get("state_sha256"));
+        assertThat(frameTimes(out)).hasSize(4).allSatisfy(time -> assertThat(time % 0.1)
+                .as("at most a step late")
+                .isLessThan(0.01));
     }
 
     /** At 19 breaths/min two breaths take 6.3158 s, 2526.3 steps of 2.5 ms; the 2527th ends the second breath. */

@@ -10,6 +10,7 @@ import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
@@ -92,6 +93,19 @@ public final class AttemptHistory {
         if (!waiting.isEmpty()) {
             AtomicFile.write(file, String.join("\n", lines()) + "\n");
             waiting.clear();
+        }
+    }
+
+    /** Writes the attempts that wait; where that fails, asks with the reason whether to try again. */
+    public void writeWaiting(Predicate<String> again) {
+        boolean ended = false;
+        while (!ended) {
+            try {
+                writeWaiting();
+                ended = true;
+            } catch (OutputException | BadInputException e) {
+                ended = !again.test(e.getMessage());
+            }
         }
     }
 

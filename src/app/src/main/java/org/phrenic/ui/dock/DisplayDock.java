@@ -204,11 +204,11 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         structure.addActionListener(e -> applyColours());
         field.addActionListener(e -> onFieldSelected());
         for (JTextField end : List.of(minimum, maximum)) {
-            end.addActionListener(e -> applyColours());
+            end.addActionListener(e -> applyRange());
             end.addFocusListener(new FocusAdapter() {
                 @Override
                 public void focusLost(FocusEvent e) {
-                    applyColours();
+                    applyRange();
                 }
             });
         }
@@ -284,7 +284,13 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
                 });
     }
 
-    private void applyColours() {
+    /** Takes the range that was typed, or says why not. */
+    private void applyRange() {
+        applyColours().filter(sentence -> !following).ifPresent(session::refuse);
+    }
+
+    /** Applies what is chosen; returns why the range cannot be used, empty if it can. */
+    private Optional<String> applyColours() {
         boolean unmeasured = selectedField() == ColourField.DISTANCE
                 && appearance.reference().isEmpty();
         ColourField coloured = unmeasured ? ColourField.NONE : selectedField();
@@ -295,11 +301,11 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
                         + "', expected two numbers, the smaller first; the former range stays.");
         Controls.mark(minimum, problem);
         Controls.mark(maximum, problem);
-        problem.filter(sentence -> !following).ifPresent(session::refuse);
         StructureItem chosen = (StructureItem) structure.getSelectedItem();
         if (chosen != null) {
             scale.ifPresent(s -> change(style -> style.withField(coloured, chosen.structure(), s)));
         }
+        return problem;
     }
 
     private Optional<ColourScale> scale(ColourField coloured) {

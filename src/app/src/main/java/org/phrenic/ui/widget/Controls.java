@@ -42,9 +42,12 @@ public final class Controls {
         return control;
     }
 
-    /** Tells a screen reader the value that a control shows, such as "300 N/m": its description. */
+    /**
+     * Tells a screen reader the value that a control shows, such as "300 N/m": its description. Without a value that is
+     * its tooltip.
+     */
     public static void tellValue(JComponent control, String value) {
-        control.getAccessibleContext().setAccessibleDescription(value);
+        control.getAccessibleContext().setAccessibleDescription(value.isEmpty() ? null : value);
     }
 
     /** Marks a field whose text cannot be used, and tells a screen reader why; empty if it can be used. */

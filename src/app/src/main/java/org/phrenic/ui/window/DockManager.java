@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -137,6 +138,11 @@ public final class DockManager {
         if (attempts != null) {
             attempts.keepIn(kept);
         }
+    }
+
+    /** Writes the attempts that wait; asks whether to try again where that fails. */
+    void writeAttempts(Predicate<String> again) {
+        history.ifPresent(attempted -> attempted.writeWaiting(again));
     }
 
     private void addOrgans() {

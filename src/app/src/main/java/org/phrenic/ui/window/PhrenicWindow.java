@@ -25,6 +25,7 @@ import org.phrenic.ui.view.AppearanceModel;
 import org.phrenic.ui.view.RenderedFrame;
 import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.widget.AppIcon;
+import org.phrenic.ui.widget.Dialogs;
 import org.phrenic.ui.widget.Theme;
 import org.phrenic.ui.widget.ThemeUpdater;
 
@@ -167,6 +168,8 @@ public final class PhrenicWindow {
     private void end() {
         WindowBounds.save(frame, preferences);
         layout.saveSizes();
+        docks.writeAttempts(problem -> Dialogs.confirm(
+                frame, "Attempts", problem + ".\nAttempts are lost unless they are written now. Try again?"));
         frame.dispose();
         log.close();
         docks.rehearsalController().shutdown();

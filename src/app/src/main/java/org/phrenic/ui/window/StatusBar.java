@@ -103,6 +103,7 @@ final class StatusBar extends JPanel {
         JLabel dt = fields.get("dt");
         dt.setToolTipText(s.stabilityMessage().isEmpty() ? "Time step" : s.stabilityMessage());
         dt.setForeground(s.stabilityMessage().isEmpty() ? Theme.SECONDARY_TEXT : Theme.WARNING_TEXT);
+        tell(dt, s.stabilityMessage());
     }
 
     /** Shows that a recorded moment is looked at while the simulation is paused. */
@@ -127,6 +128,7 @@ final class StatusBar extends JPanel {
         JLabel realtime = fields.get("realtime");
         realtime.setForeground(behind ? Theme.WARNING_TEXT : Theme.SECONDARY_TEXT);
         realtime.setToolTipText(behind ? SLOW_TIP : REALTIME_TIP);
+        tell(realtime, behind ? SLOW_TIP : "");
     }
 
     /** @param drawn drawn over shown pixels along each side of the view */
@@ -156,8 +158,14 @@ final class StatusBar extends JPanel {
         JLabel label = fields.get(name);
         if (!label.getText().equals(text)) {
             label.setText(text);
-            Controls.tellValue(label, text.strip());
+            tell(label, "");
         }
+    }
+
+    /** Tells a screen reader what a label shows, and what the colour of a warning means. */
+    private static void tell(JLabel label, String warning) {
+        String text = label.getText().strip();
+        Controls.tellValue(label, warning.isEmpty() ? text : text + ". " + warning);
     }
 
     private static String trimmed(double value) {

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDateTime;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -97,6 +98,31 @@ class AttemptHistoryTest {
                         row -> assertThat(row).contains(",false,13.00,-12.00,5.00,"));
         kept.writeWaiting();
         assertThat(Files.readAllLines(kept.file())).hasSize(3);
+    }
+
+    /** At the end of the window its user closes the spreadsheet after the second question. */
+    @Test
+    void whatWaitsAtTheEndIsWrittenOnceItsUserHasClosedTheFile() throws IOException {
+        AttemptHistory kept = new AttemptHistory(folder.resolve("kept.csv"), "2026-11-25T10:00");
+        Path inTheWay = Files.createDirectory(kept.file());
+        assertThatExceptionOfType(OutputException.class)
+                .isThrownBy(() ->
+                        kept.add(SampledAttempts.rehearsal(new TargetingError(3, 4, true, OptionalDouble.empty()))));
+        kept.writeWaiting(reason -> false);
+        assertThat(kept.waiting()).isEqualTo(1);
+        List<String> asked = new ArrayList<>();
+        kept.writeWaiting(reason -> {
+            asked.add(reason);
+            if (asked.size() == 2) {
+                inTheWay.toFile().delete();
+            }
+            return true;
+        });
+        assertThat(asked)
+                .hasSize(2)
+                .allMatch(reason -> reason.startsWith(kept.file().toString()));
+        assertThat(kept.waiting()).isZero();
+        assertThat(Files.readAllLines(kept.file())).hasSize(2);
     }
 
     @Test

@@ -68,7 +68,7 @@ class ScanImportDialogTest {
         assertThat(field.getAccessibleContext().getAccessibleDescription()).isEqualTo(told);
         assertThat(WindowHarness.find(content, JLabel.class, told)).isPresent();
         field.setText(before);
-        assertThat(field.getAccessibleContext().getAccessibleDescription()).isEmpty();
+        assertThat(field.getAccessibleContext().getAccessibleDescription()).isEqualTo(field.getToolTipText());
         assertThat(WindowHarness.find(content, JLabel.class, told)).isEmpty();
     }
 

@@ -174,17 +174,6 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
         export.setVisible(true);
     }
 
-    /** The last moment of a window to write what waits. */
-    @Override
-    public void removeNotify() {
-        super.removeNotify();
-        try {
-            history.ifPresent(AttemptHistory::writeWaiting);
-        } catch (OutputException | BadInputException e) {
-            session.refuse(e.getMessage());
-        }
-    }
-
     private void export(Path file) {
         try {
             history.orElseThrow().export(file);
@@ -209,7 +198,8 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
             curve.setVisible(!curve.getText().isEmpty());
         } catch (OutputException | BadInputException e) {
             boolean waits = history.get().waiting() > 0;
-            session.refuse(e.getMessage() + (waits ? "; the attempt is kept and written with the next one" : ""));
+            session.refuse(e.getMessage()
+                    + (waits ? "; the attempt is kept, and written with the next one or at the end" : ""));
         }
     }
 
