@@ -17,7 +17,7 @@ class TimelineBarTest {
             bar.setTimeline(0, END_S, 3.25, List.of());
             assertThat(bar.getAccessibleContext().getAccessibleDescription()).isEqualTo("3.25 s");
             bar.setTimeline(0, END_S, Double.NaN, List.of());
-            assertThat(bar.getAccessibleContext().getAccessibleDescription()).isEmpty();
+            assertThat(bar.getAccessibleContext().getAccessibleDescription()).isEqualTo(bar.getToolTipText());
         });
     }
 }

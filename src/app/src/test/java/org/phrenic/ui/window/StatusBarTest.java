@@ -65,7 +65,19 @@ class StatusBarTest {
         assertThat(description("time")).isEqualTo("t 1.00 s");
         bar.showRecorded(0.12);
         assertThat(description("time")).isEqualTo("t 0.12 s");
-        assertThat(description("steps")).isEmpty();
+        assertThat(description("steps")).isEqualTo(field("steps").getToolTipText());
+    }
+
+    /** The colour of the real-time factor alone says it to who sees. */
+    @Test
+    void aScreenReaderIsToldThatTheBreathIsSlow() {
+        bar.show(status(true));
+        String pace = description("realtime");
+        assertThat(pace).endsWith("x real time");
+        bar.showPace(true);
+        assertThat(description("realtime")).startsWith(pace + ". Slower than it should be");
+        bar.showPace(false);
+        assertThat(description("realtime")).isEqualTo(pace);
     }
 
     private String description(String name) {
