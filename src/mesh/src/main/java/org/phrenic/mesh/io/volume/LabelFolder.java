@@ -39,14 +39,9 @@ final class LabelFolder {
             return labelled.size() == 1 && labelled.get(0).isUnnamed();
         }
 
-        /** Whether the folder holds several volumes, all of whose labels have names. */
-        boolean isOfMasks() {
-            return labelled.size() > 1 && labelled.stream().noneMatch(LabelRuns::isUnnamed);
-        }
-
         /** The volumes as one; empty if there are none. */
         Optional<LabelVolume> merged() {
-            if (labelled.size() == 1 && hasOwnLabels(labelled.get(0))) {
+            if (labelled.size() == 1 && labelled.get(0).hasOwnLabels()) {
                 LabelVolume volume = LabelVolumeFiles.read(labelled.get(0).file());
                 List<String> all = new ArrayList<>(notes);
                 all.addAll(volume.notes());
@@ -71,27 +66,54 @@ final class LabelFolder {
 
     /**
      * Reads the label volumes of a folder or, if it has none, of the folder in it that has. Masks in a folder within
-     * are preferred to a volume of the same labels without names.
+     * are preferred to a volume of the same labels without names, and join masks with other names.
      *
      * @throws BadInputException if a volume cannot be read, if there is none, if grids differ, or if there are labels
      *     of several scans
      */
     static LabelVolume read(Path folder) {
         Contents own = contents(folder);
-        if (own.isUnnamed()) {
-            Optional<Contents> masks =
-                    InnerFolders.calledLabels(folder).map(LabelFolder::contents).filter(Contents::isOfMasks);
-            if (masks.isPresent()) {
-                masks.get()
-                        .notes()
-                        .add(own.labelled().get(0).file().getFileName() + " is left out, as "
-                                + masks.get().folder().getFileName() + " holds masks with names");
-                return masks.get().merged().orElseThrow();
-            }
+        if (own.labelled().isEmpty()) {
+            return InnerFolders.ofLabels(folder).map(LabelFolder::read).orElseThrow(() -> none(folder));
         }
-        return own.merged()
-                .or(() -> InnerFolders.ofLabels(folder).map(LabelFolder::read))
-                .orElseThrow(() -> none(folder));
+        return InnerFolders.calledLabels(folder)
+                .flatMap(inner -> withMasks(own, inner))
+                .or(own::merged)
+                .orElseThrow();
+    }
+
+    /**
+     * The masks of a folder within, in place of the volume beside it or together with the masks there. Empty if they
+     * are left out, which the notes of the volumes then say.
+     */
+    private static Optional<LabelVolume> withMasks(Contents own, Path inner) {
+        String left = inner.getFileName() + " is left out, as ";
+        try {
+            Contents masks = contents(inner);
+            if (masks.labelled().isEmpty()) {
+                return Optional.empty();
+            }
+            Optional<String> objection = MaskMatch.objection(own.labelled(), masks.labelled());
+            if (objection.isPresent()) {
+                own.notes().add(left + objection.get());
+                return Optional.empty();
+            }
+            String beside = InnerFolders.listed(
+                    own.labelled().stream().map(LabelRuns::file).toList());
+            if (own.isUnnamed()) {
+                masks.notes().add(beside + " is left out, as " + inner.getFileName() + " holds masks with names");
+                return masks.merged();
+            }
+            List<LabelRuns> all = new ArrayList<>(own.labelled());
+            all.addAll(masks.labelled());
+            List<String> notes = new ArrayList<>(own.notes());
+            notes.addAll(masks.notes());
+            notes.add("the masks of " + inner.getFileName() + " are taken together with " + beside);
+            return Optional.of(painted(own.folder(), all, notes));
+        } catch (BadInputException unfit) {
+            own.notes().add(left + "it cannot be taken with what lies beside it: " + unfit.getMessage());
+            return Optional.empty();
+        }
     }
 
     private static BadInputException none(Path folder) {
@@ -134,11 +156,6 @@ final class LabelFolder {
             throw new BadInputException(contents.folder() + ": found several volumes of labels without names ("
                     + InnerFolders.listed(unnamed) + "), expected the labels of one scan, such as " + unnamed.get(0));
         }
-    }
-
-    /** Whether a volume is more than a mask: it has several structures, or one without a name. */
-    private static boolean hasOwnLabels(LabelRuns volume) {
-        return volume.structures().size() > 1 || volume.names().contains("");
     }
 
     private static LabelVolume painted(Path folder, List<LabelRuns> labelled, List<String> notes) {

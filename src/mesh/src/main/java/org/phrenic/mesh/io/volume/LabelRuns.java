@@ -104,6 +104,11 @@ record LabelRuns(Path file, int[] size, double[] toMm, List<Runs> structures, Li
         return structures.size() > 1 && names.contains("");
     }
 
+    /** Whether the volume is more than a mask: it has several structures, or one without a name. */
+    boolean hasOwnLabels() {
+        return structures.size() > 1 || names.contains("");
+    }
+
     /** @throws BadInputException if several labels have no names */
     void requireNames() {
         if (names.contains("")) {

@@ -72,6 +72,75 @@ class DataSetFolderTest {
         assertThat(LabelVolumeFiles.read(folder.resolve("one")).grid().label(0)).isEqualTo(5);
     }
 
+    /** A body in numbers keeps its structures where the folder beside it holds masks of other ones, or of a few. */
+    @Test
+    void aVolumeOfNumbersIsReadWhereNotAllOfItsLabelsAreAmongTheMasks() throws IOException {
+        Path scan = folder.resolve("scan");
+        volume("scan/totalseg.nii.gz", UINT8, v -> v < 4 ? 5 : v > 20 ? 8 : v == 10 ? 3 : 0);
+        masks("scan/masks");
+        assertThat(LabelVolumeFiles.read(scan).grid().counts()).containsExactly(16, 0, 0, 1, 0, 4, 0, 0, 3);
+        assertThat(LabelVolumeFiles.read(scan).notes())
+                .contains("masks is left out, as its masks are not those of all labels of totalseg.nii.gz");
+        // The outline of the body holds every label and is none of them.
+        volume("scan/masks/body.nii.gz", UINT8, v -> 1);
+        volume("scan/masks/cyst.nii.gz", UINT8, v -> v == 12 ? 1 : 0);
+        volume("scan/totalseg.nii.gz", UINT8, v -> v < 2 ? 5 : v == 9 ? 8 : v == 10 ? 3 : 0);
+        assertThat(LabelVolumeFiles.read(scan).names()).isEmpty();
+        volume("scan/masks/gallbladder.nii.gz", UINT8, v -> v == 9 || v == 11 ? 1 : 0);
+        volume("scan/masks/duodenum.nii.gz", UINT8, v -> v == 10 ? 1 : 0);
+        assertThat(LabelVolumeFiles.read(scan).names().values())
+                .as("each label has a mask")
+                .contains("liver", "duodenum", "body");
+    }
+
+    /** What lies in a folder beside a volume does not keep it from being read. */
+    @Test
+    void aFolderBesideAVolumeThatCannotBeReadWithItIsLeftOutWithTheReason() throws IOException {
+        Path scan = folder.resolve("scan");
+        volume("scan/totalseg.nii.gz", UINT8, v -> v < 4 ? 5 : v > 20 ? 8 : 0);
+        masks("scan/masks");
+        byte[] other = VolumeSamples.nifti(UINT8, ByteOrder.LITTLE_ENDIAN, h -> h.putFloat(280 + 12, 3.5f));
+        other[VolumeSamples.NIFTI_HEADER] = 1;
+        Path cyst = Files.write(scan.resolve("masks/cyst.nii"), other);
+        assertIsReadAlone(scan, "liver.nii.gz: found other voxels than those of cyst.nii");
+        Files.write(cyst, new byte[] {1, 2, 3});
+        assertIsReadAlone(scan, "cyst.nii");
+        volume("scan/masks/cyst.nii", UINT8, v -> v % 3);
+        volume("scan/masks/reader.nii", UINT8, v -> v % 4);
+        assertIsReadAlone(scan, "found several volumes of labels without names (cyst.nii, reader.nii)");
+        Files.delete(cyst);
+        assertIsReadAlone(scan, "masks is left out, as totalseg.nii.gz is read, which lies beside it");
+    }
+
+    private static void assertIsReadAlone(Path scan, String reason) {
+        LabelVolume volume = LabelVolumeFiles.read(scan);
+        assertThat(volume.grid().counts()).containsExactly(17, 0, 0, 0, 0, 4, 0, 0, 3);
+        assertThat(volume.notes())
+                .singleElement()
+                .asString()
+                .startsWith("masks is left out, as ")
+                .contains(reason);
+    }
+
+    @Test
+    void masksJoinTheOnesBesideTheirFolderUnlessBothHaveTheSameStructure() throws IOException {
+        Path scan = folder.resolve("scan");
+        volume("scan/ct.nii.gz", INT16, v -> v - 1000);
+        volume("scan/body.nii.gz", UINT8, v -> v != 7 ? 1 : 0);
+        masks("scan/segmentations");
+        LabelVolume volume = LabelVolumeFiles.read(scan);
+        assertThat(volume.names().values()).containsExactlyInAnyOrder("body", "liver", "spleen");
+        assertThat(volume.names().get(volume.grid().label(0))).isEqualTo("liver");
+        assertThat(volume.notes())
+                .contains(
+                        "the masks of segmentations are taken together with body.nii.gz",
+                        "ct.nii.gz is an image and is left out");
+        volume("scan/Liver.nii.gz", UINT8, v -> v < 6 ? 1 : 0);
+        assertThat(LabelVolumeFiles.read(scan).names().values()).containsExactlyInAnyOrder("body", "Liver");
+        assertThat(LabelVolumeFiles.read(scan).notes())
+                .contains("segmentations is left out, as it has 'liver' as Liver.nii.gz, body.nii.gz beside it");
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"images", "imagesTr", "CT", "reader"})
     void foldersOfImagesAreNoFoldersOfMasks(String images) throws IOException {
