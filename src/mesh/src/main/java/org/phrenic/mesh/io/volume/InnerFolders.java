@@ -1,5 +1,6 @@
 package org.phrenic.mesh.io.volume;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -27,7 +28,7 @@ final class InnerFolders {
 
     private static final int MAX_LISTED = 4;
     /** Levels of folders that are looked through for volumes, and most folders. */
-    private static final int MAX_DEPTH = 5;
+    static final int MAX_DEPTH = 5;
 
     private static final int MAX_SEARCHED = 500;
 
@@ -42,11 +43,20 @@ final class InnerFolders {
                 .toList();
     }
 
-    /** The folders in a folder; hidden ones and those that may not be read are left out. */
+    /** The folders in a folder; hidden ones, those that may not be read and links to what holds it are left out. */
     private static List<Path> folders(Path folder) {
         return InputBytes.list(folder).stream()
                 .filter(inner -> Files.isDirectory(inner) && Files.isReadable(inner) && !FileNames.isHidden(inner))
+                .filter(inner -> !(Files.isSymbolicLink(inner) && leadsBack(inner, folder)))
                 .toList();
+    }
+
+    private static boolean leadsBack(Path link, Path folder) {
+        try {
+            return folder.toRealPath().startsWith(link.toRealPath());
+        } catch (IOException unreadable) {
+            return true;
+        }
     }
 
     /** The folders in a folder that hold volumes. */
@@ -58,7 +68,7 @@ final class InnerFolders {
 
     /**
      * The folder in a folder that holds labels: the one that is called so, or else the only one that is not called
-     * after images and holds no images.
+     * after images and holds no images; if all are called after images, the only one that holds none.
      *
      * @throws BadInputException if there are several
      */
@@ -69,7 +79,9 @@ final class InnerFolders {
             if (labels.isPresent()) {
                 return labels;
             }
-            inner = inner.stream().filter(path -> !isCalled(path, IMAGES)).toList();
+            List<Path> others =
+                    inner.stream().filter(path -> !isCalled(path, IMAGES)).toList();
+            inner = others.isEmpty() ? inner : others;
         }
         if (inner.size() > 1 && inner.size() <= MAX_LOOKED_INTO) {
             inner = inner.stream().filter(InnerFolders::holdsLabels).toList();
@@ -94,9 +106,22 @@ final class InnerFolders {
     }
 
     private static boolean holdsLabels(Path folder) {
-        return !ofVolumes(folder).isEmpty()
-                || volumes(folder).stream().limit(FEW).anyMatch(file -> LabelRuns.read(file)
-                        .isPresent());
+        return !ofVolumes(folder).isEmpty() || startsWithLabels(folder);
+    }
+
+    /** Whether one of the first volumes in a folder holds labels. */
+    private static boolean startsWithLabels(Path folder) {
+        return volumes(folder).stream().limit(FEW).anyMatch(file -> LabelRuns.read(file)
+                .isPresent());
+    }
+
+    /** Whether the first folder with volumes somewhere within a folder holds labels that can be read. */
+    static boolean holdsLabelsDeeper(Path folder) {
+        try {
+            return deeper(folder).filter(InnerFolders::startsWithLabels).isPresent();
+        } catch (BadInputException unreadable) {
+            return false;
+        }
     }
 
     /** The first folder, level by level, that holds volumes somewhere within a folder. */

@@ -72,9 +72,15 @@ final class LabelFolder {
      *     of several scans
      */
     static LabelVolume read(Path folder) {
+        return read(folder, InnerFolders.MAX_DEPTH);
+    }
+
+    /** @param levels levels of folders within that are looked into: links of two folders may lead round in a circle */
+    private static LabelVolume read(Path folder, int levels) {
         Contents own = contents(folder);
         if (own.labelled().isEmpty()) {
-            return InnerFolders.ofLabels(folder).map(LabelFolder::read).orElseThrow(() -> none(folder));
+            Optional<Path> inner = levels > 0 ? InnerFolders.ofLabels(folder) : Optional.empty();
+            return inner.map(path -> read(path, levels - 1)).orElseThrow(() -> none(folder));
         }
         return InnerFolders.calledLabels(folder)
                 .flatMap(inner -> withMasks(own, inner))
@@ -117,7 +123,10 @@ final class LabelFolder {
     }
 
     private static BadInputException none(Path folder) {
-        LabelVolumeFiles.refuseDeeper(folder, "a label volume");
+        // Beside the images of a scan there may be others of it farther within.
+        if (InnerFolders.volumes(folder).isEmpty() || InnerFolders.holdsLabelsDeeper(folder)) {
+            LabelVolumeFiles.refuseDeeper(folder, "a label volume");
+        }
         return new BadInputException(
                 folder + ": found no label volume, expected one: images have to be segmented first");
     }

@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.ByteOrder;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.function.IntUnaryOperator;
+import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -149,6 +151,13 @@ class DataSetFolderTest {
         assertIsOfMasks(folder.resolve("scan"));
     }
 
+    @Test
+    void aFolderOfMasksMayBeCalledAfterImagesAsAllBesideItAre() throws IOException {
+        masks("f/scan");
+        volume("f/ct/a.nii.gz", INT16, v -> v - 1000);
+        assertIsOfMasks(folder.resolve("f"));
+    }
+
     /** A data set of nnU-Net: labels of several scans in one folder, images in another. */
     @Test
     void aFolderWithTheLabelsOfSeveralScansAsksForOne() throws IOException {
@@ -219,6 +228,44 @@ class DataSetFolderTest {
                         + set.resolve("derivatives/sub-001/anat"));
         assertThatThrownBy(() -> LabelVolumeFiles.read(set)).hasMessageContaining("farther within");
         LabelVolumeFiles.refuse(Files.createDirectory(folder.resolve("empty")), "a folder of meshes");
+    }
+
+    @Test
+    void imagesFartherWithinAnImagesFolderAreNotAdvised() throws IOException {
+        Path scan = folder.resolve("d");
+        volume("d/ct.nii.gz", INT16, v -> v - 1000);
+        volume("d/dicom/s1/a.nii.gz", INT16, v -> v - 1000);
+        assertThatThrownBy(() -> LabelVolumeFiles.read(scan))
+                .isInstanceOf(BadInputException.class)
+                .hasMessage(scan + ": found no label volume, expected one: images have to be segmented first");
+        masks("d/derivatives/s1");
+        assertThatThrownBy(() -> LabelVolumeFiles.read(scan))
+                .hasMessageContaining("phrenic import " + scan.resolve("derivatives/s1") + " --out patient");
+    }
+
+    /** Links such as "latest" lead back to a folder that holds them, or round through two folders. */
+    @Test
+    void linksThatLeadBackAreNoFoldersOfLabels() throws IOException {
+        volume("c/ct.nii.gz", INT16, v -> v - 1000);
+        volume("a/ct.nii.gz", INT16, v -> v - 1000);
+        volume("b/ct.nii.gz", INT16, v -> v - 1000);
+        Path c = folder.resolve("c");
+        try {
+            Files.createSymbolicLink(c.resolve("latest"), c);
+            Files.createSymbolicLink(folder.resolve("a/other"), folder.resolve("b"));
+            Files.createSymbolicLink(folder.resolve("b/other"), folder.resolve("a"));
+        } catch (FileSystemException notAllowed) {
+            Assumptions.abort("this system lets this user make no links: " + notAllowed.getMessage());
+        }
+        assertThatThrownBy(() -> LabelVolumeFiles.read(c))
+                .isInstanceOf(BadInputException.class)
+                .hasMessage(c + ": found no label volume, expected one: images have to be segmented first");
+        assertThatThrownBy(() -> LabelVolumeFiles.read(folder.resolve("a")))
+                .isInstanceOf(BadInputException.class)
+                .hasMessage(folder.resolve("a/other/other/other/other/other")
+                        + ": found no label volume, expected one: images have to be segmented first");
+        masks("c/organs");
+        assertIsOfMasks(c);
     }
 
     /** Grey values of MR are whole numbers from 0 on, and so are labels: they change from voxel to voxel. */
