@@ -1,6 +1,7 @@
 package org.phrenic.file;
 
 import java.io.BufferedOutputStream;
+import java.io.File;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
@@ -25,6 +26,8 @@ public final class AtomicFile {
     private static final int REPLACEMENTS = 6;
     /** Pause after the first refusal; those that follow are longer by as much each. */
     private static final long PAUSE_NS = 20_000_000;
+
+    private static final boolean ON_WINDOWS = File.separatorChar == '\\';
 
     /** Writes the content of a file. */
     @FunctionalInterface
@@ -79,7 +82,7 @@ public final class AtomicFile {
             return;
         }
         try {
-            retrying(() -> Files.deleteIfExists(file));
+            retrying(ON_WINDOWS, () -> Files.deleteIfExists(file));
         } catch (IOException failure) {
             throw new OutputException(
                     file + ": deleting from folder " + folder(file) + " failed: " + reason(failure), failure);
@@ -104,7 +107,7 @@ public final class AtomicFile {
                 }
             }
             Path whole = beside;
-            retrying(() -> replace(whole, target));
+            retrying(ON_WINDOWS, () -> replace(whole, target));
             UnfinishedFiles.remove(whole);
             beside = null;
         } finally {
@@ -132,15 +135,16 @@ public final class AtomicFile {
     /**
      * Makes a change again that is refused: Windows refuses while another program, such as a scanner, reads the file.
      * It does so as a denial of access or as a sharing violation, which Java has no class for: a
-     * {@link FileSystemException} itself.
+     * {@link FileSystemException} itself. Other systems mean by one of these what lasts, such as a file system that can
+     * only be read.
      */
-    static void retrying(Change change) throws IOException {
+    static void retrying(boolean onWindows, Change change) throws IOException {
         for (int attempt = 1; ; attempt++) {
             try {
                 change.make();
                 return;
             } catch (FileSystemException refused) {
-                boolean isViolation = refused.getClass() == FileSystemException.class;
+                boolean isViolation = onWindows && refused.getClass() == FileSystemException.class;
                 boolean mayPass = isViolation || refused instanceof AccessDeniedException;
                 if (!mayPass || attempt == REPLACEMENTS) {
                     throw isViolation ? withCause(refused) : refused;

@@ -54,14 +54,14 @@ class AtomicFileTest {
     @Test
     void aTargetThatIsReadForAMomentIsReplacedAfterIt() throws IOException {
         int[] refusals = {2};
-        AtomicFile.retrying(() -> {
+        AtomicFile.retrying(false, () -> {
             if (refusals[0]-- > 0) {
                 throw new AccessDeniedException("curves.csv");
             }
         });
         assertThat(refusals[0]).isEqualTo(-1);
         assertThatExceptionOfType(AccessDeniedException.class)
-                .isThrownBy(() -> AtomicFile.retrying(() -> {
+                .isThrownBy(() -> AtomicFile.retrying(false, () -> {
                     throw new AccessDeniedException("curves.csv");
                 }));
     }
@@ -72,17 +72,31 @@ class AtomicFileTest {
         FileSystemException violation =
                 new FileSystemException(".curves.csv.part0", "curves.csv", "The process cannot access the file");
         int[] refusals = {2};
-        AtomicFile.retrying(() -> {
+        AtomicFile.retrying(true, () -> {
             if (refusals[0]-- > 0) {
                 throw violation;
             }
         });
         assertThat(refusals[0]).isEqualTo(-1);
         assertThatExceptionOfType(FileSystemException.class)
-                .isThrownBy(() -> AtomicFile.retrying(() -> {
+                .isThrownBy(() -> AtomicFile.retrying(true, () -> {
                     throw violation;
                 }))
                 .withMessage("another program may have the file open (The process cannot access the file)");
+    }
+
+    /** Elsewhere the system's own reason stays: no other program keeps a file from being replaced there. */
+    @Test
+    void aFileSystemThatMayOnlyBeReadIsNotBlamedOnAnotherProgram() {
+        FileSystemException lasting = new FileSystemException("curves.csv", null, "Read-only file system");
+        int[] attempts = {0};
+        assertThatExceptionOfType(FileSystemException.class)
+                .isThrownBy(() -> AtomicFile.retrying(false, () -> {
+                    attempts[0]++;
+                    throw lasting;
+                }))
+                .isSameAs(lasting);
+        assertThat(attempts[0]).isEqualTo(1);
     }
 
     @Test
@@ -94,7 +108,7 @@ class AtomicFileTest {
                 new DirectoryNotEmptyException("full"))) {
             int[] attempts = {0};
             assertThatExceptionOfType(FileSystemException.class)
-                    .isThrownBy(() -> AtomicFile.retrying(() -> {
+                    .isThrownBy(() -> AtomicFile.retrying(true, () -> {
                         attempts[0]++;
                         throw lasting;
                     }))
