@@ -154,8 +154,9 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         for (int row = 0; row < structures.size(); row++) {
             requireStructure(table, row, structures);
             String structure = StructureName.usual(structures.get(row));
-            List<Integer> labels =
-                    byName ? labelsNamed(volume, table.texts("name").get(row)) : List.of(label(table, row));
+            List<Integer> labels = byName
+                    ? LabelRows.labels(volume.names(), table.texts("name"), row, structure)
+                    : List.of(label(table, row));
             for (int label : labels) {
                 String before = map.put(label, structure);
                 if (before != null && !before.equals(structure)) {
@@ -197,13 +198,6 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
                     "found '" + structure + "' besides '" + twin.get() + "', expected one spelling,"
                             + " because some systems take both for one file");
         }
-    }
-
-    private static List<Integer> labelsNamed(LabelVolume volume, String name) {
-        return volume.names().entrySet().stream()
-                .filter(given -> given.getValue().equals(name))
-                .map(Map.Entry::getKey)
-                .toList();
     }
 
     private static int label(CsvTable table, int row) {

@@ -52,6 +52,27 @@ class LabelTableTest {
                 .isEqualTo(Map.of(5, "costal_cartilage_05_L", 6, "vertebra_L01"));
     }
 
+    /** DICOM states the side of a segment apart from its label, and it stands before the name that is read. */
+    @Test
+    void aNameWithoutASideIsThatOfTheSegmentOfThisSide() throws IOException {
+        Map<Integer, String> sides = Map.of(5, "Left Kidney", 6, "right Kidney");
+        assertThat(read("name,structure\nKidney,kidney_L\n", Map.of(5, "Left Kidney", 6, "Liver"))
+                        .structures())
+                .isEqualTo(Map.of(5, "kidney_L", 6, "liver"));
+        assertThat(read("name,structure\nKidney,kidney_R\nKidney,kidney_L\n", sides))
+                .isEqualTo(new LabelTable(Map.of(5, "kidney_L", 6, "kidney_R")));
+        assertThat(read("name,structure\nKidney,ignore\n", sides))
+                .as("a structure without a side")
+                .isEqualTo(new LabelTable(Map.of(5, "ignore", 6, "ignore")));
+        assertThat(read("name,structure\nKidney,ignore\nLeft Kidney,kidney_L\n", sides))
+                .as("a name that stands in the table")
+                .isEqualTo(new LabelTable(Map.of(5, "kidney_L", 6, "ignore")));
+        LabelTable other =
+                read("name,structure\nKidney,kidney_L\nLiver,liver\n", Map.of(5, "Liver", 6, "Right Kidney"));
+        assertThat(other.structures()).isEqualTo(Map.of(5, "liver", 6, "kidney_R"));
+        assertThat(other.missing()).as("the other side").containsExactly("name 'Kidney' (kidney_L)");
+    }
+
     @Test
     void aLabelBeyondThoseOfAVolumeIsRefused() {
         assertThatThrownBy(() -> read("label,structure\n5,liver\n70000,heart\n", Map.of()))
