@@ -4,21 +4,28 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.phrenic.mesh.io.volume.LabelVolume;
 
 /**
  * Words at the beginning or the end that all names of a volume share and that say which case or file it is, as in
  * {@code s0011_liver} or {@code liver_BDMAP_1}: numbers, words with numbers such as {@code s0011}, capitals beside
- * them, and words for files. Words of anatomy are none of these.
+ * them, and words for files. Words of anatomy are none of these; what may be a level, such as {@code S1}, is one only
+ * where names become known without it.
  */
 final class SharedWords {
     private static final Pattern WORD = Pattern.compile("[^\\s_.-]+");
     private static final Pattern DIGITS = Pattern.compile("\\d+");
-    /** Letters and a number as of a vertebra or a side, which are no number of a case. */
+    /** Letters and a number as of a vertebra or a side, which may be a case as well. */
     private static final Pattern LEVEL = Pattern.compile("(?i)[a-z]{1,2}\\d{1,2}|\\d{1,2}[a-z]{1,2}");
+
+    /** Beginning of the structure of a lesion, which has its name after it. */
+    private static final String LESION = "lesion_";
 
     private static final Pattern CAPITALS = Pattern.compile("[A-Z]{2,}");
     /** Words for cases, scans and files. */
@@ -57,6 +64,14 @@ final class SharedWords {
             "final");
 
     private static final Set<String> OF_ANATOMY = ofAnatomy();
+    /** What a name is that says least: several structures, or none. */
+    private static final Set<String> COMMON = Set.of(
+            LabelTable.IGNORE,
+            LabelTable.RIBS,
+            LabelTable.COSTAL_CARTILAGES,
+            LabelTable.ALL_BONES,
+            LabelTable.SPINE,
+            LabelTable.LUNGS);
 
     private final List<String> names;
     private final List<List<MatchResult>> words;
@@ -88,13 +103,69 @@ final class SharedWords {
             for (int m = 0; m <= last; m++) {
                 List<String> bare = shared.without(n, m);
                 long score = score(bare);
-                if (score > 0 && score >= bestScore) {
+                boolean better = score > bestScore && shared.mayBeBetter(bare, n, m);
+                if (better || (score > 0 && score == bestScore && shared.mayBeAsGood(bare, n, m))) {
                     best = bare;
                     bestScore = score;
                 }
             }
         }
         return best;
+    }
+
+    /**
+     * Whether names of which more are known may be meant. Where a word that may be a level is removed, known names have
+     * to keep their structures and one that is more than common has to become known.
+     */
+    private boolean mayBeBetter(List<String> bare, int first, int last) {
+        if (Stream.concat(ends(first, true), ends(last, false)).noneMatch(SharedWords::isLevel)) {
+            return true;
+        }
+        boolean foundOne = false;
+        for (int n = 0; n < names.size(); n++) {
+            String before = LabelNames.structure(names.get(n)).orElse("");
+            String after = LabelNames.structure(bare.get(n)).orElse("");
+            boolean lesions = before.startsWith(LESION) && after.startsWith(LESION);
+            if (!before.isEmpty() && !before.equals(after) && !lesions) {
+                return false;
+            }
+            foundOne |= before.isEmpty() && !after.isEmpty() && !COMMON.contains(after);
+        }
+        return foundOne;
+    }
+
+    /**
+     * Whether names of which as many are known may be meant. A mere number is that of a structure and not of a case
+     * where a name is common only without it, as that of a rib is that of all ribs.
+     */
+    private boolean mayBeAsGood(List<String> bare, int first, int last) {
+        if (Stream.concat(ends(first, true), ends(last, false)).anyMatch(SharedWords::isLevel)) {
+            return false;
+        }
+        boolean saysCase = Stream.of(
+                        ends(first, true).toList(), ends(last, false).toList())
+                .allMatch(end -> end.isEmpty()
+                        || !end.stream().allMatch(word -> DIGITS.matcher(word).matches()));
+        return saysCase
+                || IntStream.range(0, names.size()).allMatch(n -> {
+                    Optional<String> after = LabelNames.structure(bare.get(n));
+                    return after.filter(COMMON::contains).isEmpty() || after.equals(LabelNames.structure(names.get(n)));
+                });
+    }
+
+    /** The first or the last words that all names share. */
+    private Stream<String> ends(int count, boolean fromBeginning) {
+        List<MatchResult> all = words.get(0);
+        return (fromBeginning ? all.subList(0, count) : all.subList(all.size() - count, all.size()))
+                .stream().map(MatchResult::group);
+    }
+
+    private static boolean isLevel(String word) {
+        return LEVEL.matcher(word).matches() && !OF_FILES.contains(letters(word));
+    }
+
+    private static String letters(String word) {
+        return DIGITS.matcher(word).replaceAll("").toLowerCase(Locale.ROOT);
     }
 
     /** Number of names that are known, and of structures of these names, which counts less. */
@@ -132,17 +203,14 @@ final class SharedWords {
 
     /** @param numbered whether a number stands beside the word */
     private boolean isOfCase(String word, boolean numbered) {
-        String letters = DIGITS.matcher(word).replaceAll("").toLowerCase(Locale.ROOT);
-        if (letters.isEmpty()) {
-            return true;
-        }
-        if (OF_FILES.contains(letters)) {
+        String letters = letters(word);
+        if (letters.isEmpty() || OF_FILES.contains(letters) || isLevel(word)) {
             return true;
         }
         boolean ofAnatomy = OF_ANATOMY.contains(letters)
                 || LabelNames.isOfAnatomy(letters)
                 || LabelNames.structure(word).isPresent();
-        if (ofAnatomy || LEVEL.matcher(word).matches()) {
+        if (ofAnatomy) {
             return false;
         }
         boolean capitals = CAPITALS.matcher(word).matches()

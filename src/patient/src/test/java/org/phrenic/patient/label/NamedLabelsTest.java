@@ -60,6 +60,32 @@ class NamedLabelsTest {
                 .containsExactly("rib_12_L", "rib_12_R");
     }
 
+    /** A short word for a case, which in other names is a vertebra's, is removed where organs become known by that. */
+    @Test
+    void aCaseMayBeCalledAsAVertebraIs() {
+        assertThat(structures(List.of("S1_liver", "S1_lung_left", "S1_rib_left_5", "S1_liver_tumor", "S1_muscle")))
+                .containsExactly("liver", "lung_L", "rib_05_L", "lesion_liver_tumor", "ignore");
+        assertThat(structures(List.of("MR_T1_spleen", "MR_T1_kidney_left"))).containsExactly("spleen", "kidney_L");
+        assertThat(structures(List.of("L4_body", "L4_spine"))).containsExactly("vertebra_L04", "-");
+        assertThat(structures(List.of("L3_muscle", "L3_bone"))).containsExactly("-", "-");
+    }
+
+    /** The number of one structure is not taken for that of a case, by which it would be several structures or none. */
+    @ParameterizedTest
+    @CsvSource({
+        "left costal cartilages 5, costal_cartilage_05_L",
+        "ribs_left_1, rib_01_L",
+        "bone_1, bone_1",
+        "muscle_1, muscle_1",
+        "case_3_ribs_left, ribs",
+        "lung_left_1, lung_L",
+        "00012_rib_left_1, rib_01_L",
+        "Lung_L_CT1, lung_L",
+    })
+    void aMereNumberStaysWhereTheNameSaysLessWithoutIt(String name, String structure) {
+        assertThat(structures(List.of(name))).containsExactly(structure);
+    }
+
     /** Words that names share and that are of anatomy: side, level, and what makes of an organ something else. */
     @ParameterizedTest
     @CsvSource({
