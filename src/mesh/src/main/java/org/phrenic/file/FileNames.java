@@ -4,6 +4,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
@@ -27,6 +28,15 @@ public final class FileNames {
             return Path.of(text);
         } catch (InvalidPathException e) {
             throw new BadInputException(refusal(e), e);
+        }
+    }
+
+    /** The absolute path that a text names, as an environment variable does; empty for null and for any other text. */
+    public static Optional<Path> absolutePath(String text) {
+        try {
+            return Optional.ofNullable(text).map(Path::of).filter(Path::isAbsolute);
+        } catch (InvalidPathException noPath) {
+            return Optional.empty();
         }
     }
 

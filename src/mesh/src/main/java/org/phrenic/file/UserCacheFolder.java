@@ -25,7 +25,7 @@ final class UserCacheFolder {
             return OFF.equalsIgnoreCase(stated) ? Optional.empty() : path(stated);
         }
         String os = system.getProperty("os.name", "").toLowerCase(Locale.ROOT);
-        Optional<Path> home = path(system.getProperty("user.home", "")).filter(Path::isAbsolute);
+        Optional<Path> home = FileNames.absolutePath(system.getProperty("user.home"));
         if (os.startsWith("windows")) {
             return path(environment.getOrDefault("LOCALAPPDATA", ""))
                     .or(() -> home.map(folder -> folder.resolve("AppData").resolve("Local")))
@@ -36,8 +36,7 @@ final class UserCacheFolder {
                     folder -> folder.resolve("Library").resolve("Caches").resolve("phrenic"));
         }
         // XDG Base Directory Specification: a relative path counts as absent.
-        return path(environment.getOrDefault("XDG_CACHE_HOME", ""))
-                .filter(Path::isAbsolute)
+        return FileNames.absolutePath(environment.get("XDG_CACHE_HOME"))
                 .or(() -> home.map(folder -> folder.resolve(".cache")))
                 .map(folder -> folder.resolve("phrenic"));
     }

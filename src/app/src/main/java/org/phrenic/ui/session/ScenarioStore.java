@@ -2,13 +2,11 @@ package org.phrenic.ui.session;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.phrenic.document.YamlWriter;
@@ -38,16 +36,9 @@ public record ScenarioStore(Path folder) {
             return (roaming == null ? home.resolve("AppData/Roaming") : Path.of(roaming)).resolve("Phrenic/settings");
         }
         // XDG Base Directory Specification: a relative path counts as absent.
-        Path data = absolute(environment.apply("XDG_DATA_HOME")).orElseGet(() -> home.resolve(".local/share"));
+        Path data = FileNames.absolutePath(environment.apply("XDG_DATA_HOME"))
+                .orElseGet(() -> home.resolve(".local/share"));
         return data.resolve("phrenic/settings");
-    }
-
-    private static Optional<Path> absolute(String text) {
-        try {
-            return Optional.ofNullable(text).map(Path::of).filter(Path::isAbsolute);
-        } catch (InvalidPathException noPath) {
-            return Optional.empty();
-        }
     }
 
     public static ScenarioStore ofUser() {

@@ -15,16 +15,11 @@ import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.engine.parallel.Workers;
-import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.AccessMapField;
 import org.phrenic.scene.style.ClipPlane;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
-import org.phrenic.ui.session.EventThread;
-import org.phrenic.ui.session.Session;
-import org.phrenic.ui.view.AppearanceModel;
-import org.phrenic.ui.view.SceneViewport;
 
 /** What is shown of a former target while the next one is prepared. */
 class RehearsalPreparationTest {
@@ -51,33 +46,12 @@ class RehearsalPreparationTest {
         }
     }
 
-    /** What is done to a rehearsal before its first scene has come. */
-    private interface Doing {
-        void with(Session session, AppearanceModel appearance, RehearsalController rehearsal);
-    }
-
-    private static void rehearse(Doing what) {
-        EventThread.run(() -> {
-            Session session = new Session(Scenario.defaults().with("resolution=low"));
-            AppearanceModel appearance = new AppearanceModel();
-            SceneViewport view = new SceneViewport(session, appearance);
-            RehearsalController rehearsal = new RehearsalController(session, appearance, view);
-            try {
-                what.with(session, appearance, rehearsal);
-            } finally {
-                rehearsal.shutdown();
-                view.close();
-                session.close();
-            }
-        });
-    }
-
     @Test
     void anExerciseThatIsChosenTakesTheMapOfTheFormerTargetOffTheSkin() {
         List<Surface> box = surfaces();
         AccessMapField former = new AccessMapField(box, map(box));
         RehearsalPlan exercise = RehearsalPlan.exercises().get(0).with(LOW);
-        rehearse((session, appearance, rehearsal) -> {
+        IdleRehearsal.with((session, appearance, view, rehearsal) -> {
             rehearsal.colours = Optional.of(former);
             appearance.changeStyle(style -> style.withClip(Optional.of(ClipPlane.axial(0))));
             rehearsal.showBody();
@@ -95,7 +69,7 @@ class RehearsalPreparationTest {
     @Test
     void theSpeedIsThatOfTheUserWhileABodyIsWaitedFor() {
         RehearsalPlan exercise = RehearsalPlan.exercises().get(0).with(LOW);
-        rehearse((session, appearance, rehearsal) -> {
+        IdleRehearsal.with((session, appearance, view, rehearsal) -> {
             session.live().setSpeed(Double.POSITIVE_INFINITY);
             rehearsal.open(exercise);
             assertThat(session.live().isFlatOut()).isFalse();

@@ -70,14 +70,7 @@ import org.phrenic.ui.window.WindowHarness;
  * no display.
  */
 class DocksTest {
-    private static final Scenario FIRST = Scenario.defaults()
-            .with(
-                    "resolution=low",
-                    "mesh_vertices=3000",
-                    "lungs=embedded",
-                    "sternum=kinematic",
-                    "liver=false",
-                    "rate_per_min=40");
+    private static final Scenario FIRST = WindowHarness.COARSE_SHEET;
     private static final int DOME = Observation.COLUMNS.indexOf("dome_right_mm");
 
     private static Session session;

@@ -16,14 +16,7 @@ import org.phrenic.ui.session.EventThread;
 import org.phrenic.ui.session.Session;
 
 class CopyCommandActionTest {
-    private static final Scenario FIRST = Scenario.defaults()
-            .with(
-                    "resolution=low",
-                    "mesh_vertices=3000",
-                    "lungs=embedded",
-                    "sternum=kinematic",
-                    "liver=false",
-                    "rate_per_min=40");
+    private static final Scenario FIRST = WindowHarness.COARSE_SHEET;
 
     @Test
     void theCopiedLineGivesTheSameBitsWithoutAWindow() throws Exception {

@@ -47,6 +47,16 @@ import org.phrenic.ui.session.WindowPreferences;
  * observables.
  */
 public final class WindowHarness implements AutoCloseable {
+    /** The coarse sheet alone, which breathes as the whole scene does, and quickly. */
+    public static final Scenario COARSE_SHEET = Scenario.defaults()
+            .with(
+                    "resolution=low",
+                    "mesh_vertices=3000",
+                    "lungs=embedded",
+                    "sternum=kinematic",
+                    "liver=false",
+                    "rate_per_min=40");
+
     private static final long PATIENCE_MS = 60_000;
     /** Time in which the view of a scene at rest becomes sharp. */
     private static final long SHARPENED_MS = 1500;

@@ -12,8 +12,6 @@ import org.phrenic.mesh.TriangleMesh;
 public final class MeshVoxelizer {
     private static final double BESIDE_J = 1.3e-4;
     private static final double BESIDE_K = 0.7e-4;
-    /** Greatest number in a byte without a sign. */
-    private static final int MAX_LABEL = 255;
 
     private final int columns;
     private final int rows;
@@ -44,8 +42,8 @@ public final class MeshVoxelizer {
      * @throws IllegalArgumentException if the label does not fit in a byte
      */
     public int fill(TriangleMesh mesh, int label) {
-        if (label < 0 || label > MAX_LABEL) {
-            throw new IllegalArgumentException("label: found " + label + ", expected 0 to " + MAX_LABEL);
+        if (label < 0 || label > LabelGrid.MAX_BYTE_LABEL) {
+            throw new IllegalArgumentException("label: found " + label + ", expected 0 to " + LabelGrid.MAX_BYTE_LABEL);
         }
         double[] p = indices(mesh.positions());
         DoubleList[] crossings = new DoubleList[rows * slices];

@@ -10,15 +10,11 @@ import javax.swing.JButton;
 import javax.swing.JTable;
 import org.junit.jupiter.api.Test;
 import org.phrenic.access.attempt.TargetingError;
-import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.access.AttemptReportWriter;
-import org.phrenic.ui.access.RehearsalController;
+import org.phrenic.ui.access.IdleRehearsal;
 import org.phrenic.ui.access.SampledAttempts;
-import org.phrenic.ui.session.EventThread;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.SessionMessage;
-import org.phrenic.ui.view.AppearanceModel;
-import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.window.WindowHarness;
 
 /** A session of more attempts than whole bodies fit into memory. */
@@ -30,28 +26,18 @@ class AttemptsDockTest {
 
     @Test
     void framesOfTheLastAttemptsAreKeptAndTableAndCardOfAll() {
-        EventThread.run(() -> {
-            AppearanceModel appearance = new AppearanceModel();
-            Session session = new Session(Scenario.defaults().with("resolution=low"));
-            SceneViewport view = new SceneViewport(session, appearance);
-            RehearsalController rehearsal = new RehearsalController(session, appearance, view);
-            try {
-                session.addListener(new Session.Listener() {
-                    @Override
-                    public void onMessage(SessionMessage message) {
-                        messages.add(message.text());
-                    }
-                });
-                AttemptsDock dock = new AttemptsDock(session, rehearsal, new AttemptReportWriter(view), () -> {
-                    folderQuestions++;
-                    return Optional.empty();
-                });
-                requireLastAttemptsWhole(dock);
-            } finally {
-                rehearsal.shutdown();
-                view.close();
-                session.close();
-            }
+        IdleRehearsal.with((session, appearance, view, rehearsal) -> {
+            session.addListener(new Session.Listener() {
+                @Override
+                public void onMessage(SessionMessage message) {
+                    messages.add(message.text());
+                }
+            });
+            AttemptsDock dock = new AttemptsDock(session, rehearsal, new AttemptReportWriter(view), () -> {
+                folderQuestions++;
+                return Optional.empty();
+            });
+            requireLastAttemptsWhole(dock);
         });
     }
 

@@ -7,35 +7,20 @@ import javax.swing.JSlider;
 import org.junit.jupiter.api.Test;
 import org.phrenic.access.ultrasound.UltrasoundSettings;
 import org.phrenic.file.Numbers;
-import org.phrenic.scenario.Scenario;
-import org.phrenic.ui.access.RehearsalController;
-import org.phrenic.ui.session.EventThread;
-import org.phrenic.ui.session.Session;
-import org.phrenic.ui.view.AppearanceModel;
-import org.phrenic.ui.view.SceneViewport;
+import org.phrenic.ui.access.IdleRehearsal;
 import org.phrenic.ui.window.WindowHarness;
 
 /** What a screen reader says of the controls of ultrasound and X-ray. */
 class ImageControlsTest {
     @Test
     void slidersAreReadWithTheValueBesideThem() {
-        EventThread.run(() -> {
-            AppearanceModel appearance = new AppearanceModel();
-            Session session = new Session(Scenario.defaults().with("resolution=low"));
-            SceneViewport view = new SceneViewport(session, appearance);
-            RehearsalController rehearsal = new RehearsalController(session, appearance, view);
-            try {
-                UltrasoundDock ultrasound = new UltrasoundDock(session, rehearsal);
-                assertThat(description(slider(ultrasound, "Depth")))
-                        .isEqualTo(Numbers.format("%.0f mm", UltrasoundSettings.DEFAULT.depthMm()));
-                JSlider oblique = slider(new FluoroscopyDock(session, rehearsal), "C-arm to the left");
-                oblique.setValue(-30);
-                assertThat(description(oblique)).isEqualTo("RAO 30\u00b0");
-            } finally {
-                rehearsal.shutdown();
-                view.close();
-                session.close();
-            }
+        IdleRehearsal.with((session, appearance, view, rehearsal) -> {
+            UltrasoundDock ultrasound = new UltrasoundDock(session, rehearsal);
+            assertThat(description(slider(ultrasound, "Depth")))
+                    .isEqualTo(Numbers.format("%.0f mm", UltrasoundSettings.DEFAULT.depthMm()));
+            JSlider oblique = slider(new FluoroscopyDock(session, rehearsal), "C-arm to the left");
+            oblique.setValue(-30);
+            assertThat(description(oblique)).isEqualTo("RAO 30\u00b0");
         });
     }
 
