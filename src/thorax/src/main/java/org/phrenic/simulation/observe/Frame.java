@@ -159,7 +159,9 @@ public final class Frame {
 
     /** Whether all values to be drawn are finite. */
     public boolean isFinite() {
-        return Arrays.stream(positions).allMatch(Frame::finite) && finite(nodes);
+        return Arrays.stream(positions).allMatch(Frame::finite)
+                && Arrays.stream(poses).allMatch(Frame::finite)
+                && finite(nodes);
     }
 
     private static boolean finite(float[] numbers) {
