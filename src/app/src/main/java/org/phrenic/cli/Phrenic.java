@@ -122,8 +122,7 @@ public final class Phrenic implements Callable<Integer> {
      *
      * @param out output for results
      * @param err output for log, progress and error messages
-     * @return exit code: 0 done, 1 failure, 2 usage or bad input, 3 regression or validation failed, 4 no graphics
-     *     available
+     * @return exit code: 0 done, 1 failure, 2 usage or bad input, 3 a result beyond its limits, 4 no graphics available
      */
     public static int execute(PrintWriter out, PrintWriter err, String... args) {
         Phrenic phrenic = new Phrenic();

@@ -75,7 +75,7 @@ public final class RenderLoop implements AutoCloseable {
     /** Side of the picture that is drawn out of sight. */
     private static final int PREPARED_PIXELS = 64;
 
-    /** Number of frames in a row that may fail. */
+    /** Number of failed frames and tasks, with no successful one between, that ends the view. */
     private static final int MAX_FAILURES = 20;
 
     private static final System.Logger LOG = System.getLogger(RenderLoop.class.getName());
@@ -136,7 +136,7 @@ public final class RenderLoop implements AutoCloseable {
         update(() -> tasks.add(what));
     }
 
-    /** Draws the present frame at any size; {@code done} gets it on the render thread. */
+    /** Draws the present frame at any size; {@code done} gets it on the render thread, unless it cannot be drawn. */
     void snapshot(Camera camera, SceneStyle style, int width, int height, SnapshotListener done) {
         runTask(gl -> {
             if (renderer != null) {

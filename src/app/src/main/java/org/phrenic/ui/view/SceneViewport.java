@@ -227,7 +227,7 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         });
     }
 
-    /** Draws an image of all that the view shows, enlarged; {@code done} gets it on the render thread. */
+    /** Draws what the view shows, enlarged; {@code done} gets it on the render thread, unless it cannot be drawn. */
     public void snapshot(int enlargement, Consumer<BufferedImage> done) {
         Camera now = camera;
         Annotations annotations = annotationsFor("");

@@ -48,7 +48,7 @@ final class StatusBar extends JPanel {
         super(new MigLayout("insets 3 10 3 10, gap " + GAP + ", novisualpadding, hidemode 3", "[grow, 0::]", "[]"));
         setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Theme.BORDER));
         pickedLabel.setName("pointed");
-        pickedLabel.getAccessibleContext().setAccessibleName("Structure and place pointed at");
+        pickedLabel.getAccessibleContext().setAccessibleName("Structure and place clicked last");
         add(pickedLabel, "growx, wmin 0");
         addField("quality", QUALITY_TIP, "Medium, drawn at 0.70 sharpness");
         addField("phase", PHASE_TIP, "inspiration, repeated");
