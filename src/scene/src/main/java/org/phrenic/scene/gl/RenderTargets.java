@@ -26,16 +26,23 @@ final class RenderTargets {
     /**
      * @param scale drawn pixels over pixels of the picture along each side
      * @param samples samples per pixel; 0 for no multisampling
+     * @throws IllegalStateException if the driver refuses a framebuffer of that size; none is left behind
      */
     RenderTargets(GL3 gl, int width, int height, double scale, int samples) {
         this.width = width;
         this.height = height;
         this.scale = scale;
         this.samples = samples;
-        drawTarget = new Framebuffer(
-                gl, resources, ViewTransform.drawn(width, scale), ViewTransform.drawn(height, scale), samples, true);
-        resolved =
-                samples > 0 || scale != 1 ? new Framebuffer(gl, resources, width, height, 0, samples > 0) : drawTarget;
+        int drawnWidth = ViewTransform.drawn(width, scale);
+        int drawnHeight = ViewTransform.drawn(height, scale);
+        boolean isCopied = samples > 0 || scale != 1;
+        try {
+            drawTarget = new Framebuffer(gl, resources, drawnWidth, drawnHeight, samples, true);
+            resolved = isCopied ? new Framebuffer(gl, resources, width, height, 0, samples > 0) : drawTarget;
+        } catch (RuntimeException e) {
+            resources.deleteAll(gl);
+            throw e;
+        }
     }
 
     boolean matches(int w, int h, double wantedScale, int wantedSamples) {

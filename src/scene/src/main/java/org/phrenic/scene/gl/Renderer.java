@@ -74,6 +74,15 @@ public final class Renderer {
         long begun = System.nanoTime();
         GlState state = GlState.of(gl);
         resources.resetStatistics();
+        try {
+            drawPasses(gl, frame, camera, style, tile);
+        } finally {
+            state.restore(gl);
+        }
+        statistics = resources.statistics((System.nanoTime() - begun) / NANOS_PER_MS);
+    }
+
+    private void drawPasses(GL3 gl, Frame frame, Camera camera, SceneStyle style, Tile tile) {
         if (scene == null) {
             createPasses(gl);
         }
@@ -96,31 +105,37 @@ public final class Renderer {
         setClipping(gl, false);
         targets.resolve(gl, screen);
         listener.done(gl, "finish");
-        state.restore(gl);
-        statistics = resources.statistics((System.nanoTime() - begun) / NANOS_PER_MS);
     }
 
     private static double scale(SceneStyle.Quality quality, boolean peeled, int samples) {
-        if (peeled) {
-            return quality.samples() > 1 ? 2 : 1;
+        if (peeled && quality.samples() > 1) {
+            return 2;
         }
         return samples < 2 ? quality.resolution() : 1;
     }
 
+    /** Creates what draws, or nothing: a shader that a driver refuses is the reason of each picture that fails. */
     private void createPasses(GL3 gl) {
         info = GraphicsInfo.of(gl);
-        scene = new GpuScene(gl, resources, surfaces, overlays);
-        faces = new SurfacePass(resources);
-        lines = new LinePass(resources);
-        screen = new ScreenPass(gl, resources);
-        opaque = new OpaquePass(faces, screen, new CapPass(gl, resources));
-        translucent = new TranslucentPass(faces, screen);
+        try {
+            GpuScene whole = new GpuScene(gl, resources, surfaces, overlays);
+            faces = new SurfacePass(resources);
+            lines = new LinePass(resources);
+            screen = new ScreenPass(gl, resources);
+            opaque = new OpaquePass(faces, screen, new CapPass(gl, resources));
+            translucent = new TranslucentPass(faces, screen);
+            scene = whole;
+        } catch (RuntimeException e) {
+            resources.deleteAll(gl);
+            throw e;
+        }
     }
 
     private void resize(GL3 gl, Tile tile, double scale, int samples) {
         if (targets == null || !targets.matches(tile.width(), tile.height(), scale, samples)) {
             if (targets != null) {
                 targets.dispose(gl);
+                targets = null;
             }
             targets = new RenderTargets(gl, tile.width(), tile.height(), scale, samples);
         }

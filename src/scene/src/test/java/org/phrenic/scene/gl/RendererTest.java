@@ -183,6 +183,33 @@ class RendererTest {
         assertThat(renderer.liveObjects()).isZero();
     }
 
+    /** As a snapshot of a window on a card with little memory; the view goes on. */
+    @Test
+    void aSizeThatTheDriverRefusesLeavesNothingBehindAndTheNextPictureIsAsTheOneBefore() {
+        Renderer renderer = new Renderer(fixture.surfaces, fixture.overlays);
+        SceneStyle style = fixture.style().withSamples(0);
+        draw(renderer, style);
+        BufferedImage before = draw(renderer, style);
+        int objects = renderer.liveObjects();
+        fixture.offscreen.run(gl -> assertThatThrownBy(() -> renderer.draw(
+                        gl, fixture.rest, fixture.camera(AnatomicalView.ANTERIOR), style, 1 << 20, HEIGHT))
+                .isInstanceOf(RuntimeException.class));
+        draw(renderer, style);
+        assertThat(PictureDifference.of(before, draw(renderer, style)).mean()).isZero();
+        assertThat(renderer.liveObjects()).isEqualTo(objects);
+        fixture.offscreen.release(renderer);
+    }
+
+    @Test
+    void translucencySortedForEachPixelIsDrawnAtTheResolutionThatIsAskedFor() {
+        Renderer renderer = new Renderer(fixture.surfaces, fixture.overlays);
+        SceneStyle style = fixture.style().withSamples(0).withTransparency(Transparency.PEELED);
+        BufferedImage whole = draw(renderer, style);
+        BufferedImage half = draw(renderer, style.withResolution(0.5));
+        assertThat(PictureDifference.of(whole, half).mean()).isBetween(0.1, 4.0);
+        fixture.offscreen.release(renderer);
+    }
+
     @Test
     void aPictureInTilesIsThePictureInOnePiece() {
         Renderer renderer = new Renderer(fixture.surfaces, fixture.overlays);
