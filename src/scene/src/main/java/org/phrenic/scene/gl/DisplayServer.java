@@ -70,6 +70,12 @@ final class DisplayServer {
         return host.isEmpty() || host.equals("unix");
     }
 
+    /** Whether a server's key is kept as that of a display of this machine, as that of a forwarded one is. */
+    private static boolean hasLocalKey(String display) {
+        String host = display.substring(0, display.lastIndexOf(':'));
+        return isHere(display) || host.equals("localhost") || host.startsWith("127.");
+    }
+
     private static int number(String display) {
         return Integer.parseInt(display.substring(display.lastIndexOf(':') + 1).replaceAll("\\..*", ""));
     }
@@ -146,21 +152,30 @@ final class DisplayServer {
                 .map(Path::of)
                 .orElse(Path.of(System.getProperty("user.home"), ".Xauthority"));
         try {
-            ByteBuffer entries = ByteBuffer.wrap(Files.readAllBytes(file));
-            while (entries.hasRemaining()) {
-                int family = Short.toUnsignedInt(entries.getShort());
-                next(entries);
-                String number = new String(next(entries), StandardCharsets.US_ASCII);
-                String name = new String(next(entries), StandardCharsets.US_ASCII);
-                byte[] data = next(entries);
-                boolean same = number.isEmpty() || number.equals(String.valueOf(number(display)));
-                boolean place = family == WILD_FAMILY || (family == LOCAL_FAMILY) == isHere(display);
-                if (same && place && name.equals(COOKIE)) {
-                    return data;
-                }
-            }
+            return cookie(display, ByteBuffer.wrap(Files.readAllBytes(file)));
         } catch (IOException | RuntimeException e) {
             // Without a key the server may still accept the connection.
+            return new byte[0];
+        }
+    }
+
+    /**
+     * The key to a display; empty if there is none.
+     *
+     * @param entries content of a file of keys
+     */
+    static byte[] cookie(String display, ByteBuffer entries) {
+        while (entries.hasRemaining()) {
+            int family = Short.toUnsignedInt(entries.getShort());
+            next(entries);
+            String number = new String(next(entries), StandardCharsets.US_ASCII);
+            String name = new String(next(entries), StandardCharsets.US_ASCII);
+            byte[] data = next(entries);
+            boolean same = number.isEmpty() || number.equals(String.valueOf(number(display)));
+            boolean place = family == WILD_FAMILY || (family == LOCAL_FAMILY ? hasLocalKey(display) : !isHere(display));
+            if (same && place && name.equals(COOKIE)) {
+                return data;
+            }
         }
         return new byte[0];
     }

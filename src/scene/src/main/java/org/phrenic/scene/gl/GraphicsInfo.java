@@ -14,7 +14,8 @@ import java.util.Locale;
  * @param maxSize maximum side length of a framebuffer, pixels
  */
 public record GraphicsInfo(String renderer, String version, boolean software, int maxSamples, int maxSize) {
-    private static final List<String> SOFTWARE = List.of("llvmpipe", "softpipe", "swrast", "software", "swiftshader");
+    private static final List<String> SOFTWARE =
+            List.of("llvmpipe", "softpipe", "swrast", "software", "swiftshader", "basic render");
 
     static GraphicsInfo of(GL3 gl) {
         String renderer = String.valueOf(gl.glGetString(GL3.GL_RENDERER));

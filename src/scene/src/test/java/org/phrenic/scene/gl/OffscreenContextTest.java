@@ -11,6 +11,10 @@ import java.net.BindException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.phrenic.scene.SceneFixture;
@@ -140,5 +144,31 @@ class OffscreenContextTest {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    /** One entry of a file of keys: family, address, number of the display, name and data. */
+    private static byte[] entry(int family, String address, String number, byte key) {
+        ByteBuffer out = ByteBuffer.allocate(100).putShort((short) family);
+        for (String field : List.of(address, number, "MIT-MAGIC-COOKIE-1")) {
+            out.putShort((short) field.length()).put(field.getBytes(StandardCharsets.US_ASCII));
+        }
+        out.putShort((short) 1).put(key).flip();
+        return Arrays.copyOf(out.array(), out.limit());
+    }
+
+    /** The key of a display that ssh forwards to port 6010 of this machine stands under the name of the machine. */
+    @Test
+    void theKeyOfAForwardedDisplayIsThatOfThisMachine() {
+        byte[] local = entry(256, "host", "10", (byte) 7);
+        byte[] remote = entry(0, "abcd", "3", (byte) 8);
+        byte[] all = ByteBuffer.allocate(local.length + remote.length)
+                .put(local)
+                .put(remote)
+                .array();
+        assertThat(DisplayServer.cookie("localhost:10.0", ByteBuffer.wrap(all))).containsExactly(7);
+        assertThat(DisplayServer.cookie(":10", ByteBuffer.wrap(all))).containsExactly(7);
+        assertThat(DisplayServer.cookie("elsewhere:10", ByteBuffer.wrap(all))).isEmpty();
+        assertThat(DisplayServer.cookie("elsewhere:3", ByteBuffer.wrap(all))).containsExactly(8);
+        assertThat(DisplayServer.cookie(":3", ByteBuffer.wrap(all))).isEmpty();
     }
 }
