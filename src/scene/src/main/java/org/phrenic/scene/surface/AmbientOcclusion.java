@@ -1,6 +1,8 @@
 package org.phrenic.scene.surface;
 
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
@@ -21,13 +23,23 @@ public final class AmbientOcclusion {
 
     private static final double MIN_VISIBILITY = 0.30;
 
+    /** What a body has in every scene of it. */
+    private static final Set<StructureKind> OCCLUDERS = EnumSet.of(
+            StructureKind.RIB,
+            StructureKind.COSTAL_CARTILAGE,
+            StructureKind.STERNUM,
+            StructureKind.VERTEBRA,
+            StructureKind.DISC,
+            StructureKind.BONE,
+            StructureKind.LIVER);
+
     private final double[] origin = new double[3];
     private final int[] size = new int[3];
     private final float[][] levels = new float[LEVELS][];
 
     public AmbientOcclusion(List<Surface> surfaces) {
         List<Surface> occluders =
-                surfaces.stream().filter(s -> occludes(s.kind())).toList();
+                surfaces.stream().filter(s -> OCCLUDERS.contains(s.kind())).toList();
         double[] box = Surface.bounds(occluders);
         int even = 1 << LEVELS;
         for (int i = 0; i < 3; i++) {
@@ -40,10 +52,6 @@ public final class AmbientOcclusion {
         for (int level = 1; level < LEVELS; level++) {
             levels[level] = downsampled(levels[level - 1], level - 1);
         }
-    }
-
-    private static boolean occludes(StructureKind kind) {
-        return kind != StructureKind.SKIN && kind != StructureKind.LUNG && kind != StructureKind.DIAPHRAGM;
     }
 
     /** Marks the cells that a surface passes through as occupied. */
