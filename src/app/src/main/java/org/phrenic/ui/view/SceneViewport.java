@@ -17,6 +17,7 @@ import javax.swing.SwingUtilities;
 import org.phrenic.scene.NeedleMarkers;
 import org.phrenic.scene.annotate.Annotations;
 import org.phrenic.scene.camera.AnatomicalView;
+import org.phrenic.scene.camera.BoundingBox;
 import org.phrenic.scene.camera.Camera;
 import org.phrenic.scene.camera.PickResult;
 import org.phrenic.scene.gl.GraphicsInfo;
@@ -84,7 +85,8 @@ public final class SceneViewport extends JPanel implements Session.Listener {
     @Override
     public void onScene(LiveScene now) {
         boolean otherBody = scene == null
-                || !scene.scenario().anatomy().equals(now.scenario().anatomy());
+                || !scene.scenario().anatomy().equals(now.scenario().anatomy())
+                || !BoundingBox.areAlike(Surface.bounds(scene.surfaces()), Surface.bounds(now.surfaces()));
         scene = now;
         picked = Optional.empty();
         pickListener.accept("");

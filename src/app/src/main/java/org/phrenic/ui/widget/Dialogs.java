@@ -29,7 +29,7 @@ public final class Dialogs {
     private Dialogs() {}
 
     /**
-     * A dialog that is not shown yet. The Escape key hides it.
+     * A dialog that is not shown yet. The Escape key closes it.
      *
      * @param size wanted size; the screen of the owner limits it
      * @param note text on the left of the buttons, or empty
@@ -38,6 +38,7 @@ public final class Dialogs {
     public static JDialog of(
             Window owner, String title, JComponent content, Dimension size, String note, JButton... buttons) {
         JDialog dialog = new JDialog(owner, title);
+        dialog.setDefaultCloseOperation(JDialog.DISPOSE_ON_CLOSE);
         JPanel foot = new JPanel(new MigLayout("insets 0 14 14 14, fillx", "[grow]push" + "[]".repeat(buttons.length)));
         foot.add(Controls.secondaryLabel(note), "wmin 0");
         for (JButton button : buttons) {
@@ -47,8 +48,7 @@ public final class Dialogs {
         dialog.getContentPane().add(content);
         dialog.getContentPane().add(foot, BorderLayout.SOUTH);
         KeyStroke escape = KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0);
-        dialog.getRootPane()
-                .registerKeyboardAction(e -> dialog.setVisible(false), escape, JComponent.WHEN_IN_FOCUSED_WINDOW);
+        dialog.getRootPane().registerKeyboardAction(e -> dialog.dispose(), escape, JComponent.WHEN_IN_FOCUSED_WINDOW);
         dialog.setSize(within(UIScale.scale(size), screen(owner == null ? dialog : owner)));
         dialog.setLocationRelativeTo(owner);
         return dialog;

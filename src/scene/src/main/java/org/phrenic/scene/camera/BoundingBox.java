@@ -23,9 +23,24 @@ public record BoundingBox(Vector3d low, Vector3d high) {
     /** Maximum distance by which a surface leaves its box during a breath, mm. */
     private static final double MOTION_MARGIN_MM = 40;
 
+    /** Share of the diagonal by which the bounds of a scene change at most as its organs are shown or hidden. */
+    private static final double SAME_BODY = 0.2;
+
     public static BoundingBox of(TriangleMesh mesh) {
         double[] b = mesh.bounds();
         return new BoundingBox(new Vector3d(b[0], b[1], b[2]), new Vector3d(b[3], b[4], b[5]));
+    }
+
+    /**
+     * Whether a camera that shows a scene also shows another one.
+     *
+     * @param bounds of the first scene, {@code {minX, minY, minZ, maxX, maxY, maxZ}}, mm
+     * @param others of the other scene
+     */
+    public static boolean areAlike(double[] bounds, double[] others) {
+        double diagonal =
+                new Vector3d(bounds[3], bounds[4], bounds[5]).distance(new Vector3d(bounds[0], bounds[1], bounds[2]));
+        return IntStream.range(0, bounds.length).noneMatch(i -> Math.abs(others[i] - bounds[i]) > SAME_BODY * diagonal);
     }
 
     public double longestSide() {
