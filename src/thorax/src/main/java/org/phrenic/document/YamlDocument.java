@@ -37,6 +37,9 @@ public final class YamlDocument {
     private static final int MAX_DEPTH = 30;
     private static final int MAX_ALIASES = 20;
     private static final int MAX_VALUES = 1_000_000;
+    /** Room for as many values with their indentation, and paths among them; the parser refuses 3 MB by itself. */
+    private static final int MAX_CODE_POINTS = 1 << 28;
+
     private static final YAMLFactory FACTORY = new EventFactory();
 
     private final String file;
@@ -241,7 +244,9 @@ public final class YamlDocument {
     private static final class EventFactory extends YAMLFactory {
         @Override
         protected YAMLParser _createParser(Reader reader, IOContext context) {
-            return new EventParser(context, _parserFeatures, _yamlParserFeatures, _loaderOptions, reader);
+            LoaderOptions options = new LoaderOptions();
+            options.setCodePointLimit(MAX_CODE_POINTS);
+            return new EventParser(context, _parserFeatures, _yamlParserFeatures, options, reader);
         }
     }
 }

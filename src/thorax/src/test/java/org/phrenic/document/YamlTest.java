@@ -149,6 +149,14 @@ class YamlTest {
         refusedText("a: !!javax.script.ScriptEngineManager [x]\n", "line 1", "tag is not allowed");
     }
 
+    /** A list of many points, as a study leaves one. */
+    @Test
+    void aFileOfManyMegabytesIsRead() {
+        String person = "- " + "a person ".repeat(100) + "\n";
+        YamlMap yaml = YamlDocument.parse("s.yaml", "persons:\n" + person.repeat(10_000));
+        assertThat(yaml.texts("persons")).hasSize(10_000);
+    }
+
     @Test
     void aFileIsReadWithOrWithoutAByteOrderMark() {
         byte[] bytes = ("\uFEFF" + SCENARIO).getBytes(StandardCharsets.UTF_8);

@@ -40,7 +40,8 @@ public final class SweepFolder {
     /**
      * The folder of a study, which is made if it is absent.
      *
-     * @throws BadInputException with one sentence, if another study is in it, or journals of which no study is known
+     * @throws BadInputException with one sentence, if another study is in it, or journals of which no study is known,
+     *     or if the study is too large to be read again
      */
     public static SweepFolder of(Path folder, SweepPlan plan) {
         Path study = folder.resolve(STUDY);
@@ -55,6 +56,7 @@ public final class SweepFolder {
                 throw new BadInputException(folder + ": found " + RUNS + " without " + STUDY
                         + ", which would be written over, expected another folder");
             }
+            requireReadable(study, text);
             AtomicFile.write(study, text);
         } else if (!stated(study).resolved().equals(text)) {
             throw new BadInputException(folder + ": found the results of another study (" + STUDY
@@ -77,7 +79,23 @@ public final class SweepFolder {
     }
 
     private static SweepStudy stated(Path file) {
-        return SweepStudy.parseWithoutBodies(file.toString(), TextFile.read(file, "a study"));
+        return stated(file, TextFile.read(file, "a study"));
+    }
+
+    private static SweepStudy stated(Path file, String text) {
+        return SweepStudy.parseWithoutBodies(file.toString(), text);
+    }
+
+    /** A study that cannot be read again cannot be resumed, sharded or merged, which is told before its first run. */
+    private static void requireReadable(Path file, String text) {
+        try {
+            stated(file, text);
+        } catch (BadInputException unreadable) {
+            throw new BadInputException(
+                    file.getParent() + ": found a study that could not be resumed from its " + STUDY + " ("
+                            + unreadable.getMessage() + "), expected one with fewer values",
+                    unreadable);
+        }
     }
 
     public SweepPlan plan() {

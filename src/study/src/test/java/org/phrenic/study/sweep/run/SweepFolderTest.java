@@ -1,0 +1,52 @@
+package org.phrenic.study.sweep.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.file.BadInputException;
+import org.phrenic.study.sweep.SweepPlan;
+import org.phrenic.study.sweep.SweepStudy;
+
+/** What is in the folder of a study, from which another process resumes, shards or merges it. */
+class SweepFolderTest {
+    @TempDir
+    private Path folder;
+
+    /** Points of Ishigami's function in a table, each of three numbers. */
+    private SweepPlan list(String point, int count) throws IOException {
+        Files.writeString(folder.resolve("points.csv"), "x1,x2,x3\n" + (point + "\n").repeat(count));
+        return SweepPlan.of(SweepStudy.read(Files.writeString(
+                folder.resolve("list.yaml"), "model: ishigami\ndesign: {kind: list, file: points.csv}\n")));
+    }
+
+    /** Beyond the 3 MB that a YAML parser reads unless it is told otherwise. */
+    @Test
+    void aLongListIsReadAgainByWhoResumesOrMergesIt() throws IOException {
+        String digits = "1234567890".repeat(10);
+        SweepPlan plan = list("0." + digits + ",1." + digits + ",2." + digits, 12_000);
+        Path out = folder.resolve("out");
+        SweepFolder.of(out, plan);
+        assertThat(out.resolve("study.yaml")).isNotEmptyFile();
+        assertThat(Files.size(out.resolve("study.yaml"))).isGreaterThan(3 << 20);
+        assertThat(SweepFolder.of(out, plan).plan()).isSameAs(plan);
+        assertThat(SweepFolder.existing(out).plan().size()).isEqualTo(plan.size());
+    }
+
+    /** A million values are more than a file may hold; the runs of hours would be in a folder that nothing reads. */
+    @Test
+    void aStudyThatCouldNotBeReadAgainIsRefusedBeforeItsFirstRun() throws IOException {
+        SweepPlan plan = list("0,1,2", 250_000);
+        Path out = folder.resolve("out");
+        assertThatThrownBy(() -> SweepFolder.of(out, plan))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageStartingWith(out + ": found a study that could not be resumed from its study.yaml (")
+                .hasMessageContaining("expected at most 30 levels and 1000000 values")
+                .hasMessageEndingWith("), expected one with fewer values");
+        assertThat(out).doesNotExist();
+    }
+}
