@@ -3,6 +3,9 @@ package org.phrenic.study.sweep.index;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.NavigableSet;
+import java.util.SortedSet;
+import java.util.TreeSet;
 
 /**
  * Mean response against one factor, over the runs in which the factor lies in a bin. The other factors vary within each
@@ -21,7 +24,7 @@ public record ResponseCurve(double[] at, double[] mean, double[] deviation, int[
 
     /**
      * Computes a curve. A factor with at most {@link #MOST_BINS} different values has one bin a value; another has bins
-     * with equally many runs.
+     * with equally many runs, but for that all runs of one value lie in one bin.
      *
      * @param factor values
      * @param response one per value; those that are not finite are left out
@@ -45,21 +48,43 @@ public record ResponseCurve(double[] at, double[] mean, double[] deviation, int[
 
     private static List<List<double[]>> bins(List<double[]> pairs) {
         List<List<double[]>> bins = new ArrayList<>();
-        long values = pairs.stream().mapToDouble(p -> p[0]).distinct().count();
-        if (values <= MOST_BINS) {
-            for (int i = 0; i < pairs.size(); i++) {
-                if (i == 0 || pairs.get(i)[0] != pairs.get(i - 1)[0]) {
-                    bins.add(new ArrayList<>());
-                }
-                bins.get(bins.size() - 1).add(pairs.get(i));
-            }
-            return bins;
-        }
-        int count = Math.max(2, Math.min(MOST_BINS, pairs.size() / LEAST_RUNS));
-        for (int b = 0; b < count; b++) {
-            bins.add(pairs.subList(b * pairs.size() / count, (b + 1) * pairs.size() / count));
+        int from = 0;
+        for (int end : ends(pairs)) {
+            bins.add(pairs.subList(from, end));
+            from = end;
         }
         return bins;
+    }
+
+    /** Where the bins end, ascending: each at the last run of a value. */
+    private static SortedSet<Integer> ends(List<double[]> pairs) {
+        NavigableSet<Integer> changes = new TreeSet<>();
+        for (int i = 1; i < pairs.size(); i++) {
+            if (pairs.get(i)[0] != pairs.get(i - 1)[0]) {
+                changes.add(i);
+            }
+        }
+        NavigableSet<Integer> ends = new TreeSet<>(changes);
+        if (changes.size() >= MOST_BINS) {
+            ends.clear();
+            int count = Math.max(2, Math.min(MOST_BINS, pairs.size() / LEAST_RUNS));
+            for (int b = 1; b < count; b++) {
+                ends.add(nearest(changes, b * pairs.size() / count));
+            }
+        }
+        if (!pairs.isEmpty()) {
+            ends.add(pairs.size());
+        }
+        return ends;
+    }
+
+    private static int nearest(NavigableSet<Integer> places, int place) {
+        Integer below = places.floor(place);
+        Integer above = places.ceiling(place);
+        if (below == null || above == null) {
+            return below == null ? above : below;
+        }
+        return place - below < above - place ? below : above;
     }
 
     private void fill(int bin, List<double[]> pairs) {

@@ -101,6 +101,37 @@ class SensitivityIndicesTest {
         assertThat(flat.extremes()[1] - flat.extremes()[0]).isLessThan(2);
     }
 
+    /** Ten bodies, each at the same five depths: a bin that had a part of a body's runs would have other depths. */
+    @Test
+    void inABalancedGridTheCurveOfAFactorWithoutEffectIsFlat() {
+        double[] body = new double[50];
+        double[] depth = new double[50];
+        for (int run = 0; run < body.length; run++) {
+            body[run] = run / 5;
+            depth[run] = run % 5;
+        }
+        ResponseCurve flat = ResponseCurve.of(body, depth);
+        assertThat(flat.mean()).hasSize(ResponseCurve.MOST_BINS).containsOnly(2);
+        assertThat(Arrays.stream(flat.count()).boxed())
+                .allMatch(count -> count % 5 == 0)
+                .hasSize(ResponseCurve.MOST_BINS);
+        assertThat(Arrays.stream(flat.count()).sum()).isEqualTo(50);
+    }
+
+    /** A normal distribution that is cut has many runs at its cut. */
+    @Test
+    void manyRunsOfOneValueLieInOneBin() {
+        double[] factor = new double[100];
+        for (int run = 90; run < factor.length; run++) {
+            factor[run] = run;
+        }
+        double[] response = Arrays.stream(factor).map(value -> value * 2).toArray();
+        ResponseCurve curve = ResponseCurve.of(factor, response);
+        assertThat(curve.count()).containsExactly(90, 10);
+        assertThat(curve.mean()).containsExactly(0, 189);
+        assertThat(ResponseCurve.of(new double[0], new double[0]).at()).isEmpty();
+    }
+
     /** The mean of n equal draws scatters by sd / sqrt n: 95 % of it is 1.96 times as wide on both sides. */
     @Test
     void theIntervalOfAMeanIsThatOfItsStandardError() {
