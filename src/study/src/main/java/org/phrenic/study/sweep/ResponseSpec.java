@@ -13,7 +13,7 @@ import org.phrenic.study.validation.Reduction;
  *
  * @param name column of the table of runs; by default observable and reduction
  * @param observable column of {@code observables.csv} or an observable of {@code validate}
- * @param observables for a reduction of several observables, in place of {@code observable}
+ * @param observables for {@link Reduction#ORDER}, in place of {@code observable}
  * @param reduction of the time series
  * @param against second observable, where the reduction needs one
  * @param share for {@link Reduction#AT_SHARE}
@@ -43,6 +43,18 @@ public record ResponseSpec(
         observables = observables.isEmpty() ? List.of(observable) : List.copyOf(observables);
         observable = "";
         name = name.isEmpty() ? String.join("_", observables) + "_" + reduction.label() : name;
+    }
+
+    /** @throws IllegalArgumentException with one sentence, if the reduction does not read what is stated */
+    void requireRead() {
+        if (reduction != Reduction.ORDER && observables.size() > 1) {
+            throw new IllegalArgumentException("found " + observables.size() + " observables with the reduction "
+                    + reduction.label() + ", which reads one, expected a response for each");
+        }
+        if (reduction != Reduction.AT_SHARE && share != 1) {
+            throw new IllegalArgumentException("found a share with the reduction " + reduction.label()
+                    + ", which reads none, expected it with at_share");
+        }
     }
 
     /** All observables that are needed. */

@@ -37,6 +37,9 @@ final class StudyCheck {
         requireColumns(model);
         requireFactors(model);
         requireOneBody();
+        if (evaluated) {
+            requireReductions();
+        }
         boolean creep = study.responses().stream().anyMatch(ResponseSpec::needsHold);
         if (evaluated && creep && !HeldBreaths.in(study)) {
             throw yaml.bad("responses", "found creep, expected a breath with a hold, such as preset hold-inspiration");
@@ -104,6 +107,18 @@ final class StudyCheck {
                 FactorScale.of(factor, model);
             } catch (IllegalArgumentException | BadInputException refused) {
                 throw new BadInputException(place.bad(refused.getMessage()).getMessage(), refused);
+            }
+        }
+    }
+
+    /** A study that is merged has its numbers, whatever they are called. */
+    private void requireReductions() {
+        for (int r = 0; r < study.responses().size(); r++) {
+            try {
+                study.responses().get(r).requireRead();
+            } catch (IllegalArgumentException refused) {
+                throw new BadInputException(
+                        yaml.maps("responses").get(r).bad(refused.getMessage()).getMessage(), refused);
             }
         }
     }

@@ -52,6 +52,27 @@ class StudyCheckTest {
                 .containsExactly("age_y");
     }
 
+    /** The response of the first observable would pass for one of both, and a share would change nothing. */
+    @Test
+    void whatAReductionDoesNotReadIsRefused() {
+        String two = "observables: [liver_si_mm, liver_ap_mm], reduction: ";
+        String both = "responses:\n  - {observable: liver_si_mm, reduction: size}\n  - {" + two + "size}\n";
+        refused(DEPTHS + GRID + both, "line 6", "found 2 observables with the reduction size", "expected a response");
+        String share = RESPONSE.replace("size", "size, share: 0.5");
+        refused(DEPTHS + GRID + share, "line 5", "found a share with the reduction size", "expected it with at_share");
+        for (String read : List.of(
+                two + "order",
+                "observables: [liver_si_mm], reduction: size, share: 1",
+                "observable: liver_si_mm, against: dome_right_mm, reduction: at_share, share: 0.5")) {
+            String responses = "responses:\n  - {" + read + "}\n";
+            assertThat(SweepStudy.parse("study.yaml", DEPTHS + GRID + responses).responses())
+                    .hasSize(1);
+        }
+        assertThat(SweepStudy.parseWithoutBodies("a study that is merged", DEPTHS + GRID + both)
+                        .responses())
+                .hasSize(2);
+    }
+
     @Test
     void creepIsRefusedUnlessABreathOfTheStudyHasAHold() {
         String told = "found creep, expected a breath with a hold";
