@@ -68,6 +68,7 @@ final class StudyCheck {
             throw yaml.bad("series", "found two of the same name, expected each name once");
         }
         List<String> others = new ArrayList<>(SweepStudy.JOURNAL_COLUMNS);
+        others.add(SweepStudy.PLAN_COLUMN);
         others.addAll(model.traitNames());
         model.series().forEach(name -> others.add(SweepStudy.seriesColumn(name)));
         for (String name : model.responses()) {

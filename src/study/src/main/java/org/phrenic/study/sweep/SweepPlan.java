@@ -1,12 +1,16 @@
 package org.phrenic.study.sweep;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import org.phrenic.file.Hashes;
 
 /** The runs of a study in the order of its design. The same study gives the same plan. Immutable. */
 public final class SweepPlan {
+    private static final int FINGERPRINT_DIGITS = 16;
+
     private final SweepStudy study;
     private final SweepModel model;
     private final List<FactorScale> scales;
@@ -21,7 +25,7 @@ public final class SweepPlan {
                 .design(study.factors())
                 .map(design -> design.points())
                 .orElse(new double[0][]);
-        List<String> keys = study.factors().stream().map(Factor::key).toList();
+        List<String> keys = keys();
         if (cube.length == 0) {
             study.design().points().forEach(values -> points.add(new SweepPoint(points.size(), keys, values)));
         }
@@ -55,6 +59,28 @@ public final class SweepPlan {
 
     public int size() {
         return points.size();
+    }
+
+    /**
+     * Tells plans apart whose runs of the same index differ: a hash of the factors, all points and what else decides
+     * the results. Bodies and recordings count by their names, not by where they lie or what is in them.
+     */
+    public String fingerprint() {
+        String hash = Hashes.sha256((study.computed() + keys()).getBytes(StandardCharsets.UTF_8));
+        for (SweepPoint point : points) {
+            StringBuilder text = new StringBuilder(hash);
+            for (int f = 0; f < point.values().size(); f++) {
+                text.append('\n')
+                        .append(SweepStudy.withoutFolder(
+                                point.keys().get(f), point.values().get(f)));
+            }
+            hash = Hashes.sha256(text.toString().getBytes(StandardCharsets.UTF_8));
+        }
+        return hash.substring(0, FINGERPRINT_DIGITS);
+    }
+
+    private List<String> keys() {
+        return study.factors().stream().map(Factor::key).toList();
     }
 
     /** The factors and their distributions. */

@@ -45,6 +45,9 @@ public record SweepStudy(
     /** Columns of the journal before those of the responses. */
     public static final List<String> JOURNAL_COLUMNS = List.of("index", "failure", "wall_s", "state_sha256", "machine");
 
+    /** Column of the journal with the fingerprint of the plan, behind these. */
+    public static final String PLAN_COLUMN = "plan_fingerprint";
+
     private static final List<String> KEYS =
             List.of("title", "model", "scenario", "settings", "cohort", "factors", "design", "responses", "series");
     /** Keys that a model does not read. */
@@ -237,12 +240,8 @@ public record SweepStudy(
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("title", title);
         map.put("model", model);
-        if (!model.equals(IshigamiModel.NAME)) {
-            Map<String, Object> settings = scenario.statedMap();
-            settings.remove(Numerics.THREADS.key());
-            if (!settings.isEmpty()) {
-                map.put("settings", settings);
-            }
+        if (!settings().isEmpty()) {
+            map.put("settings", settings());
         }
         if (design.kind() != DesignSpec.Kind.LIST) {
             map.put("factors", factors.stream().map(Factor::toMap).toList());
@@ -255,5 +254,48 @@ public record SweepStudy(
             map.put("series", series);
         }
         return YamlWriter.format(map);
+    }
+
+    private Map<String, Object> settings() {
+        if (model.equals(IshigamiModel.NAME)) {
+            return Map.of();
+        }
+        Map<String, Object> settings = scenario.statedMap();
+        settings.remove(Numerics.THREADS.key());
+        return settings;
+    }
+
+    /**
+     * What decides the results of a point, as text. Bodies and recordings are there by their names, since each machine
+     * may have them in another folder.
+     */
+    String computed() {
+        Map<String, Object> settings = new LinkedHashMap<>(settings());
+        PATHS.forEach(key -> settings.computeIfPresent(key, (k, path) -> withoutFolder(k, path.toString())));
+        settings.computeIfPresent(RunSettings.CHANGES.key(), (key, changes) -> ((List<?>) changes)
+                .stream().map(change -> withoutFolder(change.toString())).toList());
+        Map<String, Object> map = new LinkedHashMap<>();
+        map.put("model", model);
+        map.put("settings", settings);
+        map.put("responses", responses.stream().map(ResponseSpec::toMap).toList());
+        map.put("series", series);
+        return YamlWriter.format(map);
+    }
+
+    /** The value of a factor or setting; a body or a recording by the name of its file or folder. */
+    static String withoutFolder(String key, String value) {
+        return isPath(key) && !isNamed(value) ? value.substring(folderLength(value)) : value;
+    }
+
+    /** A scheduled change, {@code STEP:key=value}. */
+    private static String withoutFolder(String change) {
+        int value = change.indexOf('=') + 1;
+        String key = change.substring(change.indexOf(':') + 1, Math.max(0, value - 1));
+        return change.substring(0, value) + withoutFolder(key, change.substring(value));
+    }
+
+    /** Characters before the name in a path of any system. */
+    private static int folderLength(String path) {
+        return Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1;
     }
 }

@@ -4,7 +4,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.TextFile;
@@ -31,10 +33,12 @@ public final class SweepFolder {
 
     private final Path folder;
     private final SweepPlan plan;
+    private final String fingerprint;
 
     private SweepFolder(Path folder, SweepPlan plan) {
         this.folder = folder;
         this.plan = plan;
+        fingerprint = plan.fingerprint();
     }
 
     /**
@@ -103,7 +107,7 @@ public final class SweepFolder {
     }
 
     SweepJournal journal(Shard shard) {
-        return new SweepJournal(folder.resolve(shard.journalName()), plan.model());
+        return new SweepJournal(folder.resolve(shard.journalName()), plan.model(), fingerprint);
     }
 
     private static List<Path> journals(Path folder) {
@@ -112,14 +116,39 @@ public final class SweepFolder {
                 .toList();
     }
 
-    /** The runs in all journals of the folder. */
+    /**
+     * The runs in all journals of the folder.
+     *
+     * @throws BadInputException with one sentence, if a journal is of another study or damaged, or if two of its lines
+     *     or two journals have different results of the same run
+     */
     public SweepResults results() {
-        List<RunRow> rows = new ArrayList<>();
-        journals(folder).forEach(journal -> rows.addAll(SweepJournal.read(journal, plan.model())));
+        Map<Integer, Recorded> first = new LinkedHashMap<>();
+        for (Path journal : journals(folder)) {
+            for (RunRow row : SweepJournal.read(journal, plan.model(), fingerprint)) {
+                Recorded known = first.putIfAbsent(row.index(), new Recorded(row, journal));
+                if (known != null) {
+                    known.requireResultOf(row, journal);
+                }
+            }
+        }
         try {
-            return new SweepResults(plan, rows);
+            return new SweepResults(
+                    plan, first.values().stream().map(Recorded::row).toList());
         } catch (IllegalArgumentException other) {
             throw new BadInputException(folder + ": " + other.getMessage(), other);
+        }
+    }
+
+    /** A run and where it is recorded. */
+    private record Recorded(RunRow row, Path journal) {
+        /** Two failures of a run may be told in different words. */
+        void requireResultOf(RunRow other, Path otherJournal) {
+            if (!row.hasResultOf(other) && !(row.isFailed() && other.isFailed())) {
+                throw new BadInputException(otherJournal + ": found another result of run " + row.index() + " than in "
+                        + journal.getFileName() + ", expected the same (a run whose lines are deleted is computed"
+                        + " again)");
+            }
         }
     }
 

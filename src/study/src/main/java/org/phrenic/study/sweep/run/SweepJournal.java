@@ -28,6 +28,9 @@ import org.phrenic.study.sweep.SweepStudy;
 /**
  * The completed runs of a study in a CSV file to which each run appends a line, in the order of completion. A last line
  * without its line feed, which a killed process leaves, is dropped. One process at a time writes a journal.
+ *
+ * <p>Each line states the fingerprint of the plan that it belongs to. A journal without that column is taken as one of
+ * the plan, and goes on without it.
  */
 final class SweepJournal implements AutoCloseable {
     private static final List<String> FIXED = SweepStudy.JOURNAL_COLUMNS;
@@ -37,9 +40,15 @@ final class SweepJournal implements AutoCloseable {
 
     private final RandomAccessFile file;
     private final Path path;
+    /** What a line states of its plan; empty in a journal without that column. */
+    private final List<String> plan;
 
-    /** Opens a journal for appending, after its last complete line. */
-    SweepJournal(Path path, SweepModel model) {
+    /**
+     * Opens a journal for appending, after its last complete line.
+     *
+     * @param plan fingerprint of the plan of the runs
+     */
+    SweepJournal(Path path, SweepModel model, String plan) {
         this.path = path;
         try {
             file = new RandomAccessFile(path.toFile(), "rw");
@@ -50,9 +59,11 @@ final class SweepJournal implements AutoCloseable {
                         + " (the study runs already)");
             }
             file.setLength(completeLength());
+            boolean begun = file.length() > 0;
+            this.plan = begun && !statesPlan() ? List.of() : List.of(plan);
             file.seek(file.length());
-            if (file.length() == 0) {
-                append(CsvWriter.format(header(model), List.of()));
+            if (!begun) {
+                append(CsvWriter.format(header(model, true), List.of()));
             }
         } catch (IOException failure) {
             throw failed(failure);
@@ -71,11 +82,21 @@ final class SweepJournal implements AutoCloseable {
         return new OutputException(path + ": writing failed: " + failure.getMessage(), failure);
     }
 
-    private static List<String> header(SweepModel model) {
+    private static List<String> header(SweepModel model, boolean withPlan) {
         List<String> header = new ArrayList<>(FIXED);
+        if (withPlan) {
+            header.add(SweepStudy.PLAN_COLUMN);
+        }
         header.addAll(model.responses());
         header.addAll(seriesColumns(model));
         return header;
+    }
+
+    /** Whether the first line, which is complete, has the column of the plan. */
+    private boolean statesPlan() throws IOException {
+        file.seek(0);
+        String header = new String(file.readLine().getBytes(StandardCharsets.ISO_8859_1), StandardCharsets.UTF_8);
+        return CsvTable.parse(path.toString(), header).has(SweepStudy.PLAN_COLUMN);
     }
 
     private static List<String> seriesColumns(SweepModel model) {
@@ -106,6 +127,7 @@ final class SweepJournal implements AutoCloseable {
         cells.add(CsvWriter.number(row.wallS(), 4));
         cells.add(row.outcome().stateSha256());
         cells.add(row.machine());
+        cells.addAll(plan);
         DoubleStream.of(row.outcome().responses()).forEach(v -> cells.add(text(v)));
         for (double[] values : row.outcome().series()) {
             cells.add(DoubleStream.of(values).mapToObj(SweepJournal::text).collect(Collectors.joining(";")));
@@ -125,9 +147,10 @@ final class SweepJournal implements AutoCloseable {
     /**
      * Reads the complete lines of a journal.
      *
-     * @throws BadInputException with one sentence, if it is none of this model, or a line is damaged
+     * @param plan fingerprint of the plan of the runs
+     * @throws BadInputException with one sentence, if it is none of this model and plan, or a line is damaged
      */
-    static List<RunRow> read(Path path, SweepModel model) {
+    static List<RunRow> read(Path path, SweepModel model, String plan) {
         try {
             if (Files.size(path) == 0) {
                 return List.of();
@@ -141,17 +164,26 @@ final class SweepJournal implements AutoCloseable {
             return List.of();
         }
         CsvTable table = CsvTable.parse(path.toString(), complete);
-        if (!table.columnNames().equals(header(model))) {
+        boolean withPlan = table.has(SweepStudy.PLAN_COLUMN);
+        if (!table.columnNames().equals(header(model, withPlan))) {
             throw new BadInputException(path + ": found other columns, expected the journal of this study");
         }
         return IntStream.range(0, table.rowCount())
-                .mapToObj(r -> new Line(table, r).row(model))
+                .mapToObj(r -> new Line(table, r).row(model, withPlan ? plan : ""))
                 .toList();
     }
 
     /** A line of a journal. */
     private record Line(CsvTable table, int number) {
-        RunRow row(SweepModel model) {
+        /** @param plan fingerprint of the plan; empty if the line states none */
+        RunRow row(SweepModel model, String plan) {
+            if (!plan.isEmpty() && !text(SweepStudy.PLAN_COLUMN).equals(plan)) {
+                throw table.badCell(
+                        number,
+                        SweepStudy.PLAN_COLUMN,
+                        "found a run of another study (" + Numbers.quote(text(SweepStudy.PLAN_COLUMN)) + "), expected '"
+                                + plan + "', as this study's factors, points and settings have it");
+            }
             double[] responses =
                     model.responses().stream().mapToDouble(this::number).toArray();
             double[][] series = seriesColumns(model).stream().map(this::series).toArray(double[][]::new);
