@@ -42,6 +42,8 @@ final class SweepJournal implements AutoCloseable {
     private final Path path;
     /** What a line states of its plan; empty in a journal without that column. */
     private final List<String> plan;
+    /** Length of the complete lines. */
+    private long end;
 
     /**
      * Opens a journal for appending, after its last complete line.
@@ -49,24 +51,35 @@ final class SweepJournal implements AutoCloseable {
      * @param plan fingerprint of the plan of the runs
      */
     SweepJournal(Path path, SweepModel model, String plan) {
+        this(path, opened(path), model, plan);
+    }
+
+    /** @param file to read and write {@code path} */
+    SweepJournal(Path path, RandomAccessFile file, SweepModel model, String plan) {
         this.path = path;
+        this.file = file;
         try {
-            file = new RandomAccessFile(path.toFile(), "rw");
             FileLock lock = lock();
             if (lock == null) {
                 file.close();
                 throw new BadInputException(path + ": found a journal that another process writes, expected none"
                         + " (the study runs already)");
             }
-            file.setLength(completeLength());
-            boolean begun = file.length() > 0;
-            this.plan = begun && !statesPlan() ? List.of() : List.of(plan);
-            file.seek(file.length());
-            if (!begun) {
+            end = completeLength();
+            this.plan = end > 0 && !statesPlan() ? List.of() : List.of(plan);
+            if (end == 0) {
                 append(CsvWriter.format(header(model, true), List.of()));
             }
         } catch (IOException failure) {
-            throw failed(failure);
+            throw failed(path, failure);
+        }
+    }
+
+    private static RandomAccessFile opened(Path path) {
+        try {
+            return new RandomAccessFile(path.toFile(), "rw");
+        } catch (IOException failure) {
+            throw failed(path, failure);
         }
     }
 
@@ -78,7 +91,7 @@ final class SweepJournal implements AutoCloseable {
         }
     }
 
-    private OutputException failed(IOException failure) {
+    private static OutputException failed(Path path, IOException failure) {
         return new OutputException(path + ": writing failed: " + failure.getMessage(), failure);
     }
 
@@ -104,19 +117,26 @@ final class SweepJournal implements AutoCloseable {
     }
 
     private long completeLength() throws IOException {
-        long end = file.length();
-        while (end > 0) {
-            file.seek(end - 1);
+        long length = file.length();
+        while (length > 0) {
+            file.seek(length - 1);
             if (file.read() == '\n') {
-                return end;
+                return length;
             }
-            end--;
+            length--;
         }
         return 0;
     }
 
+    /** Appends to the complete lines, in place of the part of a line that a failed attempt may have left. */
     private void append(String text) throws IOException {
-        file.write(text.getBytes(StandardCharsets.UTF_8));
+        byte[] line = text.getBytes(StandardCharsets.UTF_8);
+        if (file.length() > end) {
+            file.setLength(end);
+        }
+        file.seek(end);
+        file.write(line);
+        end += line.length;
     }
 
     /** Appends a run. */
@@ -136,7 +156,7 @@ final class SweepJournal implements AutoCloseable {
         try {
             append(line);
         } catch (IOException failure) {
-            throw failed(failure);
+            throw failed(path, failure);
         }
     }
 
@@ -235,7 +255,7 @@ final class SweepJournal implements AutoCloseable {
         try {
             file.close();
         } catch (IOException failure) {
-            throw failed(failure);
+            throw failed(path, failure);
         }
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -11,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.OutputException;
 import org.phrenic.study.sweep.RunRow;
 import org.phrenic.study.sweep.SweepOutcome;
 import org.phrenic.study.sweep.SweepPlan;
@@ -136,5 +138,43 @@ class SweepJournalTest {
                 .isInstanceOf(BadInputException.class)
                 .hasMessage(folder.resolve("out").resolve("journal.csv") + ": found another result of run 3 than in"
                         + " journal-1-of-2.csv, expected the same (a run whose lines are deleted is computed again)");
+    }
+
+    /** A file on a disk that is full once: it takes half of a line. */
+    private static final class FullOnce extends RandomAccessFile {
+        private boolean isFull;
+
+        FullOnce(Path path) throws IOException {
+            super(path.toFile(), "rw");
+        }
+
+        @Override
+        public void write(byte[] bytes) throws IOException {
+            if (isFull) {
+                isFull = false;
+                super.write(bytes, 0, bytes.length / 2);
+                throw new IOException("No space left on device");
+            }
+            super.write(bytes);
+        }
+    }
+
+    /** Other threads go on for a while, and their lines are not joined to the half of one. */
+    @Test
+    void aLineThatIsWrittenInPartLeavesTheOthersReadable() throws IOException {
+        SweepPlan plan = plan(KNOWN);
+        Path path = folder.resolve("journal.csv");
+        try (FullOnce file = new FullOnce(path);
+                SweepJournal journal = new SweepJournal(path, file, plan.model(), plan.fingerprint())) {
+            journal.add(row(0, 1));
+            file.isFull = true;
+            assertThatThrownBy(() -> journal.add(row(1, 2)))
+                    .isInstanceOf(OutputException.class)
+                    .hasMessage(path + ": writing failed: No space left on device");
+            journal.add(row(2, 3));
+        }
+        assertThat(SweepJournal.read(path, plan.model(), plan.fingerprint()))
+                .extracting(RunRow::index)
+                .containsExactly(0, 2);
     }
 }
