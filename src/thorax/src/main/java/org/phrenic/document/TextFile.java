@@ -18,10 +18,20 @@ public final class TextFile {
      * @throws BadInputException if it cannot be read or is not UTF-8
      */
     public static String read(Path file, String expected) {
+        return decode(file, InputBytes.read(file), expected);
+    }
+
+    /**
+     * The text of bytes of {@code file}.
+     *
+     * @param expected description of the content for error messages
+     * @throws BadInputException if they are not UTF-8
+     */
+    public static String decode(Path file, byte[] bytes, String expected) {
         try {
             String text = StandardCharsets.UTF_8
                     .newDecoder()
-                    .decode(ByteBuffer.wrap(InputBytes.read(file)))
+                    .decode(ByteBuffer.wrap(bytes))
                     .toString();
             return text.startsWith("\uFEFF") ? text.substring(1) : text;
         } catch (CharacterCodingException notUtf8) {

@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
@@ -178,11 +179,16 @@ final class SweepJournal implements AutoCloseable {
         } catch (IOException failure) {
             throw InputBytes.readFailure(path, failure);
         }
-        String text = TextFile.read(path, "a journal");
-        String complete = text.substring(0, text.lastIndexOf('\n') + 1);
-        if (complete.isEmpty()) {
+        byte[] bytes = InputBytes.read(path);
+        int length = bytes.length;
+        while (length > 0 && bytes[length - 1] != '\n') {
+            length--;
+        }
+        if (length == 0) {
             return List.of();
         }
+        // A last line that is incomplete may end within a letter.
+        String complete = TextFile.decode(path, Arrays.copyOf(bytes, length), "a journal");
         CsvTable table = CsvTable.parse(path.toString(), complete);
         boolean withPlan = table.has(SweepStudy.PLAN_COLUMN);
         if (!table.columnNames().equals(header(model, withPlan))) {

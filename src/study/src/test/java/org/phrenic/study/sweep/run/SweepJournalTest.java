@@ -5,8 +5,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.io.RandomAccessFile;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -176,5 +179,18 @@ class SweepJournalTest {
         assertThat(SweepJournal.read(path, plan.model(), plan.fingerprint()))
                 .extracting(RunRow::index)
                 .containsExactly(0, 2);
+    }
+
+    /** A killed process may leave the half of a line that ends within a letter, as of a processor's name. */
+    @Test
+    void aLastLineThatEndsWithinALetterIsDropped() throws IOException {
+        SweepPlan plan = plan(KNOWN);
+        Path out = done("out", plan);
+        Path journal = out.resolve("journal.csv");
+        byte[] torn = Arrays.copyOf("3,,0.1,aa,K\u00fc".getBytes(StandardCharsets.UTF_8), 12);
+        assertThat(torn[11]).isNegative();
+        Files.write(journal, torn, StandardOpenOption.APPEND);
+        assertThat(SweepFolder.existing(out).results().isComplete()).isTrue();
+        assertThat(resumed(out, plan)).isTrue();
     }
 }
