@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.TextFile;
@@ -48,15 +49,22 @@ public final class SweepFolder {
      *     or if the study is too large to be read again
      */
     public static SweepFolder of(Path folder, SweepPlan plan) {
+        return of(folder, plan, SweepFolder::journals);
+    }
+
+    /** @param lists the journals of a folder */
+    static SweepFolder of(Path folder, SweepPlan plan, Function<Path, List<Path>> lists) {
         Path study = folder.resolve(STUDY);
         String text = plan.study().resolved();
+        // Before the study is looked for: another shard that begins meanwhile writes the study before its journal.
+        List<Path> journals = Files.isDirectory(folder) ? lists.apply(folder) : List.of();
+        boolean hasRuns = Files.exists(folder.resolve(RUNS));
         if (!Files.exists(study)) {
-            if (Files.isDirectory(folder) && !journals(folder).isEmpty()) {
-                throw new BadInputException(
-                        folder + ": found " + journals(folder).get(0).getFileName() + " without " + STUDY
-                                + ", expected both or an empty folder");
+            if (!journals.isEmpty()) {
+                throw new BadInputException(folder + ": found "
+                        + journals.get(0).getFileName() + " without " + STUDY + ", expected both or an empty folder");
             }
-            if (Files.exists(folder.resolve(RUNS))) {
+            if (hasRuns) {
                 throw new BadInputException(folder + ": found " + RUNS + " without " + STUDY
                         + ", which would be written over, expected another folder");
             }

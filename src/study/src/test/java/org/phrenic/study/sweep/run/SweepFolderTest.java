@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.InputBytes;
 import org.phrenic.study.sweep.SweepPlan;
 import org.phrenic.study.sweep.SweepStudy;
 
@@ -48,5 +49,18 @@ class SweepFolderTest {
                 .hasMessageContaining("expected at most 30 levels and 1000000 values")
                 .hasMessageEndingWith("), expected one with fewer values");
         assertThat(out).doesNotExist();
+    }
+
+    /** The journal of a shard that begins between two looks at the folder is none of an unknown study. */
+    @Test
+    void shardsThatBeginTogetherTakeTheSameFolder() throws IOException {
+        SweepPlan plan = list("0,1,2", 4);
+        Path out = Files.createDirectory(folder.resolve("out"));
+        SweepFolder second = SweepFolder.of(out, plan, place -> {
+            SweepFolder.of(place, plan).journal(new Shard(0, 2)).close();
+            return InputBytes.list(place);
+        });
+        assertThat(second.results().done()).isZero();
+        assertThat(out.resolve("journal-0-of-2.csv")).isRegularFile();
     }
 }
