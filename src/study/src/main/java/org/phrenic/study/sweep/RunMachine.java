@@ -4,22 +4,46 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
+import org.phrenic.access.MovingAnatomy;
+import org.phrenic.engine.ParticleSystem;
+import org.phrenic.file.Hashes;
+import org.phrenic.file.ProgramBuild;
+import org.phrenic.scenario.Scenario;
 
-/** Names what may change the bits of a run: program version, Java and processor. */
-final class RunMachine {
+/** Names what may change the bits of a run: version and build of the program, Java and processor. */
+public final class RunMachine {
     private static final Path CPU_INFO = Path.of("/proc/cpuinfo");
+    private static final String JAVA = ", Java ";
     private static final String TEXT = describe();
 
     private RunMachine() {}
 
-    /** The machine that executes this, such as {@code phrenic 0.1.0, Java 17.0.12+7, amd64, <processor>}. */
+    /**
+     * The machine that executes this, such as {@code phrenic 0.1.0 build 0123456789ab, Java 17.0.12+7, amd64,
+     * <processor>}.
+     */
     static String text() {
         return TEXT;
     }
 
+    /** The program that executes this, such as {@code phrenic 0.1.0 build 0123456789ab}. */
+    public static String program() {
+        return program(TEXT);
+    }
+
+    /** The program that the text of a machine states. */
+    static String program(String machine) {
+        int java = machine.indexOf(JAVA);
+        return java < 0 ? machine : machine.substring(0, java);
+    }
+
     private static String describe() {
         String version = RunMachine.class.getPackage().getImplementationVersion();
-        return "phrenic " + (version == null ? "(not packaged)" : version) + ", Java " + Runtime.version() + ", "
+        String build = ProgramBuild.of(
+                        RunMachine.class, MovingAnatomy.class, Scenario.class, Hashes.class, ParticleSystem.class)
+                .map(digits -> " build " + digits)
+                .orElse("");
+        return "phrenic " + (version == null ? "(not packaged)" : version) + build + JAVA + Runtime.version() + ", "
                 + System.getProperty("os.arch") + ", " + processor();
     }
 

@@ -5,7 +5,10 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** The completed runs of a plan, in its order. */
@@ -70,6 +73,11 @@ public final class SweepResults {
     /** Sum of the wall times of all runs, s. */
     public double wallS() {
         return stream().mapToDouble(RunRow::wallS).sum();
+    }
+
+    /** The builds of the program that computed the runs, in alphabetical order. */
+    public SortedSet<String> programs() {
+        return stream().map(row -> RunMachine.program(row.machine())).collect(Collectors.toCollection(TreeSet::new));
     }
 
     /** Machines that computed the runs, with their numbers of runs. */

@@ -149,6 +149,10 @@ public final class SweepReport {
         new WayMap(results).addTo(page);
         new SeriesBands(results).addTo(page);
         page.section("Machines");
+        if (results.programs().size() > 1) {
+            page.paragraph("The runs are of different builds of the program, whose results may differ: "
+                    + String.join("; ", results.programs()) + ".");
+        }
         results.machines().forEach((machine, count) -> page.paragraph(machine + ": " + count + " runs."));
         return HtmlPage.format(page);
     }

@@ -2,9 +2,12 @@ package org.phrenic.study.sweep.run;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.IntStream;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.OutputException;
+import org.phrenic.study.sweep.RunMachine;
 import org.phrenic.study.sweep.RunRow;
 import org.phrenic.study.sweep.SweepResults;
 
@@ -72,6 +75,7 @@ public final class SweepRunner {
                 progress.note(known + " of " + mine.size() + " runs are in the journal");
             }
             if (!pending.isEmpty()) {
+                tellOtherBuilds(before);
                 executor.run(folder.plan(), pending, row -> completed(row, journal, known, mine.size()));
             }
         }
@@ -80,6 +84,17 @@ public final class SweepRunner {
             write(results);
         }
         return results;
+    }
+
+    /** Another build may give other results, and no run says which of them it has. */
+    private void tellOtherBuilds(SweepResults before) {
+        Set<String> others = new TreeSet<>(before.programs());
+        others.remove(RunMachine.program());
+        if (!others.isEmpty()) {
+            progress.note("found runs of another build of the program in the journal (" + String.join("; ", others)
+                    + "), expected those of this one (" + RunMachine.program()
+                    + "): a new folder has all runs of one build");
+        }
     }
 
     private synchronized void completed(RunRow row, SweepJournal journal, int known, int total) {

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -16,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.OutputException;
+import org.phrenic.study.sweep.RunMachine;
 import org.phrenic.study.sweep.RunRow;
 import org.phrenic.study.sweep.SweepOutcome;
 import org.phrenic.study.sweep.SweepPlan;
@@ -192,5 +194,45 @@ class SweepJournalTest {
         Files.write(journal, torn, StandardOpenOption.APPEND);
         assertThat(SweepFolder.existing(out).results().isComplete()).isTrue();
         assertThat(resumed(out, plan)).isTrue();
+    }
+
+    private static final class Notes implements ProgressListener {
+        private final List<String> sentences = new ArrayList<>();
+
+        @Override
+        public void done(int count, int total, String what) {}
+
+        @Override
+        public void note(String sentence) {
+            sentences.add(sentence);
+        }
+    }
+
+    /** Runs of two builds in one table may differ by the build and not by a factor. */
+    @Test
+    void aStudyThatGoesOnWithAnotherBuildSaysSo() throws IOException {
+        SweepPlan plan = plan(KNOWN);
+        Path out = done("out", plan);
+        Path journal = out.resolve("journal.csv");
+        List<String> lines = Files.readAllLines(journal);
+        String own = RunMachine.program();
+        for (String other : List.of("phrenic 0.1.0", own)) {
+            Files.writeString(journal, String.join("\n", lines.subList(0, 3)).replace(own, other) + "\n");
+            Notes notes = new Notes();
+            SweepFolder study = SweepFolder.of(out, plan);
+            SweepRunner.run(study, Shard.WHOLE, new ThreadExecutor(1), notes);
+            String report = Files.readString(out.resolve("report.html"));
+            if (other.equals(own)) {
+                assertThat(notes.sentences).containsExactly("2 of 4 runs are in the journal");
+                assertThat(report).doesNotContain("different builds");
+            } else {
+                assertThat(notes.sentences)
+                        .hasSize(2)
+                        .last()
+                        .asString()
+                        .contains("another build of the program in the journal (phrenic 0.1.0)", "(" + own + ")");
+                assertThat(report).contains("different builds of the program");
+            }
+        }
     }
 }
