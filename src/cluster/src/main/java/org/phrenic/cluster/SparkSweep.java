@@ -18,8 +18,8 @@ import scala.reflect.ClassTag$;
 final class SparkSweep implements SweepExecutor {
     /** Tasks for each core of the cluster, so that the last ones end at about the same time. */
     private static final int TASKS_PER_CORE = 32;
-    /** Tasks that any driver handles without delay. */
-    private static final int EASY_TASKS = 1000;
+    /** Tasks that any driver handles without delay, whatever the number of cores, which is not known at the start. */
+    private static final int EASY_TASKS = 10_000;
 
     private final JavaSparkContext context;
 
@@ -29,11 +29,11 @@ final class SparkSweep implements SweepExecutor {
 
     @Override
     public void run(SweepPlan plan, List<Integer> pending, Consumer<RunRow> done) {
-        int tasks = Math.min(pending.size(), Math.max(EASY_TASKS, TASKS_PER_CORE * width()));
         try {
             context.sc()
                     .runJob(
-                            context.parallelize(pending, tasks).rdd(),
+                            context.parallelize(pending, tasks(pending.size(), width()))
+                                    .rdd(),
                             new RunTask(plan.study().resolved()),
                             new RowsHandler(done),
                             ClassTag$.MODULE$.apply(RunRow[].class));
@@ -52,6 +52,12 @@ final class SparkSweep implements SweepExecutor {
         }
     }
 
+    /** Number of tasks for a number of runs on cores. */
+    static int tasks(int runs, int cores) {
+        return Math.min(runs, Math.max(EASY_TASKS, TASKS_PER_CORE * cores));
+    }
+
+    /** Cores of the executors that have come so far; a standalone master has two before the first. */
     @Override
     public int width() {
         return context.defaultParallelism();

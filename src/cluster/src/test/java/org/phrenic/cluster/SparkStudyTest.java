@@ -181,6 +181,15 @@ class SparkStudyTest {
         }
     }
 
+    /** Before executors have come Spark counts two cores; later ones would wait for tasks of many runs. */
+    @Test
+    void aStudyOfTenThousandRunsHasATaskForEachRun() {
+        assertThat(SparkSweep.tasks(10_000, 2)).isEqualTo(10_000);
+        assertThat(SparkSweep.tasks(48, 800)).isEqualTo(48);
+        assertThat(SparkSweep.tasks(100_000, 2)).isEqualTo(10_000);
+        assertThat(SparkSweep.tasks(100_000, 800)).isEqualTo(32 * 800);
+    }
+
     @Test
     void theMasterOfSparkIsAddedWhereAStudyRuns() {
         List<String> args = List.of("sweep", "study.yaml", "--out", "x");

@@ -3,6 +3,7 @@ package org.phrenic.study.sweep.run;
 import com.sun.management.OperatingSystemMXBean;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
+import java.util.function.IntSupplier;
 import java.util.function.Supplier;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.study.sweep.SweepPlan;
@@ -31,7 +32,7 @@ public final class StudyMeasurement {
             ProgressListener progress) {
         return measure(
                 way,
-                executor.width(),
+                executor::width,
                 inProcess,
                 () -> SweepRunner.run(SweepFolder.of(folder, plan), Shard.WHOLE, executor, progress));
     }
@@ -39,7 +40,7 @@ public final class StudyMeasurement {
     /** Runs a study as shards one after another and merges them; each shard makes its own plan and bodies. */
     public static StudyCost ofShards(
             String way, Path folder, SweepPlan plan, int shards, int threads, ProgressListener progress) {
-        return measure(way, threads, true, () -> {
+        return measure(way, () -> threads, true, () -> {
             for (int k = 0; k < shards; k++) {
                 SweepFolder part = SweepFolder.of(folder, SweepPlan.of(plan.study()));
                 SweepRunner.run(part, new Shard(k, shards), new ThreadExecutor(threads), progress);
@@ -51,11 +52,13 @@ public final class StudyMeasurement {
         });
     }
 
-    private static StudyCost measure(String way, int width, boolean inProcess, Supplier<SweepResults> study) {
+    /** @param width runs at a time, asked when the study is done: a cluster grows meanwhile */
+    private static StudyCost measure(String way, IntSupplier width, boolean inProcess, Supplier<SweepResults> study) {
         long begun = System.nanoTime();
         long processor = PROCESS.getProcessCpuTime();
         SweepResults results = study.get();
         double processorS = inProcess ? (PROCESS.getProcessCpuTime() - processor) * 1e-9 : Double.NaN;
-        return new StudyCost(way, width, (System.nanoTime() - begun) * 1e-9, processorS, results);
+        double elapsedS = (System.nanoTime() - begun) * 1e-9;
+        return new StudyCost(way, width.getAsInt(), elapsedS, processorS, results);
     }
 }

@@ -6,12 +6,16 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
+import org.phrenic.study.sweep.RunRow;
 import org.phrenic.study.sweep.SweepPlan;
 import org.phrenic.study.sweep.SweepStudy;
+import org.phrenic.study.sweep.report.StudyCost;
 
 /** What is in the folder of a study, from which another process resumes, shards or merges it. */
 class SweepFolderTest {
@@ -62,5 +66,28 @@ class SweepFolderTest {
         });
         assertThat(second.results().done()).isZero();
         assertThat(out.resolve("journal-0-of-2.csv")).isRegularFile();
+    }
+
+    /** A cluster whose machines come while the study runs. */
+    private static final class GrowingExecutor implements SweepExecutor {
+        private int cores = 2;
+
+        @Override
+        public void run(SweepPlan plan, List<Integer> pending, Consumer<RunRow> done) {
+            cores = 24;
+            new ThreadExecutor(1).run(plan, pending, done);
+        }
+
+        @Override
+        public int width() {
+            return cores;
+        }
+    }
+
+    @Test
+    void aMeasuredStudyHasTheCoresThatComputedIt() throws IOException {
+        StudyCost cost = StudyMeasurement.measure(
+                "cluster", folder.resolve("out"), list("0,1,2", 4), new GrowingExecutor(), false, (n, of, what) -> {});
+        assertThat(cost.width()).isEqualTo(24);
     }
 }
