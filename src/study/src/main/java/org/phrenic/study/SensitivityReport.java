@@ -31,7 +31,7 @@ public record SensitivityReport(Sensitivity sensitivity) {
 
     private static String signed(double effect) {
         String text = format("%+.2f", effect);
-        return text.endsWith("0.00") ? "0.00" : text;
+        return text.matches("[+-]0\\.00") ? "0.00" : text;
     }
 
     /** Whether every breath was computed. */

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.model.assembly.Breathing;
 
 /** Cases that go on when one of them fails. */
 class AttemptsTest {
@@ -56,5 +57,21 @@ class AttemptsTest {
                 .contains("## Not computed", "- depth 0.9: diverged.");
         assertThat(Sensitivity.effects(new double[] {2}, new double[] {Double.NaN}, new double[] {3}, 0.2))
                 .containsExactly(Double.NaN);
+    }
+
+    /** A number that ends like zero is none. */
+    @Test
+    void aSensitivityOfTenIsShownAsTen() {
+        double[] effects = {10, -20.001, 0.001, -0.004, Double.NaN};
+        Sensitivity.Row row = new Sensitivity.Row(Breathing.DEPTH, 0.9, 1.1, effects);
+        Sensitivity known = new Sensitivity(
+                "quiet",
+                "a body",
+                List.of("a", "b", "c", "d", "e"),
+                new double[effects.length],
+                List.of(row),
+                List.of());
+        assertThat(new SensitivityReport(known).cells().get(1))
+                .containsExactly("depth", "+10.00", "-20.00", "0.00", "0.00", "-");
     }
 }
