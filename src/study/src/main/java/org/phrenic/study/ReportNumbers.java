@@ -17,6 +17,13 @@ public final class ReportNumbers {
         return text.matches("-0(\\.0+)?") ? text.substring(1) : text;
     }
 
+    /** As {@link #number}, but three significant digits below 1: 0.00125, 0.120; for quantities of any unit. */
+    public static String ofAnySize(double value) {
+        return Double.isFinite(value) && value != 0 && Math.abs(value) < 1
+                ? Numbers.format("%.3g", value)
+                : number(value);
+    }
+
     /** At most {@code digits} significant digits, without trailing zeros: 0.05, 0.00125. */
     public static String trimmed(double value, int digits) {
         return Numbers.format("%." + digits + "g", value)

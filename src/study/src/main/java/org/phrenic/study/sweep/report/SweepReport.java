@@ -1,7 +1,7 @@
 package org.phrenic.study.sweep.report;
 
 import static org.phrenic.file.Numbers.format;
-import static org.phrenic.study.ReportNumbers.number;
+import static org.phrenic.study.ReportNumbers.ofAnySize;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -81,7 +81,7 @@ public final class SweepReport {
                 List<String> row = new ArrayList<>(List.of(a.name(), factors.get(f)));
                 measures(a, f).forEach(e -> row.add(text(e)));
                 double[] ends = a.curves().get(f).extremes();
-                row.add(number(ends[1] - ends[0]));
+                row.add(ofAnySize(ends[1] - ends[0]));
                 rows.add(row);
             }
         }
@@ -240,13 +240,13 @@ public final class SweepReport {
         double[] q = a.quantiles();
         return List.of(
                 a.name(),
-                number(a.mean()),
-                number(a.deviation()),
-                number(q[0]),
-                number(q[1]),
-                number(q[2]),
-                number(q[3]),
-                number(q[4]));
+                ofAnySize(a.mean()),
+                ofAnySize(a.deviation()),
+                ofAnySize(q[0]),
+                ofAnySize(q[1]),
+                ofAnySize(q[2]),
+                ofAnySize(q[3]),
+                ofAnySize(q[4]));
     }
 
     private void response(ReportDocument page, ResponseAnalysis a) {
