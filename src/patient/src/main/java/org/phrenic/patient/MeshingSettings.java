@@ -11,8 +11,9 @@ package org.phrenic.patient;
 public record MeshingSettings(
         int firstIterations, double passBand, double keptFraction, double maxDeviationVoxels, int secondIterations) {
     /**
-     * Settings of the paper (section 4.1): pass band 0.2, 50 % of the vertices, 200 iterations of the second smoothing.
-     * The 20 iterations of the first smoothing are VTK's default.
+     * Settings of the paper for a patient's diaphragm: pass band 0.2, 50 % of the vertices, 200 iterations of the
+     * second smoothing. The 20 iterations of the first smoothing are VTK's default, and the limit of half a voxel is
+     * Phrenic's.
      */
     public static final MeshingSettings PAPER = new MeshingSettings(20, 0.2, 0.5, 0.5, 200);
 

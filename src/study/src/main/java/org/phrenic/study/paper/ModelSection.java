@@ -40,7 +40,11 @@ final class ModelSection {
         rows.add(List.of("in all", grouped(published.attachedCount()), grouped(ours.attachedCount())));
         report.table(
                 PaperTexts.text("attachments-caption"),
-                PaperTexts.columns(1, "place", "the paper's rule: nearer than 25 mm", "here: the border of the sheet"),
+                PaperTexts.columns(
+                        1,
+                        "place",
+                        "the paper's material: border and 25 mm beside it",
+                        "here: the border of the sheet"),
                 rows);
         report.paragraph(PaperTexts.text("attachments"));
     }

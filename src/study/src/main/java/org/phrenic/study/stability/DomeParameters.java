@@ -11,7 +11,7 @@ final class DomeParameters {
     double mass = 0.1;
     /** Ratio of the largest to the smallest node mass. */
     double massRatio = 1;
-    /** Action line force as a multiple of the paper's 300 mN. */
+    /** Action line force as a multiple of 300 mN. */
     double force = 1;
     /** Whether each linked pair has three links of different lengths. */
     boolean conflictingLinks;

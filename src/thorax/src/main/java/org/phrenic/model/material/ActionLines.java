@@ -17,7 +17,8 @@ public final class ActionLines extends ScenePart {
             .initial(300)
             .group(Group.MUSCLE)
             .switchedBy(Muscle.MUSCLE)
-            .describedAs("Force on a node on an action line at full drive (Villard, Bourne and Bello 2009).");
+            .describedAs(
+                    "Force on a node on an action line at full drive (chosen; the source of the model gives none).");
     public static final Parameter ACTION_RADIUS = Parameter.named("action_line_radius_mm", "Action line radius")
             .range(5, 200, "mm")
             .initial(60)
