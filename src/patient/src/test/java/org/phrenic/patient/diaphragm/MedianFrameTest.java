@@ -17,7 +17,7 @@ import org.phrenic.mesh.query.SurfaceComparison;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 
-/** The virtual woman, whose halves are mirror images, lies turned on the table and bent to her left. */
+/** The virtual woman lies turned on the table and bent to her left. */
 class MedianFrameTest {
     private static final Thorax WOMAN = VirtualThorax.ofPreset("adult-female", Resolution.LOW);
 

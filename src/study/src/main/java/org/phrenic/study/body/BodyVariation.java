@@ -23,8 +23,8 @@ import org.phrenic.patient.diaphragm.CageEnvelope;
  * that what touches goes on touching; only the height of the domes changes soft organs alone.
  *
  * <p>In order: the domes are raised, the chest is made deeper about the front of the spine and its front is raised
- * (barrel), the spine is bent forward above T12 (kyphosis), and all axes are scaled. Last, the diaphragm is kept within
- * the cage.
+ * (barrel), the spine is bent forward above the lowest rib (kyphosis), and all axes are scaled. Last, the diaphragm is
+ * kept within the cage.
  *
  * @param scaleX factor from side to side
  * @param scaleY factor from front to back

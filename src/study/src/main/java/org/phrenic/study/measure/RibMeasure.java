@@ -14,8 +14,8 @@ import org.phrenic.simulation.observe.Surface;
 /**
  * Displacement and rotation of ribs and costal cartilages since rest, mean of both sides. Ribs are measured at the
  * anterior end and the most lateral point, and by their rotation vector. Pump handle rotation is about -x (raises the
- * front). Bucket handle rotation is about the axis that points forward on the right (raises the side). A cartilage is
- * measured at the mean of its points.
+ * front). Bucket handle rotation is about +y on the right (raises the side). A cartilage is measured at the mean of its
+ * points.
  */
 final class RibMeasure implements SceneMeasure {
     private static final int LEVELS = 12;

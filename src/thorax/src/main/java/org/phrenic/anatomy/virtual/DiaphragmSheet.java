@@ -112,7 +112,8 @@ final class DiaphragmSheet {
     }
 
     /**
-     * Thickness, mm. It is smaller within the central tendon, a trefoil of given area around the domes and the plateau.
+     * Thickness, mm. It is smaller within the central tendon, a trefoil of about the given area around the domes and
+     * the plateau.
      */
     private double thickness(double[] p) {
         double edge = tendonEdge(p[0], p[1], p[2]);
