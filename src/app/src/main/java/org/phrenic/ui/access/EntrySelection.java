@@ -7,11 +7,13 @@ import org.phrenic.access.AbsentObstacles;
 import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.PathOverBreath;
+import org.phrenic.access.path.SkinEntries;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.ultrasound.ProbePose;
+import org.phrenic.file.BadInputException;
 import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.BackgroundWorker;
 import org.phrenic.ui.session.Session;
@@ -49,9 +51,12 @@ public final class EntrySelection {
         select(onSkinRest, Optional.empty());
     }
 
-    /** Selects a place of the skin, given at end-expiration, with the needle at some angles, else upright. */
+    /**
+     * Selects a place of the skin, given at end-expiration, with the needle at some angles, else upright. A place that
+     * no needle may enter is refused, and the entry stays.
+     */
     void select(double[] onSkinRest, Optional<NeedleAngles> angles) {
-        if (rehearsal.stage() != RehearsalStage.READY) {
+        if (rehearsal.stage() != RehearsalStage.READY || isRefused(onSkinRest)) {
             return;
         }
         rehearsal.attempt.takeOver();
@@ -90,6 +95,17 @@ public final class EntrySelection {
                     session.refuse(sentence);
                 }));
         rehearsal.fireState();
+    }
+
+    /** Whether no needle may enter at a place of the skin, given at end-expiration; the reason is then shown. */
+    private boolean isRefused(double[] onSkinRest) {
+        try {
+            SkinEntries.pointAtRest(rehearsal.body.orElseThrow().planningScene(), onSkinRest);
+            return false;
+        } catch (BadInputException bad) {
+            session.refuse(bad.getMessage());
+            return true;
+        }
     }
 
     private void ifStillChosen(Entry which, Runnable then) {

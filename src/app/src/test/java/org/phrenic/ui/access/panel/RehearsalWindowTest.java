@@ -23,6 +23,7 @@ import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.Timeout;
+import org.phrenic.access.path.SkinEntries;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
@@ -34,6 +35,7 @@ import org.phrenic.mesh.Vectors;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.simulation.observe.Surface;
+import org.phrenic.ui.access.EntrySelection;
 import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.session.Workspace;
 import org.phrenic.ui.view.SceneViewport;
@@ -324,6 +326,36 @@ class RehearsalWindowTest extends RehearsalProbeCases {
         assertThat(WindowHarness.onEdt(() ->
                         rehearsal().entrySelection().advice().orElseThrow().level()))
                 .isEqualTo(PathAdvice.Level.BARRED);
+    }
+
+    /**
+     * Where the body lies on the table no needle enters: the best entry stays, with the needle and what is said of it.
+     */
+    @Test
+    void aPlaceThatNoNeedleMayEnterIsRefusedAndEntryNeedleAndAdviceStay() throws Exception {
+        clinic.begin();
+        WindowHarness.doOnEdt(() -> {
+            EntrySelection selection = rehearsal().entrySelection();
+            double[] entry = selection.entry().orElseThrow();
+            PathAdvice advice = selection.advice().orElseThrow();
+            var map = rehearsal().study().orElseThrow().map();
+            int onTable = IntStream.range(0, map.size())
+                    .filter(v -> map.place(v) == SkinEntries.Place.TABLE)
+                    .findFirst()
+                    .orElseThrow();
+            selection.select(map.pointAtRest(onTable));
+            assertThat(selection.entry()).containsSame(entry);
+            assertThat(selection.advice()).containsSame(advice);
+            assertThat(window.window().banner().message()).contains("where the table is");
+            // The needle that goes in is that of the advice, in a new attempt too.
+            rehearsal().retry();
+        });
+        clinic.ready();
+        until("the needle at its entry", () -> state().hasNeedle());
+        window.key("I");
+        until("2 mm in", () -> clinic.isAt(2));
+        window.key("O");
+        until("out", () -> !state().placed());
     }
 
     @Test
