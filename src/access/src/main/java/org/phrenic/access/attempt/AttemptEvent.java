@@ -32,6 +32,7 @@ public record AttemptEvent(
         BONE_CONTACT,
         REDIRECTION,
         SAMPLE,
+        CORE_ENTERS,
         OUT_OF_SKIN
     }
 

@@ -2,6 +2,7 @@ package org.phrenic.access.attempt;
 
 import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -38,6 +39,7 @@ final class AttemptLog {
     private final List<TargetingError> samples = new ArrayList<>();
     private final Set<String> entered = new LinkedHashSet<>();
     private final EnumMap<NoGoZone, Double> secondsIn = new EnumMap<>(NoGoZone.class);
+    private final EnumSet<NoGoZone> touchedByCore = EnumSet.noneOf(NoGoZone.class);
     private final Map<String, Approach> closest = new TreeMap<>();
     private double inNoGoS;
     private double insideSinceS = Double.NaN;
@@ -185,6 +187,12 @@ final class AttemptLog {
         Approach.merge(closest, needle.approaches());
     }
 
+    /** Records the throw of a core: the paths to the tip and to the end of the core. It takes no time. */
+    void thrown(PathAnalysis toTip, PathAnalysis toEnd) {
+        addExposure(toEnd, 0);
+        toEnd.noGo().stream().filter(zone -> !toTip.noGo().contains(zone)).forEach(touchedByCore::add);
+    }
+
     List<String> warnings(Optional<PathAnalysis> needle, double pullMm) {
         List<String> warnings = new ArrayList<>();
         needle.ifPresent(n -> warnings.addAll(n.touches(avoided)));
@@ -206,7 +214,7 @@ final class AttemptLog {
                 insideS + (Double.isNaN(insideSinceS) ? 0 : timeS - insideSinceS),
                 tipTravelMm,
                 inNoGoS,
-                new EnumMap<>(secondsIn),
+                new ZoneContacts(new EnumMap<>(secondsIn), Set.copyOf(touchedByCore)),
                 List.copyOf(closest.values()),
                 grooveMm,
                 targetExcursionMm,

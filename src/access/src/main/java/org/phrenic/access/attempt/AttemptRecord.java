@@ -21,7 +21,7 @@ import org.phrenic.document.report.Disclaimer;
  * @param insideS time with the tip below the skin, s
  * @param tipTravelMm total distance that the user moved the tip, forward and backward, mm
  * @param inNoGoS time with any part of the needle in an avoided zone, s
- * @param secondsIn time in each zone, s
+ * @param zones time in each zone, and what the throw of a core touched
  * @param closest closest approach of the needle to each structure, by name
  * @param borderMm closest approach to a costal groove, at most
  *     {@link org.phrenic.access.path.PathAnalyzer#MAX_DISTANCE_MM}
@@ -42,7 +42,7 @@ public record AttemptRecord(
         double insideS,
         double tipTravelMm,
         double inNoGoS,
-        Map<NoGoZone, Double> secondsIn,
+        ZoneContacts zones,
         List<Approach> closest,
         double borderMm,
         double targetExcursionMm,
@@ -99,6 +99,16 @@ public record AttemptRecord(
         return loads.rotationDeg();
     }
 
+    /** Time in each zone, s. */
+    public Map<NoGoZone, Double> secondsIn() {
+        return zones.secondsIn();
+    }
+
+    /** Whether the throw of a core touched an avoided zone that the needle itself did not. */
+    public boolean isCoreInNoGo() {
+        return zones.byCore().stream().anyMatch(avoided::contains);
+    }
+
     public int count(AttemptEvent.Kind kind) {
         return (int) events.stream().filter(e -> e.kind() == kind).count();
     }
@@ -127,12 +137,15 @@ public record AttemptRecord(
     public Map<String, Object> toMap() {
         OrderedValues seconds = new OrderedValues();
         for (NoGoZone zone : NoGoZone.values()) {
-            seconds.put(zone.key(), secondsIn.getOrDefault(zone, 0.0));
+            seconds.put(zone.key(), secondsIn().getOrDefault(zone, 0.0));
         }
-        return headlines()
+        OrderedValues map = headlines()
                 .with("samples", samples.stream().map(TargetingError::toMap).toList())
-                .with("seconds_in", seconds)
-                .with("avoided", avoided.stream().sorted().map(NoGoZone::key).toList())
+                .with("seconds_in", seconds);
+        if (needle.coreMm() > 0) {
+            map.put("touched_by_core", keys(zones.byCore()));
+        }
+        return map.with("avoided", keys(avoided))
                 .with("target_diameter_mm", target.diameterMm())
                 .with("target_rest_mm", target.restMm())
                 .with("target_range_lr_ap_si_mm", targetRangeMm)
@@ -152,5 +165,9 @@ public record AttemptRecord(
                 .with("needle_length_mm", needle.lengthMm())
                 .with("thresholds", NOT_VALIDATED)
                 .with("notice", Disclaimer.TEXT);
+    }
+
+    private static List<String> keys(Set<NoGoZone> zones) {
+        return zones.stream().sorted().map(NoGoZone::key).toList();
     }
 }

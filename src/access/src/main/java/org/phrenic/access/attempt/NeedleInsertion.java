@@ -1,6 +1,5 @@
 package org.phrenic.access.attempt;
 
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -29,7 +28,7 @@ import org.phrenic.simulation.observe.Frame;
  * capsule of the liver is pushed by some millimetres before it is cut; until then the tip is not in the liver. Inside
  * the liver, the tip moves with the tissue between advances and the needle rotates about the skin point. The
  * displacement at the capsule, the rotation and the {@link NeedleLoad} are recorded; the load moves nothing. Bone stops
- * the tip.
+ * the tip and the throw of a core.
  *
  * <p>Not thread-safe.
  */
@@ -42,6 +41,7 @@ public final class NeedleInsertion {
     private final LiverTissue.Point targetCentre;
     private final Needle needle;
     private final PathAnalyzer analyzer;
+    private final WayAhead ahead;
     private final AttemptLog log;
     private final NeedleShaft shaft;
     private double speed;
@@ -61,6 +61,7 @@ public final class NeedleInsertion {
         targetCentre = tissue.pointAtRest(target.restMm());
         shaft = new NeedleShaft(tissue);
         analyzer = new PathAnalyzer(anatomy, needle);
+        ahead = new WayAhead(anatomy, analyzer, needle, shaft);
         log = new AttemptLog(avoided);
     }
 
@@ -89,7 +90,7 @@ public final class NeedleInsertion {
         double next = depth + Math.signum(goal - depth) * speed * elapsed;
         boolean arrives = (next - goal) * (depth - goal) <= 0;
         next = arrives ? goal : next;
-        Optional<Crossing> bone = next > depth ? boneBefore(next) : Optional.empty();
+        Optional<Crossing> bone = next > depth ? ahead.boneBefore(next) : Optional.empty();
         if (bone.isPresent()) {
             next = Math.max(depth, bone.get().fromMm());
             log.event(AttemptEvent.Kind.BONE_CONTACT, bone.get().label(), next);
@@ -100,17 +101,6 @@ public final class NeedleInsertion {
         }
         log.travelled(Math.abs(next - depth));
         shaft.moveTo(next);
-    }
-
-    /** The first bone between the tip and a depth, if any. It may have moved over the tip with the breath. */
-    private Optional<Crossing> boneBefore(double depth) {
-        double[] from = shaft.tip();
-        double[] to = shaft.at(depth);
-        return anatomy.hazards().stream()
-                .filter(s -> s.noGo().orElseThrow() == NoGoZone.BONE && s.boxDistance(from, to) <= 0)
-                .flatMap(s -> analyzer.crossingsOf(s, shaft.entry(), to).stream())
-                .filter(c -> c.toMm() > shaft.depth() + TOLERANCE_MM)
-                .min(Comparator.comparingDouble(Crossing::fromMm));
     }
 
     /** Records punctures and newly entered structures, and anchors or releases the tip. */
@@ -271,7 +261,7 @@ public final class NeedleInsertion {
     }
 
     /**
-     * Takes a sample at the tip.
+     * Takes a sample at the tip, or the core that is thrown from there.
      *
      * @throws BadInputException if the needle is not in the body
      */
@@ -283,11 +273,19 @@ public final class NeedleInsertion {
         log.event(AttemptEvent.Kind.SAMPLE, shaft.isTipAnchored() ? "liver" : "", shaft.depth());
         TargetingError error = targetingError();
         log.sampled(error);
-        if (needle.coreMm() > 0) {
-            // What the core needle comes near when it fires.
-            log.addExposure(analyzer.analyze(shaft.entry(), shaft.at(shaft.depth() + needle.coreMm())), 0);
-        }
+        ahead.coreMm().ifPresent(this::recordThrow);
         return error;
+    }
+
+    /** Records what a core of so many mm enters, comes near and touches beyond what the needle itself touches. */
+    private void recordThrow(double coreMm) {
+        double endMm = shaft.depth() + coreMm;
+        PathAnalysis toEnd = analyzer.analyze(shaft.entry(), shaft.at(endMm));
+        for (Crossing c : ahead.enteredByCore(toEnd)) {
+            log.event(AttemptEvent.Kind.CORE_ENTERS, c.label(), Math.max(shaft.depth(), c.fromMm()));
+        }
+        ahead.boneInThrow().ifPresent(bone -> log.event(AttemptEvent.Kind.BONE_CONTACT, bone.label(), endMm));
+        log.thrown(analyzer.analyze(shaft.entry(), shaft.tip()), toEnd);
     }
 
     private void requirePlaced() {
@@ -317,7 +315,7 @@ public final class NeedleInsertion {
     }
 
     public TargetingError targetingError() {
-        return TargetingError.of(shaft, targetNow(), target, needle.coreMm());
+        return TargetingError.of(shaft, targetNow(), target, ahead.coreMm());
     }
 
     /** Current warnings, as short phrases: touched zones and displaced capsule. */

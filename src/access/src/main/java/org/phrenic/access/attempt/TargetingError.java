@@ -16,16 +16,21 @@ import org.phrenic.mesh.Vectors;
  * @param coreInTargetMm length of the core inside the target, mm; empty without a core
  */
 public record TargetingError(double axialMm, double lateralMm, boolean hit, OptionalDouble coreInTargetMm) {
-    /** Of a needle in its pose, to the place of the target's centre. */
-    static TargetingError of(NeedleShaft needle, double[] centre, TargetLesion target, double coreMm) {
+    /**
+     * Of a needle in its pose, to the place of the target's centre.
+     *
+     * @param core length of the core that a core needle cuts from there, mm; empty for another needle
+     */
+    static TargetingError of(NeedleShaft needle, double[] centre, TargetLesion target, OptionalDouble core) {
         double[] direction = needle.direction();
         double[] d = Vectors.subtract(centre, needle.tip());
         double axial = Vectors.dot(d, direction);
         double lateral = Vectors.length(Vectors.addScaled(d, direction, -axial));
-        if (coreMm == 0) {
+        if (core.isEmpty()) {
             boolean hit = needle.isTipAnchored() && Vectors.length(d) <= target.radiusMm();
             return new TargetingError(axial, lateral, hit, OptionalDouble.empty());
         }
+        double coreMm = core.getAsDouble();
         double inTarget = chord(axial, lateral, target.radiusMm(), coreMm);
         return new TargetingError(axial - coreMm / 2, lateral, inTarget > 0, OptionalDouble.of(inTarget));
     }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import org.phrenic.access.NoGoZone;
@@ -22,7 +23,12 @@ import org.phrenic.document.YamlMap;
 public record Goals(boolean hit, Map<String, Double> limits) {
     private static final String HIT = "hit";
 
-    private record Measure(String label, ToDoubleFunction<AttemptRecord> of) {}
+    /**
+     * What a goal limits.
+     *
+     * @param byCore whether the throw of a core, which takes no time, counts against a limit of 0
+     */
+    private record Measure(String label, ToDoubleFunction<AttemptRecord> of, Predicate<AttemptRecord> byCore) {}
 
     private static final Map<String, Measure> MEASURES = new LinkedHashMap<>();
 
@@ -30,8 +36,10 @@ public record Goals(boolean hit, Map<String, Double> limits) {
         add("attempts_at_most", "attempts", r -> r.count(AttemptEvent.Kind.SKIN_PUNCTURE));
         add("redirections_at_most", "redirections", r -> r.count(AttemptEvent.Kind.REDIRECTION));
         add("bone_contacts_at_most", "contacts with bone", r -> r.count(AttemptEvent.Kind.BONE_CONTACT));
-        add("lung_s_at_most", "seconds in lung", r -> r.secondsIn().getOrDefault(NoGoZone.LUNG, 0.0));
-        add("no_go_s_at_most", "seconds in structures at risk", AttemptRecord::inNoGoS);
+        add("lung_s_at_most", "seconds in lung", r -> r.secondsIn().getOrDefault(NoGoZone.LUNG, 0.0), r -> r.zones()
+                .byCore()
+                .contains(NoGoZone.LUNG));
+        add("no_go_s_at_most", "seconds in structures at risk", AttemptRecord::inNoGoS, AttemptRecord::isCoreInNoGo);
         add("inside_s_at_most", "seconds in the body", AttemptRecord::insideS);
         add("capsule_pull_mm_at_most", "capsule pulled aside, mm", AttemptRecord::capsulePullMm);
         add("lateral_mm_at_most", "lateral error, mm", r -> r.samples().stream()
@@ -41,11 +49,25 @@ public record Goals(boolean hit, Map<String, Double> limits) {
     }
 
     private static void add(String key, String label, ToDoubleFunction<AttemptRecord> of) {
-        MEASURES.put(key, new Measure(label, of));
+        add(key, label, of, r -> false);
     }
 
-    /** A goal with its limit, the value in a record, and whether it is reached. */
-    public record GoalResult(String goal, double limit, double value, boolean reached) {
+    private static void add(
+            String key, String label, ToDoubleFunction<AttemptRecord> of, Predicate<AttemptRecord> byCore) {
+        MEASURES.put(key, new Measure(label, of, byCore));
+    }
+
+    /**
+     * A goal with its limit, the value in a record, and whether it is reached.
+     *
+     * @param byCore whether the throw of a core touched what nothing may touch
+     */
+    public record GoalResult(String goal, double limit, double value, boolean byCore, boolean reached) {
+        /** What is to be said beside the value, such as ", and touched by a core"; mostly empty. */
+        public String remark() {
+            return byCore ? ", and touched by a core" : "";
+        }
+
         /** Display name, such as "seconds in lung, at most". */
         public String label() {
             return goal.equals(HIT) ? "target hit (1) or not (0)" : measure() + ", at most";
@@ -57,11 +79,14 @@ public record Goals(boolean hit, Map<String, Double> limits) {
         }
 
         Map<String, Object> toMap() {
-            return new OrderedValues()
+            OrderedValues map = new OrderedValues()
                     .with("goal", goal)
                     .with("limit", limit)
-                    .with("value", Double.isFinite(value) ? (Object) value : "no sample")
-                    .with("reached", reached);
+                    .with("value", Double.isFinite(value) ? (Object) value : "no sample");
+            if (byCore) {
+                map.put("touched_by_core", true);
+            }
+            return map.with("reached", reached);
         }
     }
 
@@ -108,11 +133,13 @@ public record Goals(boolean hit, Map<String, Double> limits) {
     public List<GoalResult> evaluate(AttemptRecord record) {
         List<GoalResult> all = new ArrayList<>();
         if (hit) {
-            all.add(new GoalResult(HIT, 1, record.hit() ? 1 : 0, record.hit()));
+            all.add(new GoalResult(HIT, 1, record.hit() ? 1 : 0, false, record.hit()));
         }
         limits.forEach((key, limit) -> {
-            double value = MEASURES.get(key).of.applyAsDouble(record);
-            all.add(new GoalResult(key, limit, value, value <= limit));
+            Measure measure = MEASURES.get(key);
+            double value = measure.of.applyAsDouble(record);
+            boolean byCore = limit == 0 && measure.byCore.test(record);
+            all.add(new GoalResult(key, limit, value, byCore, value <= limit && !byCore));
         });
         return all;
     }

@@ -229,7 +229,7 @@ public final class RehearsalReport {
                         .map(r -> List.of(
                                 r.label(),
                                 number(r.limit()),
-                                Double.isFinite(r.value()) ? number(r.value()) : "no sample",
+                                Double.isFinite(r.value()) ? number(r.value()) + r.remark() : "no sample",
                                 r.reached() ? "yes" : "NO"))
                         .toList());
     }
@@ -248,6 +248,9 @@ public final class RehearsalReport {
             String note = record.avoided().contains(zone) ? "" : " (permitted by the plan)";
             rows.add(List.of("Time in " + zone.label() + ", s" + note, number(s)));
         });
+        if (record.needle().coreMm() > 0) {
+            rows.add(List.of("Touched by the throw of a core", record.zones().coreText()));
+        }
         rows.add(List.of("Contacts with bone", "" + record.count(AttemptEvent.Kind.BONE_CONTACT)));
         rows.add(List.of("Target moved meanwhile, mm", number(record.targetExcursionMm())));
         String warning = record.capsulePullMm() > AttemptRecord.PULL_WARNING_MM ? " (warning)" : "";

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -115,6 +116,47 @@ class NeedleInsertionTest {
             assertThat(sample.axialMm()).as("from the middle of the core").isCloseTo(80 - tip, within(TOLERANCE_MM));
             assertThat(sample.hit()).isEqualTo(expected > 0);
         }
+    }
+
+    /** The tip stops before the lung, which lies from 20 to 30 mm; the core is thrown through it. */
+    @Test
+    void aCoreThrownIntoALungIsToldThoughTheNeedleItselfIsNot() {
+        NeedleInsertion session = session(20, new Needle(18, 150, 20));
+        session.place(new double[] {0, 0, 115}, new double[] {90, 0, 115});
+        session.advance(15, AT_ONCE);
+        next(session);
+        next(session);
+        assertThat(session.record().secondsIn()).doesNotContainKey(NoGoZone.LUNG);
+        assertThat(session.record().zones().byCore()).isEmpty();
+        session.sample();
+        AttemptRecord record = session.record();
+        assertThat(record.zones().byCore()).containsExactly(NoGoZone.LUNG);
+        assertThat(record.isCoreInNoGo()).isTrue();
+        assertThat(record.inNoGoS()).as("the throw takes no time").isZero();
+        AttemptEvent thrown = record.first(AttemptEvent.Kind.CORE_ENTERS).orElseThrow();
+        assertThat(thrown.structure()).isEqualTo("right lung");
+        assertThat(thrown.depthMm()).isCloseTo(20, within(TOLERANCE_MM));
+        assertThat(record.toMap()).containsEntry("touched_by_core", List.of("lung"));
+    }
+
+    /** The rib begins at 10 mm, the target at 80. */
+    @Test
+    void boneEndsACore() {
+        NeedleInsertion session = session(20, new Needle(18, 150, 20));
+        session.place(new double[] {0, 0, 35}, new double[] {90, 0, 35});
+        session.advance(4, AT_ONCE);
+        next(session);
+        assertThat(session.record().count(AttemptEvent.Kind.BONE_CONTACT)).isZero();
+        TargetingError sample = session.sample();
+        AttemptRecord record = session.record();
+        AttemptEvent contact = record.first(AttemptEvent.Kind.BONE_CONTACT).orElseThrow();
+        assertThat(contact.depthMm()).isCloseTo(10, within(TOLERANCE_MM));
+        assertThat(record.zones().byCore()).contains(NoGoZone.BONE);
+        assertThat(record.count(AttemptEvent.Kind.CORE_ENTERS))
+                .as("nothing is behind the bone")
+                .isZero();
+        assertThat(sample.axialMm()).as("from the middle of a core of 6 mm").isCloseTo(90 - 7, within(TOLERANCE_MM));
+        assertThat(session.shaft().depth()).as("the tip").isEqualTo(4);
     }
 
     /** Turns by hand before the puncture are no redirection, several in the skin are one. */

@@ -10,6 +10,7 @@ import org.phrenic.access.attempt.AttemptRecord;
 import org.phrenic.access.attempt.NeedleLoads;
 import org.phrenic.access.attempt.ProbeUse;
 import org.phrenic.access.attempt.TargetingError;
+import org.phrenic.access.attempt.ZoneContacts;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.Rehearsal;
@@ -51,7 +52,7 @@ public final class SampledAttempts {
                 0,
                 0,
                 0,
-                Map.of(),
+                new ZoneContacts(Map.of(), Set.of()),
                 List.of(),
                 0,
                 0,

@@ -87,7 +87,7 @@ public final class ReportCard extends JPanel {
     private static List<String> goals(EndedAttempt attempt) {
         List<String> lines = new ArrayList<>();
         for (Goals.GoalResult o : attempt.plan().goals().evaluate(attempt.record())) {
-            String value = Double.isFinite(o.value()) ? number(o.value()) : "no sample";
+            String value = Double.isFinite(o.value()) ? number(o.value()) + o.remark() : "no sample";
             String measure = o.measure() + ": " + value + " (at most " + number(o.limit()) + ")";
             lines.add((o.reached() ? "\u2713 " : "\u2717 ") + (o.goal().equals("hit") ? "target hit" : measure));
         }
@@ -107,6 +107,9 @@ public final class ReportCard extends JPanel {
                         + (r.avoided().contains(what) ? "" : " (allowed here)"));
             }
         });
+        if (!r.zones().byCore().isEmpty()) {
+            lines.add("Touched by a core: " + r.zones().coreText());
+        }
         lines.add("Path of the tip " + number(r.tipTravelMm()) + " mm; the target moved "
                 + number(r.targetExcursionMm()) + " mm");
         lines.add("Capsule pulled aside " + number(r.capsulePullMm()) + " mm"

@@ -1,0 +1,88 @@
+package org.phrenic.access.plan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.phrenic.access.BoxAnatomy;
+import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.Needle;
+import org.phrenic.access.NoGoZone;
+import org.phrenic.access.TargetLesion;
+import org.phrenic.access.attempt.AttemptRecord;
+import org.phrenic.access.attempt.NeedleInsertion;
+import org.phrenic.breathing.RespiratoryPhase;
+
+/** Goals of attempts on a target of 20 mm in a depth of 90 mm, beside a lung and ribs that lie before the liver. */
+class GoalsTest {
+    private static final double AT_ONCE = 1e6;
+    private static final double FRAME_S = 0.02;
+    private static final Needle CORE = new Needle(18, 150, 20);
+
+    private final BoxAnatomy body = new BoxAnatomy();
+    private final MovingAnatomy scene = new MovingAnatomy(body.surfaces);
+    private NeedleInsertion needle;
+    private int frames;
+
+    private void begin(Needle tube) {
+        scene.update(body.still(0));
+        TargetLesion target = TargetLesion.at(scene, new double[] {90, 0, -20}, 20);
+        needle = new NeedleInsertion(scene, target, tube, NoGoZone.defaults());
+        next();
+    }
+
+    private void next() {
+        needle.update(body.still(FRAME_S * frames), RespiratoryPhase.PAUSE);
+        frames++;
+    }
+
+    /** A sample at a depth of a needle that goes straight in at a height. */
+    private void sample(double heightMm, double depthMm) {
+        needle.place(new double[] {0, 0, heightMm}, new double[] {90, 0, heightMm});
+        needle.advance(depthMm, AT_ONCE);
+        next();
+        needle.sample();
+    }
+
+    private static Goals.GoalResult result(String goal, double limit, AttemptRecord record) {
+        return new Goals(false, Map.of(goal, limit)).evaluate(record).get(0);
+    }
+
+    @Test
+    void aGoalOfNoLungIsMissedByACoreThatIsThrownThroughIt() {
+        begin(CORE);
+        sample(115, 15);
+        AttemptRecord record = needle.record();
+        for (String goal : new String[] {"lung_s_at_most", "no_go_s_at_most"}) {
+            Goals.GoalResult none = result(goal, 0, record);
+            assertThat(none.reached()).as(goal).isFalse();
+            assertThat(none.value()).isZero();
+            assertThat(none.remark()).contains("core");
+            assertThat(none.toMap()).containsEntry("touched_by_core", true);
+            assertThat(result(goal, 1, record).reached())
+                    .as("the throw takes no time")
+                    .isTrue();
+        }
+    }
+
+    @Test
+    void aGoalOfNoBoneIsMissedByACoreThatIsFiredAtARib() {
+        begin(CORE);
+        sample(35, 4);
+        assertThat(result("bone_contacts_at_most", 0, needle.record()).reached())
+                .isFalse();
+        assertThat(result("no_go_s_at_most", 0, needle.record()).reached()).isFalse();
+        assertThat(result("lung_s_at_most", 0, needle.record()).reached())
+                .as("the rib ends the throw before the lung")
+                .isTrue();
+    }
+
+    @Test
+    void aCoreThatTouchesNothingAtRiskReachesGoalsOfNone() {
+        begin(CORE);
+        sample(-20, 80);
+        for (String goal : new String[] {"lung_s_at_most", "no_go_s_at_most", "bone_contacts_at_most"}) {
+            assertThat(result(goal, 0, needle.record()).reached()).as(goal).isTrue();
+        }
+    }
+}
