@@ -42,9 +42,8 @@ public record Goals(boolean hit, Map<String, Double> limits) {
         add("no_go_s_at_most", "seconds in structures at risk", AttemptRecord::inNoGoS, AttemptRecord::isCoreInNoGo);
         add("inside_s_at_most", "seconds in the body", AttemptRecord::insideS);
         add("capsule_pull_mm_at_most", "capsule pulled aside, mm", AttemptRecord::capsulePullMm);
-        add("lateral_mm_at_most", "lateral error, mm", r -> r.samples().stream()
-                .mapToDouble(TargetingError::lateralMm)
-                .min()
+        add("lateral_mm_at_most", "lateral error, mm", r -> r.decisive()
+                .map(TargetingError::lateralMm)
                 .orElse(Double.POSITIVE_INFINITY));
     }
 

@@ -1,6 +1,7 @@
 package org.phrenic.access.plan;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -75,6 +76,28 @@ class GoalsTest {
         assertThat(result("lung_s_at_most", 0, needle.record()).reached())
                 .as("the rib ends the throw before the lung")
                 .isTrue();
+    }
+
+    /** The first sample lies on the axis of the target and 30 mm before it; the second hits, 8 mm beside the middle. */
+    @Test
+    void theLateralErrorOfAGoalIsThatOfTheSampleThatHit() {
+        begin(Needle.standard());
+        sample(-20, 60);
+        assertThat(result("lateral_mm_at_most", 5, needle.record()).value()).isCloseTo(0, within(1e-3));
+        sample(-28, 90);
+        assertThat(needle.record().hit()).isTrue();
+        Goals.GoalResult aside = result("lateral_mm_at_most", 5, needle.record());
+        assertThat(aside.value()).isCloseTo(8, within(1e-3));
+        assertThat(aside.reached()).isFalse();
+        assertThat(result("lateral_mm_at_most", 9, needle.record()).reached()).isTrue();
+    }
+
+    @Test
+    void withoutASampleThereIsNoLateralError() {
+        begin(Needle.standard());
+        Goals.GoalResult aside = result("lateral_mm_at_most", 5, needle.record());
+        assertThat(aside.reached()).isFalse();
+        assertThat(aside.toMap()).containsEntry("value", "no sample");
     }
 
     @Test
