@@ -43,7 +43,7 @@ public record LiveAttempt(
      */
     public Rehearsal toRehearsal(
             RehearsalPlan done, List<Surface> surfaces, TargetAccess access, MovingAnatomy planned) {
-        Optional<PathOverBreath> path = Rehearsal.plannedPath(done, access, planned);
+        Optional<PathOverBreath> path = Rehearsal.plannedPath(done, access, planned, record);
         return new Rehearsal(done, surfaces, access, path, record, probe, snapshots, stateHash);
     }
 }

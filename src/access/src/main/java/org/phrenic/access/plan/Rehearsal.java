@@ -2,6 +2,7 @@ package org.phrenic.access.plan;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.phrenic.access.BreathCycle;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.MovingAnatomy;
@@ -32,7 +33,8 @@ import org.phrenic.simulation.observe.Surface;
  * The result of playing a plan. A breath is recorded, the access map is computed, the simulation is restarted, and the
  * plan is played.
  *
- * @param path planned path over the breath; empty if the plan places no needle
+ * @param path path over the breath from the entry of the {@linkplain AttemptRecord#decisive decisive} sample, or
+ *     without one from the last entry; empty if the plan places no needle
  * @param probe how the ultrasound probe was used
  * @param snapshots snapshots for pictures, in chronological order
  * @param stateHash hash of the body state at the end
@@ -77,7 +79,7 @@ public record Rehearsal(
             progress.note(Numbers.format(
                     "Access map: %d points of the skin, %s of them in reach, at %d moments in %.2f s.",
                     access.map().size(), reached, cycle.size(), tookS));
-            Optional<PathOverBreath> path = plannedPath(plan, access, anatomy);
+            placesOf(plan.steps()).forEach(place -> PlanPlayer.entry(place, access.map()));
             if (simulation.restart()) {
                 NeedleSnapshots snapshots = new NeedleSnapshots();
                 NeedleInsertion needle = new NeedleInsertion(anatomy, access.target(), plan.needle(), plan.avoided());
@@ -93,12 +95,13 @@ public record Rehearsal(
                         simulation,
                         surfaces,
                         progress);
+                AttemptRecord record = needle.record();
                 return new Rehearsal(
                         plan,
                         surfaces.surfaces(),
                         access,
-                        path,
-                        needle.record(),
+                        plannedPath(plan, access, anatomy, record),
+                        record,
                         probe.use(),
                         snapshots.all(),
                         simulation.stateHash());
@@ -148,14 +151,35 @@ public record Rehearsal(
         }
     }
 
-    /** The first planned path over the breath, or empty. Afterwards the anatomy is at the last moment of the breath. */
-    public static Optional<PathOverBreath> plannedPath(RehearsalPlan plan, TargetAccess access, MovingAnatomy anatomy) {
-        return plan.steps().stream()
-                .filter(PlanStep.Place.class::isInstance)
-                .map(step -> PlanPlayer.entry((PlanStep.Place) step, access.map()))
-                .findFirst()
+    /**
+     * The path over the breath from the entry of the decisive sample, or without one from the last entry; empty if the
+     * plan places no needle. Afterwards the anatomy is at the last moment of the breath.
+     */
+    public static Optional<PathOverBreath> plannedPath(
+            RehearsalPlan plan, TargetAccess access, MovingAnatomy anatomy, AttemptRecord record) {
+        return decisivePlace(plan.steps(), record)
+                .map(place -> PlanPlayer.entry(place, access.map()))
                 .map(entry -> PathOverBreath.of(
                         anatomy, access.map().cycle(), entry, access.target(), plan.needle(), plan.avoided()));
+    }
+
+    private static Stream<PlanStep.Place> placesOf(List<PlanStep> steps) {
+        return steps.stream().filter(PlanStep.Place.class::isInstance).map(PlanStep.Place.class::cast);
+    }
+
+    /** Each sample step has taken a sample of the record, in the same order. */
+    private static Optional<PlanStep.Place> decisivePlace(List<PlanStep> steps, AttemptRecord record) {
+        int decisive = record.decisive().map(record.samples()::indexOf).orElse(Integer.MAX_VALUE);
+        Optional<PlanStep.Place> place = Optional.empty();
+        int samples = 0;
+        for (PlanStep step : steps) {
+            if (step instanceof PlanStep.Place placed) {
+                place = Optional.of(placed);
+            } else if (step instanceof PlanStep.Sample && samples++ == decisive) {
+                return place;
+            }
+        }
+        return place;
     }
 
     public TargetLesion target() {
