@@ -19,6 +19,9 @@ final class HandOnNeedle {
     /** Angles of a needle that is not placed; empty if it points at the target. */
     private Optional<NeedleAngles> angles = Optional.empty();
 
+    /** Whether the program has pointed a needle that is not placed since the entry was chosen. */
+    private boolean aimedByProgram;
+
     private double aimedMm;
 
     HandOnNeedle(MovingAnatomy anatomy, ManualStepRecorder steps) {
@@ -39,6 +42,7 @@ final class HandOnNeedle {
         entryRest = Optional.of(onSkinAtRest.clone());
         entry = Optional.of(point);
         angles = Optional.of(initialAngles);
+        aimedByProgram = false;
     }
 
     /** @throws BadInputException if no entry point is chosen */
@@ -59,7 +63,8 @@ final class HandOnNeedle {
             needle.placeAtRest(at, aim);
             aimedMm = Vectors.distance(needle.shaft().entry(), aim);
         }
-        PlanStep.Aim aim = angles.map(PlanStep.Aim::at).orElse(PlanStep.Aim.TARGET);
+        PlanStep.Aim aim =
+                angles.map(held -> PlanStep.Aim.at(held, aimedByProgram)).orElse(PlanStep.Aim.TARGET);
         steps.add(timeS, new PlanStep.Place("by hand, place", entryRest, false, aim));
     }
 
@@ -82,6 +87,7 @@ final class HandOnNeedle {
     void aim(NeedleInsertion needle, double timeS) {
         if (!needle.shaft().isPlaced()) {
             angles = Optional.empty();
+            aimedByProgram = true;
             return;
         }
         double[] aim = needle.targetNow();

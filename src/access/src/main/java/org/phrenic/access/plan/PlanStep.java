@@ -55,20 +55,26 @@ public sealed interface PlanStep {
      * @param point fixed position, LPS, mm; empty for the target
      * @param atRest whether to use the position of the target at end-expiration instead of its current position
      * @param angles angles of the needle; empty if it is pointed at a position
+     * @param afterProgram whether a hand turned the needle to the angles from where the program had pointed it
      */
-    record Aim(Optional<double[]> point, boolean atRest, Optional<NeedleAngles> angles) {
+    record Aim(Optional<double[]> point, boolean atRest, Optional<NeedleAngles> angles, boolean afterProgram) {
         /** The current position of the target. */
-        public static final Aim TARGET = new Aim(Optional.empty(), false, Optional.empty());
+        public static final Aim TARGET = new Aim(Optional.empty(), false, Optional.empty(), false);
 
         /** The target at end-expiration. */
-        public static final Aim TARGET_AT_REST = new Aim(Optional.empty(), true, Optional.empty());
+        public static final Aim TARGET_AT_REST = new Aim(Optional.empty(), true, Optional.empty(), false);
 
         static Aim at(double[] point) {
-            return new Aim(Optional.of(point), false, Optional.empty());
+            return new Aim(Optional.of(point), false, Optional.empty(), false);
         }
 
         public static Aim at(NeedleAngles angles) {
-            return new Aim(Optional.empty(), false, Optional.of(angles));
+            return at(angles, false);
+        }
+
+        /** @param afterProgram whether the program had pointed the needle before a hand turned it on */
+        public static Aim at(NeedleAngles angles, boolean afterProgram) {
+            return new Aim(Optional.empty(), false, Optional.of(angles), afterProgram);
         }
 
         /** Whether it is a position that does not move with the breath. */
@@ -76,9 +82,9 @@ public sealed interface PlanStep {
             return point.isPresent() || atRest;
         }
 
-        /** Whether the program points the needle, not a hand. */
+        /** Whether the program points the needle, or did before a hand turned it on. */
         boolean byProgram() {
-            return angles.isEmpty();
+            return angles.isEmpty() || afterProgram;
         }
     }
 }

@@ -17,6 +17,9 @@ final class PlanStepYaml {
     private static final double SPEED_MM_PER_S = 50;
     private static final String AIM = "target";
     private static final String AIM_AT_REST = "target-at-end-expiration";
+    private static final String AXIAL = "axial_deg";
+    private static final String CRANIAL = "cranial_deg";
+    private static final String AFTER_PROGRAM = "after_program";
     private static final String LIFTED = "lifted";
     private static final String BEST = "best";
     private static final String BEST_AT_REST = "best-at-end-expiration";
@@ -126,9 +129,11 @@ final class PlanStepYaml {
     private static PlanStep.Aim aim(YamlMap map) {
         if (map.has("aim") && map.toMap().get("aim") instanceof Map) {
             YamlMap angles = map.map("aim");
-            angles.requireOnly(List.of("axial_deg", "cranial_deg"));
+            angles.requireOnly(List.of(AXIAL, CRANIAL, AFTER_PROGRAM));
             try {
-                return PlanStep.Aim.at(new NeedleAngles(angles.number("axial_deg"), angles.number("cranial_deg")));
+                return PlanStep.Aim.at(
+                        new NeedleAngles(angles.number(AXIAL), angles.number(CRANIAL)),
+                        angles.flag(AFTER_PROGRAM, false));
             } catch (IllegalArgumentException bad) {
                 throw map.bad("aim", bad.getMessage());
             }
@@ -186,7 +191,9 @@ final class PlanStepYaml {
     private static Object toPlain(PlanStep.Aim aim) {
         if (aim.angles().isPresent()) {
             NeedleAngles angles = aim.angles().get();
-            return new OrderedValues().with("axial_deg", angles.axialDeg()).with("cranial_deg", angles.cranialDeg());
+            OrderedValues map =
+                    new OrderedValues().with(AXIAL, angles.axialDeg()).with(CRANIAL, angles.cranialDeg());
+            return aim.afterProgram() ? map.with(AFTER_PROGRAM, true) : map;
         }
         return aim.point().isPresent() ? aim.point().get() : aim.atRest() ? AIM_AT_REST : AIM;
     }

@@ -328,7 +328,7 @@ public record RehearsalPlan(
         return REACTION_S;
     }
 
-    /** How often the program pointed the needle in place of a hand. */
+    /** How often the program pointed the needle, in place of a hand or before a hand turned it on. */
     public long aimsByProgram() {
         return steps.stream()
                 .filter(step ->
