@@ -127,13 +127,24 @@ public final class PlanPlayer {
             probe.hold(held.hold());
         } else if (step instanceof PlanStep.Advance advance) {
             if (first) {
-                needle.advance(advance.depthMm().orElse(aimedMm), advance.speedMmPerS());
+                move(advance);
             }
             return !advance.awaited() || !needle.isMoving();
         } else if (step instanceof PlanStep.Sample) {
             needle.sample();
         }
         return true;
+    }
+
+    private void move(PlanStep.Advance step) {
+        double toMm = step.depthMm().orElse(aimedMm);
+        double depthMm = needle.shaft().depth();
+        if (step.back() && needle.shaft().isPlaced() && toMm > depthMm) {
+            throw new BadInputException(Numbers.format(
+                    "depth_mm: found %.1f mm with the tip at %.1f mm, expected a depth that is not beyond the tip's",
+                    toMm, depthMm));
+        }
+        needle.advance(toMm, step.speedMmPerS());
     }
 
     private void place(double[] entry, PlanStep.Aim aim) {

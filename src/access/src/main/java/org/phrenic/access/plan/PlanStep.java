@@ -33,8 +33,15 @@ public sealed interface PlanStep {
      *
      * @param depthMm depth below the skin, mm; empty for the depth of the aim
      * @param awaited whether the next step waits until the tip has arrived
+     * @param back whether the step may only take the needle back
      */
-    record Advance(String place, Optional<Double> depthMm, double speedMmPerS, boolean awaited) implements PlanStep {}
+    record Advance(String place, Optional<Double> depthMm, double speedMmPerS, boolean awaited, boolean back)
+            implements PlanStep {
+        /** A move in either direction. */
+        public Advance(String place, Optional<Double> depthMm, double speedMmPerS, boolean awaited) {
+            this(place, depthMm, speedMmPerS, awaited, false);
+        }
+    }
 
     /** Takes a sample. */
     record Sample(String place) implements PlanStep {}

@@ -11,8 +11,9 @@ import org.phrenic.file.BadInputException;
 
 /** YAML format of plan steps: a list of mappings, each with a single key that gives the kind of the step. */
 final class PlanStepYaml {
+    private static final String WITHDRAW = "withdraw";
     private static final List<String> KINDS =
-            List.of("wait", "hold_breath", "place", "redirect", "advance", "sample", "withdraw", "image", "probe");
+            List.of("wait", "hold_breath", "place", "redirect", "advance", "sample", WITHDRAW, "image", "probe");
     private static final List<String> MOVE_KEYS = List.of("depth_mm", "speed_mm_per_s", "wait");
     private static final double SPEED_MM_PER_S = 50;
     private static final String AIM = "target";
@@ -54,11 +55,12 @@ final class PlanStepYaml {
             case "redirect" -> new PlanStep.Redirect(place, aim(map(step, kind, List.of("aim"))));
             case "advance" -> {
                 YamlMap map = map(step, kind, MOVE_KEYS);
-                yield advance(place, map.has("depth_mm") ? Optional.of(map.number("depth_mm")) : Optional.empty(), map);
+                Optional<Double> depth = map.has("depth_mm") ? Optional.of(map.number("depth_mm")) : Optional.empty();
+                yield move(place, depth, map, false);
             }
-            case "withdraw" -> {
+            case WITHDRAW -> {
                 YamlMap map = map(step, kind, MOVE_KEYS);
-                yield advance(place, Optional.of(map.number("depth_mm", 0)), map);
+                yield move(place, Optional.of(map.number("depth_mm", 0)), map, true);
             }
             case "probe" -> probe(step, place);
             case "image" -> new PlanStep.Image(place, ProbeHold.read(step.map(kind)));
@@ -88,12 +90,12 @@ final class PlanStepYaml {
         return map;
     }
 
-    private static PlanStep advance(String place, Optional<Double> depthMm, YamlMap map) {
+    private static PlanStep move(String place, Optional<Double> depthMm, YamlMap map, boolean back) {
         double speed = map.number("speed_mm_per_s", SPEED_MM_PER_S);
         if (!(speed > 0)) {
             throw map.bad("speed_mm_per_s", "found " + speed + ", expected more than 0");
         }
-        return new PlanStep.Advance(place, depthMm, speed, map.flag("wait", true));
+        return new PlanStep.Advance(place, depthMm, speed, map.flag("wait", true), back);
     }
 
     private static PlanStep wait(YamlMap step, String place) {
@@ -178,7 +180,7 @@ final class PlanStepYaml {
             if (!advance.awaited()) {
                 map.put("wait", false);
             }
-            return Map.of("advance", map);
+            return Map.of(advance.back() ? WITHDRAW : "advance", map);
         }
         if (step instanceof PlanStep.Probe probe) {
             return Map.of("probe", probe.hold().<Object>map(ProbeHold::toPlain).orElse(LIFTED));

@@ -185,6 +185,21 @@ class PlanPlayerTest {
     }
 
     @Test
+    void aNeedleIsWithdrawnByNoStepThatWouldPushItDeeper() throws IOException {
+        String in = "steps: [{place: {entry: [0, 0, 0], aim: target}}, {advance: {depth_mm: 15}}, ";
+        assertThatThrownBy(() -> play(in + "{withdraw: {depth_mm: 20}}]"))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("step 3, withdraw: depth_mm: found 20.0 mm with the tip at 15.0 mm");
+        assertThat(play(in + "{withdraw: {depth_mm: 15}}]").shaft().depth()).isEqualTo(15);
+        assertThat(play(in + "{withdraw: {depth_mm: 10}}]").shaft().depth()).isEqualTo(10);
+        assertThat(play(in + "{advance: {depth_mm: 10}}, {advance: {depth_mm: 20}}]")
+                        .shaft()
+                        .depth())
+                .as("a move goes both ways")
+                .isEqualTo(20);
+    }
+
+    @Test
     void whatCannotBeDoneNamesItsStep() {
         assertThatThrownBy(() -> play("steps: [{advance: {depth_mm: 20}}]")).hasMessageContaining("step 1, advance");
         assertThatThrownBy(() -> play("steps: [{image: {skin: back}}]")).hasMessageContaining("right-intercostal");

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -38,6 +39,16 @@ class RehearsalPlanTest {
         RehearsalPlan read = savedAndRead(kept);
         assertThat(read.timeoutS()).isEqualTo(kept.timeoutS()).isGreaterThan(lastS);
         assertThat(read.moments()).as("moments of the breath that was recorded").isEqualTo(40);
+    }
+
+    @Test
+    void aStepThatOnlyWithdrawsIsKeptAsOne() {
+        PlanStep out = new PlanStep.Advance("withdraw", Optional.of(0.0), 50, true, true);
+        PlanStep in = new PlanStep.Advance("advance", Optional.of(20.0), 50, true);
+        RehearsalPlan practice = RehearsalPlan.practice(Scenario.defaults(), TARGET, Needle.standard(), 40);
+        assertThat(savedAndRead(practice.withSteps(TARGET, List.of(in, out), 1)).steps())
+                .extracting(step -> ((PlanStep.Advance) step).back())
+                .containsExactly(false, true);
     }
 
     @Test
