@@ -32,6 +32,27 @@ public record NeedleAngles(double axialDeg, double cranialDeg) {
                 StrictMath.cos(c) * StrictMath.sin(a), StrictMath.cos(c) * StrictMath.cos(a), StrictMath.sin(c));
     }
 
+    /**
+     * The angles of a needle tilted by so much in two directions at a right angle to it and to each other: level, as a
+     * greater axial angle turns it, and toward the head.
+     */
+    public NeedleAngles tilted(double levelDeg, double headDeg) {
+        double tiltDeg = Math.sqrt(levelDeg * levelDeg + headDeg * headDeg);
+        if (tiltDeg == 0) {
+            return this;
+        }
+        double a = StrictMath.toRadians(axialDeg);
+        double c = StrictMath.toRadians(cranialDeg);
+        double[] level = {StrictMath.cos(a), -StrictMath.sin(a), 0};
+        double[] head = {
+            -StrictMath.sin(c) * StrictMath.sin(a), -StrictMath.sin(c) * StrictMath.cos(a), StrictMath.cos(c)
+        };
+        double tilt = StrictMath.toRadians(tiltDeg);
+        double aside = StrictMath.sin(tilt) / tiltDeg;
+        double[] along = Vectors.addScaled(new double[3], direction(), StrictMath.cos(tilt));
+        return of(Vectors.addScaled(Vectors.addScaled(along, level, aside * levelDeg), head, aside * headDeg));
+    }
+
     /** The angles turned by so much; the second stays within 90 degrees. */
     public NeedleAngles turned(double byAxialDeg, double byCranialDeg) {
         double a = axialDeg + byAxialDeg;

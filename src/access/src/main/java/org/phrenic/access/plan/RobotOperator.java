@@ -32,7 +32,7 @@ public final class RobotOperator {
      *
      * @param reactionS reaction time, s
      * @param latencyS latency of the image, s
-     * @param angleDeg standard deviation of each angle of the needle, degrees
+     * @param angleDeg standard deviation of the needle in each of two directions at a right angle to it, degrees
      * @param depthMm standard deviation of the depth, mm
      * @param levelMm standard deviation of the level at end-expiration from breath to breath, mm
      * @param beatMm amplitude of the heartbeat, mm
@@ -117,9 +117,9 @@ public final class RobotOperator {
     private void insert(NeedleInsertion needle, double[] target, Random random) {
         needle.placeAtRest(entryRest, target);
         double depth = Vectors.distance(needle.shaft().entry(), target) + hand.depthMm() * random.nextGaussian();
-        double axial = hand.angleDeg() * random.nextGaussian();
-        double cranial = hand.angleDeg() * random.nextGaussian();
-        needle.turn(NeedleAngles.of(needle.shaft().direction()).turned(axial, cranial));
+        double level = hand.angleDeg() * random.nextGaussian();
+        double head = hand.angleDeg() * random.nextGaussian();
+        needle.turn(NeedleAngles.of(needle.shaft().direction()).tilted(level, head));
         double goal = Math.max(1, Math.min(plan.needle().lengthMm(), depth));
         needle.advance(goal, SPEED_MM_PER_S);
         while (needle.isMoving() && timeS < GIVE_UP_S) {

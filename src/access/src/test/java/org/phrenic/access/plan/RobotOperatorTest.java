@@ -54,6 +54,31 @@ class RobotOperatorTest {
         }
     }
 
+    /** Mean tilt of a needle whose way to the target rises by an angle from the axial plane, degrees. */
+    private double meanTiltDeg(double cranialDeg) {
+        RobotOperator.Hand unsteady = new RobotOperator.Hand(0.25, 0.1, 2.7, 0, 0, 0, 0);
+        double[] entry = {0, 0, -10 - 90 * StrictMath.tan(StrictMath.toRadians(cranialDeg))};
+        double length = 90 / StrictMath.cos(StrictMath.toRadians(cranialDeg));
+        double sum = 0;
+        int n = 200;
+        for (int seed = 0; seed < n; seed++) {
+            TargetingError error = new RobotOperator(plan, anatomy, access, entry, unsteady, true)
+                    .attempt(seed)
+                    .samples()
+                    .get(0);
+            sum += StrictMath.toDegrees(StrictMath.asin(error.lateralMm() / length)) / n;
+        }
+        return sum;
+    }
+
+    /** The errors of a hand are those of its needle, which leans by as much at any angle to the axial plane. */
+    @Test
+    void theHandErrsByAsMuchHoweverSteepTheNeedleStands() {
+        double level = meanTiltDeg(0);
+        assertThat(level).isCloseTo(3.4, within(0.2));
+        assertThat(meanTiltDeg(50)).isCloseTo(level, within(0.1));
+    }
+
     private AttemptRecord record(double[] entry, RobotOperator.Hand hand, boolean held) {
         return new RobotOperator(plan, anatomy, access, entry, hand, held).attempt(1);
     }
