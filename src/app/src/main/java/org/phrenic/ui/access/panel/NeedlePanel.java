@@ -20,7 +20,7 @@ import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 
-/** Controls of the needle, its depth, and the distance between tip and target. */
+/** Controls of the needle, its depth, and the distance of its tip, or of the middle of its core, from the target. */
 final class NeedlePanel extends AccessPanel {
     private static final double STEP_MM = 2;
     private static final int DEFAULT_LENGTH_MM = 150;
@@ -70,7 +70,8 @@ final class NeedlePanel extends AccessPanel {
         JPanel first = new JPanel(new MigLayout("insets 0, gap 6, novisualpadding", "[grow, fill, 0::][]"));
         first.add(depthText, "wmin 0");
         first.add(speed);
-        parts.setToolTipText("Distance from the tip to the middle of the target along the needle, and aside of it");
+        parts.setToolTipText("Distance from the tip, or of a core needle from the middle of the core that it would"
+                + " throw, to the middle of the target along the needle, and aside of it");
         loads.setToolTipText("Force along the needle and the layer it comes from; force aside, which bends the needle");
         angles.setToolTipText(
                 "Angles of the needle: 0 in the axial plane is straight back, 90 to the patient's left; the"
@@ -150,8 +151,14 @@ final class NeedlePanel extends AccessPanel {
         return String.join(", ", words);
     }
 
+    /** The distance that a sample would have now: that of the tip, or of the middle of a core. */
     static String text(TargetingError error) {
-        return Numbers.format("Tip to target %.1f mm%s", error.distanceMm(), error.hit() ? ", in it" : "");
+        if (error.coreInTargetMm().isEmpty()) {
+            return Numbers.format("Tip to target %.1f mm%s", error.distanceMm(), error.hit() ? ", in it" : "");
+        }
+        return Numbers.format(
+                "Middle of the core to target %.1f mm, %.1f mm of the core in it",
+                error.distanceMm(), error.coreInTargetMm().getAsDouble());
     }
 
     static String parts(TargetingError error) {

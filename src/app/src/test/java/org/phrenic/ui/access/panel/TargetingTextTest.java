@@ -22,6 +22,14 @@ class TargetingTextTest {
         assertThat(NeedlePanel.parts(DEEP)).isEqualTo("12.0 mm too deep, 5.0 mm aside");
     }
 
+    /** The tip of a needle that throws 20 mm is in the middle of the target. */
+    @Test
+    void theNeedlePanelSaysThatItMeasuresACoreFromItsMiddle() {
+        TargetingError core = new TargetingError(-10, 0, true, OptionalDouble.of(5));
+        assertThat(NeedlePanel.text(core)).isEqualTo("Middle of the core to target 10.0 mm, 5.0 mm of the core in it");
+        assertThat(NeedlePanel.parts(core)).isEqualTo("10.0 mm too deep, 0.0 mm aside");
+    }
+
     @Test
     void theCardSaysWhetherTheSampleWasShortOrDeep() {
         assertThat(ReportCard.place(SHORT)).contains("13.0 mm from the middle", "12.0 mm short of it, 5.0 mm aside");
