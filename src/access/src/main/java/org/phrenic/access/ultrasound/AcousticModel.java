@@ -7,8 +7,9 @@ import org.phrenic.access.imaging.Tissue;
 /**
  * Reflection and attenuation of ultrasound at one frequency, as ratios of amplitudes. At a boundary the reflected
  * intensity is {@code ((Z2 - Z1) / (Z2 + Z1))^2 cos^n} of the angle of incidence, with n = {@value #SPECULAR_EXPONENT};
- * after Wein et al. 2008 (doi 10.1016/j.media.2008.06.006). Liver, spleen, kidney, gall bladder and diaphragm are
- * coated by {@value #COAT_MM} mm of connective tissue, whose two faces reflect {@code r1 + r2 exp(-2 i k t)}.
+ * after Wein et al. 2008 (doi 10.1016/j.media.2008.06.006). Liver, spleen, kidney, gall bladder and diaphragm, and the
+ * branches of the portal vein in the liver, are coated by {@value #COAT_MM} mm of connective tissue, whose two faces
+ * reflect {@code r1 + r2 exp(-2 i k t)}.
  */
 final class AcousticModel {
     static final int SPECULAR_EXPONENT = 6;
@@ -49,9 +50,9 @@ final class AcousticModel {
         };
     }
 
-    /** Whether the boundary is the border of a lesion in the liver, which has no capsule. */
+    /** Whether the boundary is the border of a lesion or of blood in the liver, which has no capsule. */
     private static boolean isWithinLiver(Tissue one, Tissue other) {
-        return one == Tissue.LIVER && other == Tissue.LESION;
+        return one == Tissue.LIVER && (other == Tissue.LESION || other == Tissue.BLOOD);
     }
 
     /**

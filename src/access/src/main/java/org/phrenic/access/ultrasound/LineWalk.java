@@ -100,14 +100,18 @@ final class LineWalk {
             depth = next;
             int first = k;
             boolean sheet = false;
+            boolean portal = false;
             while (k < count && crossings.depth(line, k) <= depth + SAME_DEPTH_MM) {
                 sheet |= isSheet(crossings.code(line, k));
+                portal |= isPortal(crossings.code(line, k));
                 pass(crossings.code(line, k++));
             }
             if (k > first) {
                 int then = top();
-                double r = acoustics.reflection(tissue, tissue(then), sheet);
-                echo(crossings, first, amplitude, r, tissue(then));
+                Tissue behind = tissue(then);
+                boolean inLiver = tissue == Tissue.LIVER || behind == Tissue.LIVER;
+                double r = acoustics.reflection(tissue, behind, sheet || (portal && inLiver));
+                echo(crossings, first, amplitude, r, behind);
                 amplitude *= 1 - r * r;
                 now = then;
             }
@@ -117,6 +121,10 @@ final class LineWalk {
     /** Whether a crossing is one with the diaphragm, open or closed. */
     private boolean isSheet(int code) {
         return code == 0 || surfaces.get(Math.abs(code) - 1).surface.kind() == StructureKind.DIAPHRAGM;
+    }
+
+    private boolean isPortal(int code) {
+        return code != 0 && surfaces.get(Math.abs(code) - 1).portal;
     }
 
     private void pass(int code) {

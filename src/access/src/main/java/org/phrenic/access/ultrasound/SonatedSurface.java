@@ -1,5 +1,6 @@
 package org.phrenic.access.ultrasound;
 
+import java.util.regex.Pattern;
 import org.phrenic.access.imaging.Tissue;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.IntList;
@@ -18,11 +19,16 @@ class SonatedSurface {
     /** Distance beyond the beam within which triangles count for the normals of vertices, mm. */
     private static final double NORMAL_MARGIN_MM = 15;
 
+    private static final Pattern PORTAL = Pattern.compile("(vessel_)?portal_.*");
+
     final int index;
     final Surface surface;
     final Tissue tissue;
     /** +1 if the triangles face outward, -1 if inward, 0 if the surface has no inside. */
     final int orientation;
+
+    /** Whether it is the portal vein or a branch of it, which the liver holds in a sheath of connective tissue. */
+    final boolean portal;
 
     final int rank;
     private final double[] world;
@@ -37,6 +43,7 @@ class SonatedSurface {
         this.index = index;
         this.surface = surface;
         tissue = Tissue.of(surface);
+        portal = PORTAL.matcher(surface.name()).matches();
         boolean solid = surface.kind() != StructureKind.PLEURA && MeshMeasure.hasInside(surface.rest());
         orientation = solid ? (int) Math.signum(MeshMeasure.signedVolume(surface.rest())) : 0;
         rank = rank(surface.kind());

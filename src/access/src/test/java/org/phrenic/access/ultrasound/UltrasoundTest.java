@@ -74,6 +74,30 @@ class UltrasoundTest {
         assertThat(SonatedScene.db(behind / beside)).isCloseTo((0.5 - 0.0022) * 3.5 * 2 * 3, within(0.8));
     }
 
+    /**
+     * Branches of the portal vein run in sheaths of connective tissue and have bright walls; hepatic veins are dark
+     * bands without.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "portal_vein_R, true",
+        "vessel_portal_vein_L, true",
+        "hepatic_vein_R, false",
+        "inferior_vena_cava, false"
+    })
+    void ofTheVeinsInTheLiverThoseOfThePortalVeinHaveBrightWalls(String name, boolean bright) {
+        BModeImage image = new SonatedScene()
+                .with("liver", StructureKind.LIVER, -10, 190)
+                .with(name, StructureKind.VESSEL, 60, 75)
+                .image();
+        double liver = SonatedScene.mean(image, MIDDLE - 20, MIDDLE + 20, 45, 55);
+        double wall = SonatedScene.mean(image, MIDDLE - 4, MIDDLE + 4, 59.7, 60.4);
+        double within = SonatedScene.mean(image, MIDDLE - 20, MIDDLE + 20, 64, 71);
+        assertThat(SonatedScene.db(liver / within)).as("blood is dark").isGreaterThan(20);
+        // The impedances alone give 20 log 0.0123 = -38 dB of a mirror, 12 dB above the echoes of the liver.
+        assertThat(SonatedScene.db(wall / liver) > 22).isEqualTo(bright);
+    }
+
     /** Fully developed speckle: amplitudes are Rayleigh distributed, mean to standard deviation 1.91. */
     @Test
     void liverHasItsEchogenicityAndFullyDevelopedSpeckle() {
