@@ -31,10 +31,10 @@ public enum Tissue {
     BILE(1.02, 1.56, 0.0022, -110),
     MUSCLE(1.05, 1.68, 0.96, -55),
     /**
-     * At end-expiration: 1.2 kg of tissue and blood (ICRP Publication 89) in 3.3 l. They stay in the lung when its
-     * volume changes.
+     * At end-expiration: 1.2 kg of tissue and blood, of 1.05 g/cm3, and 3.3 l of air (ICRP Publication 89) make an
+     * organ of 4.4 l. Tissue and blood stay in the lung when its volume changes.
      */
-    LUNG(0.36, 0.26, 40, -60),
+    LUNG(0.27, 0.26, 40, -60),
     GAS(0.001, 0.0004, 7.5, -140),
     /** Water, and the gel between probe and skin. */
     WATER(1.00, 1.46, 0.0022, -140),

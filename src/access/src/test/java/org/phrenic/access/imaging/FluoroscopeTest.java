@@ -73,6 +73,15 @@ class FluoroscopeTest {
                 .isCloseTo(expected - 80 * Tissue.SOFT.attenuationPerMm(60), within(0.01));
     }
 
+    /** Tissue and blood of a lung, 1.2 kg as dense as soft tissue, take a part of the organ; 3.3 l are air. */
+    @Test
+    void aLungAtEndExpirationDimsAsItsTissueAloneDoesOverItsShareOfTheOrgan() {
+        double tissueLitres = 1.2 / 1.05;
+        double share = tissueLitres / (tissueLitres + 3.3);
+        double soft = Tissue.SOFT.attenuationPerMm(60);
+        assertThat(Tissue.LUNG.attenuationPerMm(60)).isCloseTo(share * soft, within(0.02 * share * soft));
+    }
+
     /** A lung that is 1.5 times as wide in every direction has 1 / 3.375 of its density, about its nodule as well. */
     @Test
     void aNoduleReplacesTheLungOfTheMoment() {
