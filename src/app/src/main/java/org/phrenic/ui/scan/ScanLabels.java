@@ -121,6 +121,8 @@ final class ScanLabels extends AbstractTableModel {
         numbered.values().forEach(table -> known.addAll(table.values()));
         known.add(LabelTable.LUNGS);
         known.add(LabelTable.RIBS);
+        known.add(LabelTable.RIGHT_RIBS);
+        known.add(LabelTable.LEFT_RIBS);
         known.add(LabelTable.COSTAL_CARTILAGES);
         return known;
     }

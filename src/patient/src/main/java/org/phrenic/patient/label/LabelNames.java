@@ -241,7 +241,7 @@ public final class LabelNames {
             return known("bone_" + extra.group(2) + "_rib" + suffix);
         }
         if (RIB.matcher(rest).matches()) {
-            return levelled(words, side, "rib", LabelTable.RIBS);
+            return levelled(words, side, "rib", side == Side.MIDLINE ? LabelTable.RIBS : LabelTable.ribsOf(side));
         }
         Matcher sternum = STERNUM.matcher(rest);
         if (sternum.matches()) {

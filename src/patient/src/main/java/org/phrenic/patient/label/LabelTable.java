@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.phrenic.anatomy.OrganNames;
+import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.document.CsvTable;
 import org.phrenic.file.BadInputException;
@@ -29,6 +30,11 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     public static final String LUNGS = "lungs";
     /** All ribs under one label; numbered from top to bottom. */
     public static final String RIBS = "ribs";
+    /** All ribs of the right side under one label. */
+    public static final String RIGHT_RIBS = "ribs_R";
+    /** All ribs of the left side under one label. */
+    public static final String LEFT_RIBS = "ribs_L";
+
     /** All costal cartilages under one label; split by {@link CartilageSplitter}. */
     public static final String COSTAL_CARTILAGES = "costal_cartilages";
 
@@ -187,7 +193,8 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
                     row,
                     "structure",
                     "found '" + structure + "', expected a structure such as rib_05_R, lung_L, liver, kidney_R,"
-                            + " other_NAME, " + LUNGS + ", " + RIBS + ", " + COSTAL_CARTILAGES + " or " + IGNORE);
+                            + " other_NAME, " + LUNGS + ", " + RIBS + ", " + RIGHT_RIBS + ", " + LEFT_RIBS + ", "
+                            + COSTAL_CARTILAGES + " or " + IGNORE);
         }
         Optional<String> twin =
                 structures.stream().filter(structure::equalsIgnoreCase).findFirst();
@@ -212,6 +219,16 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         return (int) label;
     }
 
+    /** Whether a structure is several ribs under one name, of both sides or of one. */
+    public static boolean isRibs(String structure) {
+        return structure.equals(RIBS) || structure.equals(RIGHT_RIBS) || structure.equals(LEFT_RIBS);
+    }
+
+    /** The name of all ribs of a side, right or left, under one label. */
+    static String ribsOf(Side side) {
+        return side == Side.RIGHT ? RIGHT_RIBS : LEFT_RIBS;
+    }
+
     /** Whether a structure is several bones under one name, which are no pieces of each other. */
     public static boolean isSeveralBones(String structure) {
         return structure.equals(ALL_BONES) || structure.equals(SPINE);
@@ -221,7 +238,7 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     public static boolean isStructure(String name) {
         return name.equals(LUNGS)
                 || name.equals(IGNORE)
-                || name.equals(RIBS)
+                || isRibs(name)
                 || name.equals(COSTAL_CARTILAGES)
                 || StructureName.parse(name).isPresent();
     }

@@ -31,7 +31,7 @@ record NamedLabels(Map<Integer, String> names, Map<Integer, String> structures) 
                     .filter(label -> LabelNames.sideOfRib(names.get(label)).equals(Optional.of(side)))
                     .toList();
             if (!ribs.isEmpty() && LabelPieces.areSeveral(volume.grid(), ribs)) {
-                ribs.forEach(label -> structures.put(label, LabelTable.RIBS));
+                ribs.forEach(label -> structures.put(label, LabelTable.ribsOf(side)));
             }
         });
         return new NamedLabels(names, structures);

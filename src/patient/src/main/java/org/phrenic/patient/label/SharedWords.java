@@ -68,6 +68,8 @@ final class SharedWords {
     private static final Set<String> COMMON = Set.of(
             LabelTable.IGNORE,
             LabelTable.RIBS,
+            LabelTable.RIGHT_RIBS,
+            LabelTable.LEFT_RIBS,
             LabelTable.COSTAL_CARTILAGES,
             LabelTable.ALL_BONES,
             LabelTable.SPINE,

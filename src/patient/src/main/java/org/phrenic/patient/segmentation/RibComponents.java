@@ -178,7 +178,7 @@ final class RibComponents {
         boolean pure = a.share(label) > 1 - SUBSTANTIAL && b.share(label) > 1 - SUBSTANTIAL;
         double angle = commonAngle(a, b);
         boolean apart = angle <= MAX_COMMON_ANGLE;
-        boolean common = label == s.find(LabelTable.RIBS);
+        boolean common = LabelTable.isRibs(s.names().get(label - 1));
         // Under one label for all, other ribs lie in the same directions.
         if (!pure || a.centre[0] < middle != b.centre[0] < middle || (!apart && common)) {
             return false;
@@ -325,7 +325,7 @@ final class RibComponents {
     /** Whether another part holds more voxels of the label of most of a part; not so under one label for all ribs. */
     boolean isStray(Rib part) {
         int label = part.dominantSegment();
-        return label != s.find(LabelTable.RIBS)
+        return !LabelTable.isRibs(s.names().get(label - 1))
                 && ribs.stream().anyMatch(rib -> rib.segments.getOrDefault(label, 0) > part.segments.get(label));
     }
 

@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.TreeMap;
-import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
@@ -40,11 +39,11 @@ final class RibNumbering {
     private static final double HEAD_MM = 60;
     /** Weight of the height above what is left of a rib whose vertebral end is cut off. */
     private static final double ABOVE_CUT = 0.2;
-    /** Distance of the medial ends of ribs from the median plane, mm. */
-    private static final double BESIDE_MM = 15;
 
     private final Segmentation s;
-    private final int common;
+    /** Whether ribs share a label. */
+    private final boolean isCommon;
+
     private final RibComponents components;
     private final RibSides sides;
     /** Height of the body of each thoracic vertebra by number, mm; NaN if none is known. */
@@ -53,7 +52,7 @@ final class RibNumbering {
     private RibNumbering(Segmentation s, RibComponents components) {
         this.s = s;
         this.components = components;
-        common = s.find(LabelTable.RIBS);
+        isCommon = s.names().stream().anyMatch(LabelTable::isRibs);
         sides = new RibSides(s, components.ribs());
         vertebraZ = VertebraHeights.of(s);
     }
@@ -87,7 +86,7 @@ final class RibNumbering {
     private static RibComponents components(Segmentation s) {
         byte[] group = new byte[LabelGrid.MAX_BYTE_LABEL + 1];
         for (String name : s.names()) {
-            boolean rib = name.equals(LabelTable.RIBS)
+            boolean rib = LabelTable.isRibs(name)
                     || StructureName.parse(name)
                             .filter(n -> n.kind() == StructureKind.RIB)
                             .isPresent();
@@ -98,7 +97,7 @@ final class RibNumbering {
 
     /** Why the labels do not number the ribs; empty if they do. */
     private static Optional<String> reason(Segmentation s, RibComponents components) {
-        if (s.find(LabelTable.RIBS) > 0) {
+        if (s.names().stream().anyMatch(LabelTable::isRibs)) {
             return Optional.of("ribs");
         }
         Optional<Integer> divided = components.dividedSegment();
@@ -119,29 +118,40 @@ final class RibNumbering {
         if (ribs.isEmpty()) {
             throw new BadInputException(found + ": found no rib, expected some");
         }
-        double middle = middle(ribs);
+        double middle = sides.middle()
+                .orElseThrow(() -> new BadInputException(found + ": found neither spine nor sternum between ribs of"
+                        + " one label, expected one of them, ribs of both sides, or the names "
+                        + LabelTable.RIGHT_RIBS + " and " + LabelTable.LEFT_RIBS));
+        VertebralEnd[] ends =
+                ribs.stream().map(rib -> vertebralEnd(rib, middle)).toArray(VertebralEnd[]::new);
+        List<Side> both = List.of(Side.RIGHT, Side.LEFT);
+        List<List<Integer>> onSides = new ArrayList<>();
+        int stray = 0;
+        for (Side side : both) {
+            List<Integer> onSide = new ArrayList<>(IntStream.range(0, ribs.size())
+                    .filter(i -> sides.of(ribs.get(i), middle) == side)
+                    .boxed()
+                    .toList());
+            stray += dropStrays(onSide);
+            onSides.add(fromTop(onSide, ends));
+        }
         String[] nameOf = new String[ribs.size()];
         List<String> numbered = new ArrayList<>();
-        int stray = 0;
-        for (Side side : List.of(Side.RIGHT, Side.LEFT)) {
-            List<Integer> onSide = new ArrayList<>();
-            VertebralEnd[] ends = new VertebralEnd[ribs.size()];
-            for (int i = 0; i < ribs.size(); i++) {
-                if (side(ribs.get(i), middle) == side) {
-                    onSide.add(i);
-                    ends[i] = vertebralEnd(ribs.get(i), middle);
-                }
-            }
-            stray += dropStrays(onSide);
-            List<Integer> unsorted = List.copyOf(onSide);
-            onSide.sort(Comparator.comparingLong((Integer i) -> unsorted.stream()
-                            .filter(other -> ribs.get(other).heightAbove(ribs.get(i)) > 0)
-                            .count())
-                    .thenComparingDouble(i -> -ends[i].z()));
-            int[] numbers = numbers(onSide, ends, side, found);
+        OptionalInt[] first = CutRibCount.first(
+                s,
+                onSides.stream()
+                        .map(onSide -> onSide.stream().map(ribs::get).toList())
+                        .toList(),
+                onSides.stream()
+                        .map(onSide ->
+                                onSide.stream().mapToDouble(i -> ends[i].z()).toArray())
+                        .toList());
+        for (int n = 0; n < both.size(); n++) {
+            int[] numbers = numbers(onSides.get(n), ends, first[n], both.get(n), found);
             for (int i = 0; i < numbers.length; i++) {
-                nameOf[onSide.get(i)] = name(numbers[i], side);
-                numbered.add(nameOf[onSide.get(i)]);
+                String name = name(numbers[i], both.get(n));
+                nameOf[onSides.get(n).get(i)] = name;
+                numbered.add(name);
             }
         }
         apply(ribs, nameOf);
@@ -150,36 +160,15 @@ final class RibNumbering {
                 + (stray > 0 ? "; " + stray + " parts of ribs away from their label's rib are left out" : "");
     }
 
-    /**
-     * Where the median plane lies, mm: half way between the medial ends of right and left ribs, or beside those of one
-     * side. Ribs under one label are taken to be of both sides.
-     */
-    private double middle(List<RibComponents.Rib> ribs) {
-        // The x axis points to the patient's left.
-        OptionalDouble right = across(ribs, Side.RIGHT).max();
-        OptionalDouble left = across(ribs, Side.LEFT).min();
-        if (right.isPresent() && left.isPresent()) {
-            return 0.5 * (right.getAsDouble() + left.getAsDouble());
-        }
-        if (right.isPresent()) {
-            return right.getAsDouble() + BESIDE_MM;
-        }
-        if (left.isPresent()) {
-            return left.getAsDouble() - BESIDE_MM;
-        }
-        return ribs.stream().mapToDouble(rib -> rib.centre[0]).average().orElseThrow();
-    }
-
-    /** x of all voxels of the ribs whose label names a side, mm. */
-    private DoubleStream across(List<RibComponents.Rib> ribs, Side side) {
-        return ribs.stream()
-                .filter(rib -> sides.of(rib).filter(side::equals).isPresent())
-                .flatMapToDouble(rib ->
-                        IntStream.range(0, rib.voxels.size()).mapToDouble(i -> s.coordinate(rib.voxels.get(i), 0)));
-    }
-
-    private Side side(RibComponents.Rib rib, double middle) {
-        return sides.of(rib).orElse(rib.centre[0] < middle ? Side.RIGHT : Side.LEFT);
+    /** The ribs of a side from top to bottom. */
+    private List<Integer> fromTop(List<Integer> onSide, VertebralEnd[] ends) {
+        List<RibComponents.Rib> ribs = components.ribs();
+        return onSide.stream()
+                .sorted(Comparator.comparingLong((Integer i) -> onSide.stream()
+                                .filter(other -> ribs.get(other).heightAbove(ribs.get(i)) > 0)
+                                .count())
+                        .thenComparingDouble(i -> -ends[i].z()))
+                .toList();
     }
 
     /**
@@ -216,7 +205,7 @@ final class RibNumbering {
     }
 
     private String countedFrom(List<String> numbered) {
-        boolean all = common == 0 || numbered.size() == 2 * RIBS;
+        boolean all = !isCommon || numbered.size() == 2 * RIBS;
         return all
                 ? ""
                 : numbered.contains(name(1, Side.RIGHT)) ? ", counted from the first" : ", counted from the last";
@@ -265,16 +254,16 @@ final class RibNumbering {
                 .average();
     }
 
-    /** Increasing numbers of least total cost for ribs from top to bottom. */
-    private int[] numbers(List<Integer> ribs, VertebralEnd[] ends, Side side, String found) {
+    /**
+     * Increasing numbers of least total cost for ribs from top to bottom.
+     *
+     * @param first number of the highest one as counted without vertebrae; empty if that is unknown
+     */
+    private int[] numbers(List<Integer> ribs, VertebralEnd[] ends, OptionalInt first, Side side, String found) {
         int n = ribs.size();
-        boolean unknown = n < RIBS && common > 0 && !hasVertebrae();
-        if (unknown) {
-            OptionalInt first = CutRibCount.first(
-                    s, ribs.stream().map(components.ribs()::get).toList());
-            if (first.isPresent()) {
-                return IntStream.range(0, n).map(i -> first.getAsInt() + i).toArray();
-            }
+        boolean unknown = n > 0 && n < RIBS && isCommon && !hasVertebrae();
+        if (unknown && first.isPresent()) {
+            return IntStream.range(0, n).map(i -> first.getAsInt() + i).toArray();
         }
         if (n > RIBS || unknown) {
             throw new BadInputException(found + ", which cannot be told apart: found " + n + " connected ribs on the "

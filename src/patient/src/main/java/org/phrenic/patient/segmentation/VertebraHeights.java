@@ -5,24 +5,27 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.mesh.voxel.LabelGrid;
 
-/** Heights of the thoracic vertebrae of a volume. */
+/** Heights of the thoracic vertebrae of a volume, by those and the lumbar ones. */
 final class VertebraHeights {
+    /** Level of the fifth lumbar vertebra. */
+    private static final int LAST = StructureName.FIRST_LUMBAR + 4;
+
     private VertebraHeights() {}
 
     /**
      * Heights of vertebral bodies: means over the anterior halves of the vertebrae. Those that the scan does not show
      * are taken to follow at the usual distance.
      *
-     * @return mm, by number; NaN if the volume shows none
+     * @return mm, by level; NaN if the volume shows none
      */
     static double[] of(Segmentation s) {
-        double[] vertebraZ = new double[RibNumbering.RIBS + 1];
+        double[] vertebraZ = new double[LAST + 1];
         Arrays.fill(vertebraZ, Double.NaN);
         double[][] sums = new double[LabelGrid.MAX_BYTE_LABEL + 1][3];
         int[] levels = new int[sums.length];
         for (String name : s.names()) {
             StructureName.parse(name)
-                    .filter(n -> n.kind() == StructureKind.VERTEBRA && n.level() <= RibNumbering.RIBS)
+                    .filter(n -> n.kind() == StructureKind.VERTEBRA && n.level() <= LAST)
                     .ifPresent(n -> levels[s.find(name)] = n.level());
         }
         for (int pass = 0; pass < 2; pass++) {
@@ -49,11 +52,11 @@ final class VertebraHeights {
                 }
             }
         }
-        for (int level = RibNumbering.RIBS - 1; level > 0; level--) {
+        for (int level = LAST - 1; level > 0; level--) {
             vertebraZ[level] =
                     Double.isNaN(vertebraZ[level]) ? vertebraZ[level + 1] + RibNumbering.VERTEBRA_MM : vertebraZ[level];
         }
-        for (int level = 2; level <= RibNumbering.RIBS; level++) {
+        for (int level = 2; level <= LAST; level++) {
             vertebraZ[level] =
                     Double.isNaN(vertebraZ[level]) ? vertebraZ[level - 1] - RibNumbering.VERTEBRA_MM : vertebraZ[level];
         }

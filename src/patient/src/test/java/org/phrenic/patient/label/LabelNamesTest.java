@@ -186,7 +186,7 @@ class LabelNamesTest {
         "RightMiddleLobe, lung_R",
         "LUL, lung_L",
         "RLL, lung_R",
-        "ribs_left, ribs",
+        "ribs_left, ribs_L",
         "left costal cartilages, costal_cartilages",
         "T 12, vertebra_T12",
         "T-12, vertebra_T12",

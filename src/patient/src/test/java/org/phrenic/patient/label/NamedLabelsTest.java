@@ -77,7 +77,7 @@ class NamedLabelsTest {
         "ribs_left_1, rib_01_L",
         "bone_1, bone_1",
         "muscle_1, muscle_1",
-        "case_3_ribs_left, ribs",
+        "case_3_ribs_left, ribs_L",
         "lung_left_1, lung_L",
         "00012_rib_left_1, rib_01_L",
         "Lung_L_CT1, lung_L",
@@ -144,13 +144,13 @@ class NamedLabelsTest {
                 .orElse(Map.of());
     }
 
-    /** One label for the ribs of a side, or a segment for each rib with no number in its name. */
+    /** One label for the ribs of a side, or a segment for each rib without a number: the side stays known. */
     @Test
     void theRibsOfASideMayHaveTheNameOfOne() {
-        assertThat(sides(new CageVoxels().withRibs(1), true)).isEqualTo(Map.of(1, "ribs", 2, "ribs"));
-        assertThat(sides(new CageVoxels().withRibs(1), false))
-                .hasSize(24)
-                .allSatisfy((label, structure) -> assertThat(structure).isEqualTo("ribs"));
+        assertThat(sides(new CageVoxels().withRibs(1), true)).isEqualTo(Map.of(1, "ribs_L", 2, "ribs_R"));
+        assertThat(sides(new CageVoxels().withRibs(1), false)).hasSize(24).allSatisfy((label, structure) -> assertThat(
+                        structure)
+                .isEqualTo(label >= CageVoxels.rib(1, true) ? "ribs_R" : "ribs_L"));
         assertThat(sides(new CageVoxels().withRibs(12), true))
                 .as("one rib a side")
                 .isEmpty();

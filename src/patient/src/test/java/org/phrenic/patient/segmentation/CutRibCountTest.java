@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
 
 /** A cage of ribs under one label, without vertebrae, of which a scan shows the slices from one to another. */
@@ -49,6 +50,37 @@ class CutRibCountTest {
     void withoutATwelfthRibTheyAreCountedFromTheEleventh() {
         CageVoxels cage = CageVoxels.withFloatingRibs();
         cage.shorten(12, CageVoxels.ROWS);
+        assertThat(numbered(cage, 0, 58, true)).isEqualTo(numbered(cage, 0, 58, false));
+    }
+
+    /**
+     * The left twelfth rib is longer than 0.73 of the eleventh, the right one is not; both end at the height of the
+     * twelfth vertebra.
+     */
+    @Test
+    void lastRibsThatEndAtOneHeightHaveOneNumberWhateverTheirLengths() {
+        CageVoxels cage = CageVoxels.withFloatingRibs();
+        CageVoxels longer = new CageVoxels().withRibs(1);
+        longer.shorten(12, 28);
+        for (int v = 0; v < cage.labels.length; v++) {
+            if ((longer.labels[v] & LabelGrid.MAX_BYTE_LABEL) == CageVoxels.rib(12, false)) {
+                cage.labels[v] = longer.labels[v];
+            }
+        }
+        TreeMap<String, Integer> truth = numbered(cage, 0, 58, false);
+        assertThat(truth).containsKeys(name(12, true), name(12, false));
+        assertThat(numbered(cage, 0, 58, true)).isEqualTo(truth);
+    }
+
+    /** The left side has eleven ribs, of which the last ends one vertebra above the right twelfth. */
+    @Test
+    void lastRibsThatEndAtTwoHeightsHaveTheirOwnNumbers() {
+        CageVoxels cage = CageVoxels.withFloatingRibs();
+        for (int v = 0; v < cage.labels.length; v++) {
+            if ((cage.labels[v] & LabelGrid.MAX_BYTE_LABEL) == CageVoxels.rib(12, false)) {
+                cage.labels[v] = 0;
+            }
+        }
         assertThat(numbered(cage, 0, 58, true)).isEqualTo(numbered(cage, 0, 58, false));
     }
 

@@ -1,0 +1,114 @@
+package org.phrenic.patient.segmentation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.label.LabelTable;
+
+/** A cage whose ribs share a label, or of which a scan shows one side. */
+class RibSidesTest {
+    private static final String STERNUM = "sternum";
+    private static final int STERNUM_LABEL = 1;
+
+    /** The cage without the ribs of a side. */
+    private static CageVoxels oneSide(CageVoxels cage, boolean right) {
+        for (int v = 0; v < cage.labels.length; v++) {
+            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            boolean other = label >= CageVoxels.rib(1, !right) && label <= CageVoxels.rib(12, !right);
+            cage.labels[v] = other ? 0 : cage.labels[v];
+        }
+        return cage;
+    }
+
+    /** Names of the structures after ribs are numbered, with all ribs of the cage under one name. */
+    private static Set<String> named(CageVoxels cage, String ribs) {
+        TreeMap<Integer, String> table = new TreeMap<>(CageVoxels.table(true).structures());
+        table.replaceAll((label, name) -> name.equals(LabelTable.RIBS) ? ribs : name);
+        table.put(STERNUM_LABEL, STERNUM);
+        Segmentation s = cage.segmentation(new LabelTable(table));
+        SegmentationRepair.numberRibs(s);
+        Set<String> names = new TreeSet<>();
+        int[] counts = s.counts();
+        s.names().stream().filter(name -> counts[s.find(name)] > 0).forEach(names::add);
+        names.removeIf(name -> !name.startsWith("rib"));
+        return names;
+    }
+
+    private static Set<String> ribs(boolean right, int first) {
+        Set<String> names = new TreeSet<>();
+        for (int number = first; number <= 12; number++) {
+            names.add(CageVoxels.table(false).structures().get(CageVoxels.rib(number, right)));
+        }
+        return names;
+    }
+
+    @Test
+    void ribsUnderTheNameOfTheirSideStayThere() {
+        for (boolean right : new boolean[] {true, false}) {
+            String name = right ? LabelTable.RIGHT_RIBS : LabelTable.LEFT_RIBS;
+            assertThat(named(oneSide(CageVoxels.withFloatingRibs(), right), name))
+                    .isEqualTo(ribs(right, 1));
+        }
+    }
+
+    @Test
+    void ribsOfOneSideUnderOneLabelLieBesideTheSpine() {
+        for (boolean right : new boolean[] {true, false}) {
+            CageVoxels cage = oneSide(CageVoxels.withFloatingRibs(), right).withVertebrae(1);
+            assertThat(named(cage, LabelTable.RIBS)).isEqualTo(ribs(right, 1));
+        }
+    }
+
+    @Test
+    void withoutASpineTheyLieBesideTheSternum() {
+        for (boolean right : new boolean[] {true, false}) {
+            CageVoxels cage = oneSide(CageVoxels.withFloatingRibs(), right);
+            cage.ball(44.5, 8, 90, 4, STERNUM_LABEL);
+            assertThat(named(cage, LabelTable.RIBS)).isEqualTo(ribs(right, 1));
+        }
+    }
+
+    /** A wrong side is worse than none. */
+    @Test
+    void ribsOfOneSideWhoseSideNothingTellsAreRefused() {
+        assertThatThrownBy(() -> named(oneSide(CageVoxels.withFloatingRibs(), true), LabelTable.RIBS))
+                .isInstanceOf(BadInputException.class)
+                .hasMessage("ribs: found neither spine nor sternum between ribs of one label, expected one of them,"
+                        + " ribs of both sides, or the names ribs_R and ribs_L");
+    }
+
+    /** A field of view that shows the whole right side, and of the left one the backs of ribs 10 to 12. */
+    @Test
+    void aFewRibsOfTheOtherSideDoNotMoveTheMedianPlane() {
+        CageVoxels cage = CageVoxels.withFloatingRibs();
+        for (int v = 0; v < cage.labels.length; v++) {
+            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            boolean upper = label >= CageVoxels.rib(1, false) && label < CageVoxels.rib(10, false);
+            boolean outside = v % CageVoxels.COLUMNS > 66 || v / CageVoxels.COLUMNS % CageVoxels.ROWS < 30;
+            cage.labels[v] = upper || (outside && label <= CageVoxels.rib(12, false)) ? 0 : cage.labels[v];
+        }
+        cage.withVertebrae(1);
+        Set<String> both = ribs(true, 1);
+        both.addAll(ribs(false, 10));
+        assertThat(named(cage, LabelTable.RIBS)).isEqualTo(both);
+    }
+
+    /** Of the spine beside ribs 7 to 12 the first lumbar vertebra has a label. */
+    @Test
+    void lumbarVertebraeNumberRibsUnderOneLabel() {
+        CageVoxels cage = new CageVoxels().withRibs(7);
+        cage.ball(44.5, 50, 123 - 8 * 13, 3.2, CageVoxels.vertebra(12));
+        TreeMap<Integer, String> table = new TreeMap<>(CageVoxels.table(true).structures());
+        table.put(CageVoxels.vertebra(12), "vertebra_L01");
+        Segmentation s = cage.segmentation(new LabelTable(table));
+        assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
+                .contains("by their vertebrae"));
+        assertThat(s.names()).containsAll(ribs(true, 7)).containsAll(ribs(false, 7));
+    }
+}
