@@ -2,12 +2,16 @@ package org.phrenic.mesh.io.dicom;
 
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 
 /**
  * Character sets by the defined terms of Specific Character Set (DICOM PS3.3, C.12.1.1.2). Of several the first known
- * one beyond Latin 1 counts: the sets with escape sequences contain ASCII.
+ * one beyond Latin 1 counts: the sets with escape sequences contain ASCII. A set of single bytes has one term without
+ * ("ISO_IR 144") and one with escape sequences ("ISO 2022 IR 144").
  */
 final class DicomCharsets {
     private static final Map<String, String> NAMES = new LinkedHashMap<>();
@@ -16,23 +20,41 @@ final class DicomCharsets {
         NAMES.put("ISO_IR 192", "UTF-8");
         NAMES.put("GB18030", "GB18030");
         NAMES.put("GBK", "GB18030");
-        NAMES.put("ISO 2022 IR 87", "ISO-2022-JP");
-        NAMES.put("ISO 2022 IR 149", "EUC-KR");
+        NAMES.put("ISO_IR 87", "ISO-2022-JP");
+        NAMES.put("ISO_IR 149", "EUC-KR");
+        NAMES.put("ISO_IR 58", "GB2312");
         NAMES.put("ISO_IR 13", "JIS_X0201");
         NAMES.put("ISO_IR 101", "ISO-8859-2");
+        NAMES.put("ISO_IR 109", "ISO-8859-3");
+        NAMES.put("ISO_IR 110", "ISO-8859-4");
         NAMES.put("ISO_IR 144", "ISO-8859-5");
+        NAMES.put("ISO_IR 127", "ISO-8859-6");
         NAMES.put("ISO_IR 126", "ISO-8859-7");
+        NAMES.put("ISO_IR 138", "ISO-8859-8");
         NAMES.put("ISO_IR 148", "ISO-8859-9");
+        NAMES.put("ISO_IR 203", "ISO-8859-15");
+        NAMES.put("ISO_IR 166", "TIS-620");
     }
+
+    /** Escape sequences that choose a set, which other decoders than that of ISO-2022-JP leave in the text. */
+    private static final Pattern ESCAPE = Pattern.compile("\u001b\\$?[()\\-.][@-~]");
 
     private DicomCharsets() {}
 
     /** The character set of a value; Latin 1 if it is unknown or this Java does not have it. */
     static Charset of(String value) {
+        List<String> terms = Arrays.stream(value.split("\\\\", -1))
+                .map(term -> term.strip().replaceFirst("^ISO 2022 IR ", "ISO_IR "))
+                .toList();
         return NAMES.entrySet().stream()
-                .filter(name -> value.contains(name.getKey()) && Charset.isSupported(name.getValue()))
+                .filter(name -> terms.contains(name.getKey()) && Charset.isSupported(name.getValue()))
                 .findFirst()
                 .map(name -> Charset.forName(name.getValue()))
                 .orElse(StandardCharsets.ISO_8859_1);
+    }
+
+    /** The text of bytes, without the escape sequences in it. */
+    static String text(byte[] bytes, Charset charset) {
+        return ESCAPE.matcher(new String(bytes, charset)).replaceAll("");
     }
 }

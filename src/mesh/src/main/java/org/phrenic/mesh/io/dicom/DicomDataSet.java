@@ -79,7 +79,7 @@ public final class DicomDataSet {
         bytes.bytes().get(element.offset(), content);
         // The name of the character set is itself read before the set is known.
         Charset used = charset == null ? StandardCharsets.ISO_8859_1 : charset;
-        return new String(content, used).replace('\0', ' ').strip();
+        return DicomCharsets.text(content, used).replace('\0', ' ').strip();
     }
 
     /**

@@ -17,9 +17,39 @@ class DicomCharsetsTest {
                 .isEqualTo("肝");
     }
 
+    /** Bytes of the examples of PS3.5, annexes I.2 and K.2, which a sequence of escape begins. */
+    @Test
+    void namesAfterAnEscapeSequenceAreReadWithoutIt() {
+        byte[] hong = {0x1b, 0x24, 0x29, 0x43, (byte) 0xfb, (byte) 0xf3, ' ', 'r', 'i', 'b'};
+        assertThat(DicomCharsets.text(hong, DicomCharsets.of("\\ISO 2022 IR 149")))
+                .isEqualTo("洪 rib");
+        byte[] zhang = {0x1b, 0x24, 0x29, 0x41, (byte) 0xd5, (byte) 0xc5};
+        assertThat(DicomCharsets.text(zhang, DicomCharsets.of("\\ISO 2022 IR 58")))
+                .isEqualTo("张");
+        byte[] yamada = {0x1b, 0x24, 0x42, 0x3b, 0x33, 0x45, 0x44, 0x1b, 0x28, 0x42};
+        assertThat(DicomCharsets.text(yamada, DicomCharsets.of("ISO 2022 IR 6\\ISO 2022 IR 87")))
+                .isEqualTo("山田");
+        byte[] lung = {0x1b, 0x2d, 0x4c, (byte) 0xdb, (byte) 0xd5, (byte) 0xd3, (byte) 0xda, (byte) 0xde, (byte) 0xd5};
+        assertThat(DicomCharsets.text(lung, DicomCharsets.of("\\ISO 2022 IR 144")))
+                .isEqualTo("легкое");
+    }
+
+    /** The same set with escape sequences and without. */
+    @Test
+    void setsOfSingleBytesHaveTwoTerms() {
+        for (String set : new String[] {"101", "109", "110", "144", "127", "126", "138", "148", "166"}) {
+            assertThat(DicomCharsets.of("ISO 2022 IR " + set))
+                    .as(set)
+                    .isEqualTo(DicomCharsets.of("ISO_IR " + set))
+                    .isNotEqualTo(StandardCharsets.ISO_8859_1);
+        }
+        assertThat(DicomCharsets.of("ISO_IR 138").name()).isEqualTo("ISO-8859-8");
+    }
+
     @Test
     void anUnknownSetIsLatin() {
         assertThat(DicomCharsets.of("ISO_IR 100")).isEqualTo(StandardCharsets.ISO_8859_1);
+        assertThat(DicomCharsets.of("ISO 2022 IR 100")).isEqualTo(StandardCharsets.ISO_8859_1);
         assertThat(DicomCharsets.of("")).isEqualTo(StandardCharsets.ISO_8859_1);
     }
 }
