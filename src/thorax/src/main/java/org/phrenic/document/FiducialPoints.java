@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
 import org.phrenic.file.BadInputException;
@@ -15,11 +16,17 @@ import org.phrenic.file.Numbers;
 /**
  * Reader of fiducials of 3D Slicer ({@code .fcsv}) as a table with the columns name, x_mm, y_mm, z_mm in LPS. Lines
  * that begin with # name the axes and the columns; without axes they are RAS, as in the first versions of the format.
- * Rows may have more cells than the line of columns names.
+ * Rows may have more cells than the line of columns names; those of Slicer 5 say behind the last column whether the
+ * position is defined. Points without a defined position are left out.
  */
 final class FiducialPoints {
     private static final String ENDING = ".fcsv";
     private static final String COLUMNS = "id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID";
+
+    /** The last column of Slicer, behind which the status of a position follows where a row has more cells. */
+    private static final String LAST_COLUMN = "associatedNodeID";
+    /** Status of a position that is not set, previewed or missing; 2 is defined. */
+    private static final Set<String> UNDEFINED = Set.of("0", "1", "3");
 
     private final String file;
     private final List<String[]> rows = new ArrayList<>();
@@ -71,6 +78,9 @@ final class FiducialPoints {
 
     private void readPoint(long line, String text) {
         String[] cells = cells(line, text);
+        if (!isDefined(cells)) {
+            return;
+        }
         double[] position = new double[3];
         for (int axis = 0; axis < 3; axis++) {
             String word = cell(cells, "xyz".substring(axis, axis + 1));
@@ -85,6 +95,12 @@ final class FiducialPoints {
             Double.toString(position[2])
         });
         lines.add(line);
+    }
+
+    /** Whether the position of a point is set: where the row says nothing of it, it is. */
+    private boolean isDefined(String[] cells) {
+        int last = columns.indexOf(LAST_COLUMN);
+        return last < 0 || cells.length <= last + 1 || !UNDEFINED.contains(cells[last + 1].strip());
     }
 
     private String[] cells(long line, String text) {

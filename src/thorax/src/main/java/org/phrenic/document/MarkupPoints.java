@@ -104,8 +104,9 @@ final class MarkupPoints {
                             throw badInput("found the axes " + Numbers.quote(json.getText()) + ", expected LPS or RAS");
                     };
                 case "coordinateUnits" -> {
-                    if (!json.getText().equals("mm")) {
-                        throw badInput("found the unit " + Numbers.quote(json.getText()) + ", expected mm");
+                    String unit = unit();
+                    if (!unit.equals("mm")) {
+                        throw badInput("found the unit " + Numbers.quote(unit) + ", expected mm");
                     }
                 }
                 case "controlPoints" -> {
@@ -124,6 +125,20 @@ final class MarkupPoints {
             rows.add(row);
             lines.add(point.line());
         }
+    }
+
+    /** A unit by its symbol: a word, or the first of a list with its system and its meaning. */
+    private String unit() throws IOException {
+        if (json.currentToken() != JsonToken.START_ARRAY) {
+            return json.getText();
+        }
+        json.nextToken();
+        require(JsonToken.VALUE_STRING, "a unit");
+        String unit = json.getText();
+        while (json.nextToken() != JsonToken.END_ARRAY) {
+            require(JsonToken.VALUE_STRING, "the words of a unit");
+        }
+        return unit;
     }
 
     private void readPoint(List<Point> points) throws IOException {

@@ -45,6 +45,17 @@ class FiducialPointsTest {
         }
     }
 
+    /** Slicer 5 writes 0, 0, 0 for a point that has no position yet; its status is 0, 1 or 3. */
+    @Test
+    void pointsWithoutADefinedPositionAreLeftOut() throws IOException {
+        for (String status : new String[] {"0", "1", "3"}) {
+            assertThat(read(POINTS.replace("F-2,,,2,0", "F-2,,," + status + ",0"))
+                            .texts("name"))
+                    .containsExactly("dome, right");
+        }
+        assertThat(read(POINTS.replace("F-2,,,2,0", "F-2,,")).texts("name")).containsExactly("dome, right", "F-2");
+    }
+
     @Test
     void theOldOrderOfColumnsIsReadByTheirNames() throws IOException {
         CsvTable table = read("# columns = label,x,y,z,sel,vis\nL1,5,6,7,1,1\n");

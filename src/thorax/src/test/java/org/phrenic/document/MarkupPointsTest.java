@@ -47,6 +47,18 @@ class MarkupPointsTest {
         assertThat(lps.numbers("x_mm")).containsExactly(-12.5, 1);
     }
 
+    /** Version 1.0.4 writes a unit as its symbol, the system of symbols and its meaning. */
+    @Test
+    void aUnitMayBeAListOfWords() throws IOException {
+        String listed = POINTS.replace("\"mm\"", "[\"mm\", \"UCUM\", \"millimeter\"]");
+        assertThat(read(listed).numbers("x_mm")).containsExactly(12.5, -1);
+        assertThatThrownBy(() -> read(listed.replace("\"mm\"", "\"cm\"")))
+                .hasMessageContaining("line 2: found the unit 'cm', expected mm");
+        assertThatThrownBy(() -> read(listed.replace("\"mm\", ", "")))
+                .hasMessageContaining("found the unit 'UCUM', expected mm");
+        assertThatThrownBy(() -> read(POINTS.replace("\"mm\"", "[]"))).hasMessageContaining("expected a unit");
+    }
+
     @Test
     void otherDocumentsAreRefusedWithTheirLine() {
         assertThatThrownBy(() -> read("x,y,z\n1,2,3\n"))
