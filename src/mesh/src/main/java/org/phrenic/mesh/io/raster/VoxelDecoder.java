@@ -82,7 +82,7 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
     }
 
     /** Rejects more voxels than fit into memory with this number of bytes each. */
-    void checkMemory(String file, int bytesEach) {
+    public void checkMemory(String file, int bytesEach) {
         long memory = Runtime.getRuntime().maxMemory();
         if (voxels() * bytesEach > MAX_MEMORY * memory) {
             throw new BadInputException(file + ": found a size of " + shown(sizes) + " voxels, expected no more than"

@@ -15,11 +15,14 @@ final class EmptySlices {
      */
     private static final double TAPERED = 0.3;
 
+    /** The most voxels of a volume: those of one array. */
+    private static final int MAX_VOXELS = Integer.MAX_VALUE - 8;
+
     private EmptySlices() {}
 
     /**
      * The grid with one more slice at each end at which every structure tapers off. A file with an empty slice at
-     * either end leaves out none, and its grid stays as it is.
+     * either end leaves out none, and its grid stays as it is; so does one with no room for more slices.
      */
     static LabelGrid beyond(LabelGrid grid) {
         int[][] areas = new int[grid.slices()][];
@@ -40,7 +43,12 @@ final class EmptySlices {
         }
         int before = tapers(areas[0], greatest) ? 1 : 0;
         int after = tapers(areas[areas.length - 1], greatest) ? 1 : 0;
-        return before + after == 0 ? grid : padded(grid, before, after);
+        if (before + after == 0 || !fits(grid.columns(), grid.rows(), grid.slices() + before + after)) {
+            return grid;
+        }
+        boolean wide =
+                IntStream.range(LabelGrid.MAX_BYTE_LABEL + 1, greatest.length).anyMatch(label -> greatest[label] > 0);
+        return padded(grid, before, after, wide);
     }
 
     private static boolean isEmpty(int[] area) {
@@ -52,26 +60,30 @@ final class EmptySlices {
         return IntStream.range(1, area.length).allMatch(label -> area[label] <= TAPERED * greatest[label]);
     }
 
-    private static LabelGrid padded(LabelGrid grid, int before, int after) {
+    /** Whether the voxels of a volume of this size fit into an array. */
+    static boolean fits(int columns, int rows, int slices) {
+        return (long) columns * rows * slices <= MAX_VOXELS;
+    }
+
+    private static LabelGrid padded(LabelGrid grid, int before, int after, boolean wide) {
         int slices = grid.slices() + before + after;
         int first = before * grid.columns() * grid.rows();
-        short[] labels = new short[grid.columns() * grid.rows() * slices];
-        boolean wide = false;
-        for (int v = 0; v < grid.voxelCount(); v++) {
-            labels[first + v] = (short) grid.label(v);
-            wide |= grid.label(v) > LabelGrid.MAX_BYTE_LABEL;
-        }
+        int voxels = grid.columns() * grid.rows() * slices;
         double[] toMm = grid.toMm().clone();
         for (int row = 0; row < 3; row++) {
             toMm[4 * row + 3] -= before * toMm[4 * row + 2];
         }
         if (wide) {
+            short[] labels = new short[voxels];
+            for (int v = 0; v < grid.voxelCount(); v++) {
+                labels[first + v] = (short) grid.label(v);
+            }
             return LabelGrid.of(grid.columns(), grid.rows(), slices, labels, toMm);
         }
-        byte[] narrow = new byte[labels.length];
-        for (int v = 0; v < labels.length; v++) {
-            narrow[v] = (byte) labels[v];
+        byte[] labels = new byte[voxels];
+        for (int v = 0; v < grid.voxelCount(); v++) {
+            labels[first + v] = (byte) grid.label(v);
         }
-        return LabelGrid.of(grid.columns(), grid.rows(), slices, narrow, toMm);
+        return LabelGrid.of(grid.columns(), grid.rows(), slices, labels, toMm);
     }
 }

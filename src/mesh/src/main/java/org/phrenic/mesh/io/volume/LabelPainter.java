@@ -23,6 +23,8 @@ final class LabelPainter {
 
     private record Structure(int label, Voxels voxels, long count) {}
 
+    private final String file;
+    private final VoxelDecoder size;
     private final int columns;
     private final int rows;
     private final int slices;
@@ -32,8 +34,9 @@ final class LabelPainter {
 
     /** @throws BadInputException if the labels of so many voxels do not fit into memory */
     LabelPainter(String file, int columns, int rows, int slices) {
-        new VoxelDecoder(new int[] {columns, rows, slices}, ScalarType.UINT8, ByteOrder.LITTLE_ENDIAN)
-                .validate(file, Long.MAX_VALUE, false, 1);
+        size = new VoxelDecoder(new int[] {columns, rows, slices}, ScalarType.UINT8, ByteOrder.LITTLE_ENDIAN);
+        size.validate(file, Long.MAX_VALUE, false, 1);
+        this.file = file;
         this.columns = columns;
         this.rows = rows;
         this.slices = slices;
@@ -68,9 +71,14 @@ final class LabelPainter {
         return grid(affine);
     }
 
-    /** Makes room for labels up to {@code largest}. */
+    /**
+     * Makes room for labels up to {@code largest}.
+     *
+     * @throws BadInputException if they do not fit into memory
+     */
     void allocate(int largest) {
         boolean small = largest <= LabelGrid.MAX_BYTE_LABEL;
+        size.checkMemory(file, small ? Byte.BYTES : Short.BYTES);
         bytes = new byte[small ? columns * rows * slices : 0];
         shorts = new short[small ? 0 : columns * rows * slices];
     }

@@ -44,6 +44,13 @@ class EmptySlicesTest {
     }
 
     @Test
+    void aVolumeWithoutRoomForMoreSlicesIsNotExtended() {
+        assertThat(EmptySlices.fits(1024, 1024, 2047)).isTrue();
+        assertThat(EmptySlices.fits(1024, 1024, 2049)).isFalse();
+        assertThat(EmptySlices.fits(1 << 16, 1 << 16, 2)).isFalse();
+    }
+
+    @Test
     void emptyEndsStayAsTheyAre() {
         LabelGrid padded = EmptySlices.beyond(ball(1, 0, SIDE));
         assertThat(EmptySlices.beyond(padded)).isSameAs(padded);
