@@ -51,7 +51,8 @@ final class MetaImageReader {
         }
         String channels = "elementnumberofchannels";
         if (header.has(channels) && header.integers(channels)[0] != 1) {
-            throw header.badInput(channels, "found " + header.text(channels) + " values a voxel, expected 1");
+            throw new SeveralValuesException(
+                    header.badInput(channels, "found " + header.text(channels) + " values a voxel, expected 1"));
         }
         VolumeFrames frames = dimensions == 4 ? new VolumeFrames(sizes[3], false) : VolumeFrames.ONE;
         frames.choose(source);

@@ -8,10 +8,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.GZIPInputStream;
+import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 import org.phrenic.file.Numbers;
 import org.phrenic.file.ScalarType;
@@ -26,6 +28,8 @@ final class NiftiReader {
     private static final int GZIP_MAGIC = 0x1f8b;
     /** Greatest number of extension bytes that are searched for names. */
     private static final int MAX_EXTENSION = 1 << 24;
+    /** Codes of datatypes of several values: complex numbers and colours. */
+    private static final Set<Integer> SEVERAL_VALUES = Set.of(32, 128, 1792, 2048, 2304);
 
     private static final Pattern LABEL =
             Pattern.compile("<Label\\s+Key=\"(\\d{1,5})\"[^>]*>\\s*(?:<!\\[CDATA\\[(.*?)]]>|([^<]*))\\s*</Label>");
@@ -82,8 +86,9 @@ final class NiftiReader {
         }
         if (dimensions < 3 || dimensions > 7 || more > 1) {
             String values = more > 1 ? " with " + more + " values a voxel" : "";
-            throw header.badDimensions(
+            BadInputException refusal = header.badDimensions(
                     "found " + dimensions + " dimensions" + values + ", expected 3, or 4 of which one is time");
+            throw more > 1 ? new SeveralValuesException(refusal) : refusal;
         }
         return dimensions == 3 ? VolumeFrames.ONE : new VolumeFrames(header.dimension(4), false);
     }
@@ -105,7 +110,11 @@ final class NiftiReader {
             case 768 -> ScalarType.UINT32;
             case 1024 -> ScalarType.INT64;
             case 1280 -> ScalarType.UINT64;
-            default -> throw header.badDatatype("found datatype " + code + ", expected whole numbers or real ones");
+            default -> {
+                BadInputException refusal =
+                        header.badDatatype("found datatype " + code + ", expected whole numbers or real ones");
+                throw SEVERAL_VALUES.contains(code) ? new SeveralValuesException(refusal) : refusal;
+            }
         };
     }
 
@@ -185,9 +194,18 @@ final class NiftiReader {
         in.skipNBytes(length - extension.length);
         Matcher label = LABEL.matcher(new String(extension, StandardCharsets.UTF_8));
         while (label.find()) {
-            String name = label.group(2) == null ? label.group(3) : label.group(2);
+            String name = label.group(2) == null ? plain(label.group(3)) : label.group(2);
             names.put(Integer.parseInt(label.group(1)), name.strip());
         }
         return names;
+    }
+
+    /** The text of XML without entities. */
+    private static String plain(String xml) {
+        return xml.replace("&lt;", "<")
+                .replace("&gt;", ">")
+                .replace("&quot;", "\"")
+                .replace("&apos;", "'")
+                .replace("&amp;", "&");
     }
 }

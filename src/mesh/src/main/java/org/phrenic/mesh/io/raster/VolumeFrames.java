@@ -30,8 +30,9 @@ record VolumeFrames(int count, boolean interleaved) {
                     file + ": found " + count + " volumes, expected from 1 to " + MAX_COUNT + " of them");
         }
         if (source.phase().isEmpty() && count > 1) {
-            throw new BadInputException(file + ": found " + count + " volumes, expected the number of one, #0 to #"
-                    + (count - 1) + ", after the name: " + file.getFileName() + "#0");
+            throw new SeveralValuesException(
+                    new BadInputException(file + ": found " + count + " volumes, expected the number of one, #0 to #"
+                            + (count - 1) + ", after the name: " + file.getFileName() + "#0"));
         }
         int chosen = source.phase().orElse(0);
         if (chosen >= count) {

@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FileNames;
 import org.phrenic.file.InputBytes;
+import org.phrenic.mesh.io.raster.SeveralValuesException;
 import org.phrenic.mesh.io.raster.VolumeFormats;
 
 /** The folders within the folder of a scan, of which one holds its labels and others may hold images. */
@@ -111,8 +112,15 @@ final class InnerFolders {
 
     /** Whether one of the first volumes in a folder holds labels. */
     private static boolean startsWithLabels(Path folder) {
-        return volumes(folder).stream().limit(FEW).anyMatch(file -> LabelRuns.read(file)
-                .isPresent());
+        return volumes(folder).stream().limit(FEW).anyMatch(InnerFolders::isOfLabels);
+    }
+
+    private static boolean isOfLabels(Path file) {
+        try {
+            return LabelRuns.read(file).isPresent();
+        } catch (SeveralValuesException image) {
+            return false;
+        }
     }
 
     /** Whether the first folder with volumes somewhere within a folder holds labels that can be read. */

@@ -12,6 +12,7 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.MeshFiles;
+import org.phrenic.mesh.io.raster.SeveralValuesException;
 import org.phrenic.mesh.io.raster.VolumeFormats;
 import org.phrenic.mesh.voxel.LabelGrid;
 
@@ -32,8 +33,10 @@ final class LabelFolder {
      * The label volumes in a folder.
      *
      * @param notes what is left out
+     * @param several refusals of files whose voxels have several values
      */
-    private record Contents(Path folder, List<LabelRuns> labelled, List<String> notes) {
+    private record Contents(
+            Path folder, List<LabelRuns> labelled, List<String> notes, List<SeveralValuesException> several) {
         /** Whether the folder holds one volume of several labels without names. */
         boolean isUnnamed() {
             return labelled.size() == 1 && labelled.get(0).isUnnamed();
@@ -48,6 +51,17 @@ final class LabelFolder {
                 return Optional.of(new LabelVolume(volume.grid(), volume.names(), all));
             }
             return labelled.isEmpty() ? Optional.empty() : Optional.of(painted(folder, labelled, notes));
+        }
+    }
+
+    /** The labels of a file, or its refusal if its voxels have several values; neither for other images. */
+    private record Volume(Optional<LabelRuns> labels, Optional<SeveralValuesException> several) {
+        static Volume read(Path file) {
+            try {
+                return new Volume(LabelRuns.read(file), Optional.empty());
+            } catch (SeveralValuesException refusal) {
+                return new Volume(Optional.empty(), Optional.of(refusal));
+            }
         }
     }
 
@@ -80,7 +94,10 @@ final class LabelFolder {
         Contents own = contents(folder);
         if (own.labelled().isEmpty()) {
             Optional<Path> inner = levels > 0 ? InnerFolders.ofLabels(folder) : Optional.empty();
-            return inner.map(path -> read(path, levels - 1)).orElseThrow(() -> none(folder));
+            return inner.map(path -> read(path, levels - 1))
+                    .orElseThrow(() -> own.several().isEmpty()
+                            ? none(folder)
+                            : own.several().get(0));
         }
         return InnerFolders.calledLabels(folder)
                 .flatMap(inner -> withMasks(own, inner))
@@ -134,14 +151,16 @@ final class LabelFolder {
     /** Reads the label volumes of a folder. */
     private static Contents contents(Path folder) {
         List<Path> files = InnerFolders.volumes(folder);
-        Contents contents = new Contents(folder, new ArrayList<>(), new ArrayList<>());
+        Contents contents = new Contents(folder, new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
         for (int first = 0; first < files.size(); first += AT_ONCE) {
             List<Path> now = files.subList(first, Math.min(first + AT_ONCE, files.size()));
-            List<Optional<LabelRuns>> read =
-                    now.parallelStream().map(LabelRuns::read).toList();
+            List<Volume> read = now.parallelStream().map(Volume::read).toList();
             for (int f = 0; f < now.size(); f++) {
-                if (read.get(f).isPresent()) {
-                    contents.labelled().add(read.get(f).get());
+                if (read.get(f).labels().isPresent()) {
+                    contents.labelled().add(read.get(f).labels().get());
+                } else if (read.get(f).several().isPresent()) {
+                    contents.several().add(read.get(f).several().get());
+                    contents.notes().add(now.get(f).getFileName() + " has several values a voxel and is left out");
                 } else if (VolumeFormats.isVolume(now.get(f))) {
                     contents.notes().add(now.get(f).getFileName() + " is an image and is left out");
                 }

@@ -39,6 +39,7 @@ record LabelRuns(Path file, int[] size, double[] toMm, List<Runs> structures, Li
     /**
      * Reads a file; empty if it holds an image.
      *
+     * @throws org.phrenic.mesh.io.raster.SeveralValuesException if its voxels have several values
      * @throws BadInputException if it cannot be read
      */
     static Optional<LabelRuns> read(Path file) {

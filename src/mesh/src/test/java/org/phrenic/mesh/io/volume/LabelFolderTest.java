@@ -15,6 +15,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.raster.SeveralValuesException;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /** Folders of masks on the grid of {@link VolumeSamples}, which has 24 voxels. */
@@ -92,6 +93,41 @@ class LabelFolderTest {
         // Beside the masks the image has a note.
         volume(scan.resolve("segmentations").resolve("ct.nii"), INT16, h -> {}, v -> v - 1000);
         assertThat(LabelVolumeFiles.read(scan).notes()).contains("ct.nii is an image and is left out");
+    }
+
+    /** A breath of 10 times, displacements and a picture in colours, beside the masks and alone. */
+    @Test
+    void imagesOfSeveralValuesAreLeftOut() throws IOException {
+        Path images = folder.resolve("images");
+        volume(
+                images.resolve("4dct.nii.gz"),
+                INT16,
+                h -> h.putShort(40, (short) 4).putShort(48, (short) 10),
+                v -> 0);
+        volume(
+                images.resolve("field.nii"),
+                INT16,
+                h -> h.putShort(40, (short) 5).putShort(50, (short) 3),
+                v -> 0);
+        volume(images.resolve("colours.nii"), UINT8, h -> h.putShort(70, (short) 128), v -> 0);
+        String channels = VolumeSamples.meta("MET_UCHAR", false)
+                .replace("ElementType", "ElementNumberOfChannels = 3\nElementType");
+        VolumeSamples.write(images, "colours.mha", VolumeSamples.join(channels + "LOCAL\n", new byte[72]));
+        for (String name : new String[] {"4dct.nii.gz", "field.nii", "colours.nii", "colours.mha"}) {
+            Path image = folder.resolve(name);
+            Files.copy(images.resolve(name), image);
+            LabelVolume volume = LabelVolumeFiles.read(folder);
+            assertIsMerged(volume);
+            assertThat(volume.notes()).contains(name + " has several values a voxel and is left out");
+            Files.delete(image);
+            assertThatThrownBy(() -> LabelVolumeFiles.read(images.resolve(name)))
+                    .as("by itself it is refused for what it is")
+                    .isInstanceOf(SeveralValuesException.class)
+                    .hasMessageStartingWith(images.resolve(name) + ": ");
+        }
+        assertThatThrownBy(() -> LabelVolumeFiles.read(images))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("4dct.nii.gz: found 10 volumes, expected the number of one");
     }
 
     @Test

@@ -160,7 +160,8 @@ class LabelVolumeFilesTest {
     @Test
     void namesComeFromTheLabelTableOfAnExtension() {
         String table = "<LabelTable>\n<Label Key=\"3\" Red=\"0.1\" Alpha=\"1\"><![CDATA[liver]]></Label>"
-                + "<Label Key=\"7\" Red=\"0\">lung left</Label></LabelTable>";
+                + "<Label Key=\"7\" Red=\"0\">lung left</Label>"
+                + "<Label Key=\"9\">Heart &amp; vessels &lt;1&gt;</Label></LabelTable>";
         byte[] plain =
                 VolumeSamples.nifti(2, LITTLE, h -> h.putFloat(108, VolumeSamples.NIFTI_HEADER + table.length()));
         byte[] file = ByteBuffer.allocate(plain.length + table.length())
@@ -171,6 +172,7 @@ class LabelVolumeFilesTest {
         LabelVolume volume = read("named.nii.gz", VolumeSamples.gzip(file));
         assertIsSample(volume);
         assertThat(volume.names()).containsEntry(3, "liver").containsEntry(7, "lung left");
+        assertThat(volume.names()).containsEntry(9, "Heart & vessels <1>");
     }
 
     @Test
