@@ -24,6 +24,8 @@ public final class Segmentation {
      * people's structures end at heights of their own.
      */
     private static final int CUT_STRUCTURES = 5;
+    /** Least cross-section in that slice over the structure's greatest: in a thick slice several may taper off. */
+    private static final double CUT_SHARE = 0.3;
 
     private static final int MAX_LISTED = 8;
 
@@ -87,11 +89,13 @@ public final class Segmentation {
         for (int direction = 0; direction < 3; direction++) {
             atEnd[direction] = box[direction] == 0;
             atEnd[3 + direction] = box[3 + direction] == last[direction];
-            if (isAlongBody(direction)) {
-                atEnd[direction] |= structuresAt(direction, 0).size() >= CUT_STRUCTURES;
-                atEnd[3 + direction] |= structuresAt(direction, box[3 + direction] - box[direction])
-                                .size()
-                        >= CUT_STRUCTURES;
+            if (isAlongBody(direction) && !(atEnd[direction] && atEnd[3 + direction])) {
+                int along = direction;
+                int[][] areas = IntStream.rangeClosed(0, box[3 + direction] - box[direction])
+                        .mapToObj(at -> area(along, at))
+                        .toArray(int[][]::new);
+                atEnd[direction] |= isCutAt(areas[0], areas);
+                atEnd[3 + direction] |= isCutAt(areas[areas.length - 1], areas);
             }
         }
     }
@@ -150,20 +154,35 @@ public final class Segmentation {
 
     /** Names of the structures in a layer of voxels across a direction of the grid. */
     private List<String> structuresAt(int direction, int at) {
+        int[] area = area(direction, at);
+        return IntStream.rangeClosed(1, names.size())
+                .filter(segment -> area[segment] > 0)
+                .mapToObj(segment -> names.get(segment - 1))
+                .toList();
+    }
+
+    /** Number of voxels of each segment in a layer. */
+    private int[] area(int direction, int at) {
         int[] sizes = {columns, rows, slices};
         int[] strides = {1, columns, columns * rows};
         int one = (direction + 1) % 3;
         int two = (direction + 2) % 3;
-        boolean[] met = new boolean[MAX_SEGMENTS + 1];
+        int[] area = new int[MAX_SEGMENTS + 1];
         for (int i = 0; i < sizes[one]; i++) {
             for (int j = 0; j < sizes[two]; j++) {
-                met[segmentAt(at * strides[direction] + i * strides[one] + j * strides[two])] = true;
+                area[segmentAt(at * strides[direction] + i * strides[one] + j * strides[two])]++;
             }
         }
-        return IntStream.rangeClosed(1, names.size())
-                .filter(segment -> met[segment])
-                .mapToObj(segment -> names.get(segment - 1))
-                .toList();
+        return area;
+    }
+
+    private static boolean isCutAt(int[] area, int[][] all) {
+        return IntStream.rangeClosed(1, MAX_SEGMENTS)
+                        .filter(segment -> area[segment] > 0)
+                        .filter(segment ->
+                                Arrays.stream(all).allMatch(other -> CUT_SHARE * other[segment] <= area[segment]))
+                        .count()
+                >= CUT_STRUCTURES;
     }
 
     /** Whether a direction of the grid runs along the body, up or down, more than across it. */

@@ -21,6 +21,9 @@ class SegmentationRepairTest {
     /** Half way round the right third rib, in voxels of the cage. */
     private static final double[] RIGHT_OF_RIB_3 = {2.5, 30, 94};
 
+    private static final int RIGHT_LUNG = 10;
+    private static final int LEFT_LUNG = 11;
+
     /** Number of voxels of each structure. */
     private static TreeMap<String, Integer> counts(Segmentation s) {
         int[] counts = s.counts();
@@ -63,6 +66,38 @@ class SegmentationRepairTest {
         Segmentation whole = new CageVoxels().withRibs(1).withVertebrae(1).segmentation(CageVoxels.table(false));
         whole.findCuts();
         assertThat(whole.names()).allMatch(name -> whole.cuts(name).isEmpty());
+    }
+
+    /** In slices of 9 mm both first ribs, T1 and the tops of both lungs end in the uppermost one; nothing is cut. */
+    @Test
+    void aScanOfThickSlicesDoesNotEndWhereStructuresTaperOff() {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        for (int side = -1; side <= 1; side += 2) {
+            for (int k = 0; k < 60; k++) {
+                cage.ball(44.5 + 20 * side, 28, 117 - k, Math.min(12, 0.9 * k), side < 0 ? RIGHT_LUNG : LEFT_LUNG);
+            }
+        }
+        int slice = CageVoxels.COLUMNS * CageVoxels.ROWS;
+        int thick = 3;
+        byte[] labels = new byte[CageVoxels.SLICES / thick * slice];
+        for (int k = 0; k < CageVoxels.SLICES / thick; k++) {
+            System.arraycopy(cage.labels, (thick * k + 2) * slice, labels, k * slice, slice);
+        }
+        double mm = CageVoxels.SPACING_MM;
+        LabelGrid grid =
+                LabelGrid.of(CageVoxels.COLUMNS, CageVoxels.ROWS, CageVoxels.SLICES / thick, labels, new double[] {
+                    mm, 0, 0, 0, 0, mm, 0, 0, 0, 0, thick * mm, 0
+                });
+        TreeMap<Integer, String> table = new TreeMap<>(CageVoxels.table(false).structures());
+        table.put(RIGHT_LUNG, "lung_R");
+        table.put(LEFT_LUNG, "lung_L");
+        Segmentation s = new Segmentation(new LabelVolume(grid, Map.of(), List.of()), new LabelTable(table), "scan");
+        int last = s.box(s.find("rib_01_R"))[5];
+        assertThat(List.of("rib_01_L", "vertebra_T01", "lung_R", "lung_L"))
+                .as("structures that end in the uppermost slice")
+                .allMatch(name -> s.box(s.find(name))[5] == last);
+        s.findCuts();
+        assertThat(s.names()).allMatch(name -> s.cuts(name).isEmpty());
     }
 
     private static String sides(Segmentation s, String name) {
