@@ -10,7 +10,8 @@ import org.phrenic.mesh.edit.MeshMerge;
 
 /**
  * The outer surface of a lung. Lobes touch at fissures, whose surfaces belong neither to the wall nor to the base of
- * the lung; of several lobes, closed or open at the fissures, the outline is the surface around all of them.
+ * the lung; of several lobes, closed or open at the fissures, the outline is the surface around all of them. Pieces
+ * that lie farther apart, as with fluid between them, have an outline each.
  */
 public final class LungOutline {
     /** Half of the widest gap between lobes, mm. */
@@ -33,7 +34,7 @@ public final class LungOutline {
         }
         SurfaceEnvelope envelope = new SurfaceEnvelope(MeshMerge.merge(parts).bounds(), RADIUS_MM, CELL_MM);
         envelope.mark(parts);
-        TriangleMesh outer = envelope.closed(RADIUS_MM, 0, EDGE_MM);
+        TriangleMesh outer = envelope.closedParts(RADIUS_MM, 0, EDGE_MM);
         // The outermost cells have their centres on the surface, so that their border lies half a cell outside it.
         double[] normals = MeshMeasure.vertexNormals(outer);
         double[] p = outer.positions().clone();

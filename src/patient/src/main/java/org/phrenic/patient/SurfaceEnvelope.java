@@ -35,13 +35,22 @@ public final class SurfaceEnvelope {
     }
 
     /**
-     * The closed surface around what is marked.
+     * The closed surface around what is marked; of parts that lie farther apart the largest.
      *
      * @param radiusMm radius of the dilation
      * @param wallMm distance of the surface from what it encloses: how much less it is eroded than dilated
      * @param edgeMm edge of the triangles
      */
     public TriangleMesh closed(double radiusMm, double wallMm, double edgeMm) {
+        return mesher(radiusMm, wallMm).mesh(1, edgeMm).mesh();
+    }
+
+    /** The closed surfaces around all parts of what is marked, as {@link #closed}. */
+    TriangleMesh closedParts(double radiusMm, double wallMm, double edgeMm) {
+        return mesher(radiusMm, wallMm).meshAll(1, edgeMm).mesh();
+    }
+
+    private SegmentMesher mesher(double radiusMm, double wallMm) {
         boolean[] outside = outside(DistanceTransform.of(marked, size), radiusMm);
         float[] toOutside = DistanceTransform.of(outside, size);
         byte[] labels = new byte[marked.length];
@@ -51,9 +60,7 @@ public final class SurfaceEnvelope {
         double c = cellMm;
         LabelGrid grid = LabelGrid.of(
                 size[0], size[1], size[2], labels, new double[] {c, 0, 0, low[0], 0, c, 0, low[1], 0, 0, c, low[2]});
-        return new SegmentMesher(grid, new int[] {0, 1}, MeshingSettings.PAPER)
-                .mesh(1, edgeMm)
-                .mesh();
+        return new SegmentMesher(grid, new int[] {0, 1}, MeshingSettings.PAPER);
     }
 
     /** Cells beyond the radius that are connected with the border of the grid. */

@@ -13,6 +13,7 @@ import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.Shapes;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
@@ -62,6 +63,20 @@ class LungOutlineTest {
         assertThat(MeshMeasure.signedVolume(outline)).isBetween(volume, 1.07 * volume);
         double base = MeshMeasure.area(DiaphragmaticSurface.of(LUNG.mesh()));
         assertThat(MeshMeasure.area(DiaphragmaticSurface.of(outline))).isCloseTo(base, within(0.1 * base));
+    }
+
+    /** Fluid in the fissure keeps the lobes 40 mm apart: the base is that of the lower lobe, be it the smaller one. */
+    @Test
+    void lobesFarApartAreBothInTheOutline() {
+        Structure upper = LUNG.withMesh(Shapes.moved(Shapes.sphere(50, 4), -80, 0, 1100));
+        Structure lower = LUNG.withMesh(Shapes.moved(Shapes.sphere(35, 4), -80, 0, 1100 - 50 - 35 - 40));
+        TriangleMesh outline = LungOutline.of(Stream.of(upper, lower)).orElseThrow();
+        assertThat(new MeshTopology(outline).eulerCharacteristic())
+                .as("two spheres")
+                .isEqualTo(4);
+        double volume = MeshMeasure.signedVolume(upper.mesh()) + MeshMeasure.signedVolume(lower.mesh());
+        assertThat(MeshMeasure.signedVolume(outline)).isCloseTo(volume, within(0.05 * volume));
+        assertThat(outline.bounds()[2]).isCloseTo(lower.mesh().bounds()[2], within(2.0));
     }
 
     @Test
