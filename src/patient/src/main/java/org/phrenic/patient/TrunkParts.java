@@ -8,15 +8,17 @@ import java.util.Optional;
 import java.util.Set;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.LevelClip;
 import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.patient.label.LabelTable;
 
 /**
- * What the skin of the trunk encloses: everything but the limbs and the head. Of the bone at the root of a limb it is
- * the part within {@value #ROOT_MM} mm of the bone of the trunk that carries it, of bones under one label the part so
- * near to the rest of the trunk: an arm beside the trunk would widen the skin of the flank.
+ * What the skin of the trunk encloses: everything but the limbs, the head, lesions and structures of unknown names. A
+ * target volume may reach out of the body, and an unknown structure may be a couch or a bolus. Of the bone at the root
+ * of a limb it is the part within {@value #ROOT_MM} mm of the bone of the trunk that carries it, of bones under one
+ * label the part so near to the rest of the trunk: an arm beside the trunk would widen the skin of the flank.
  */
 final class TrunkParts {
     private static final double ROOT_MM = 40;
@@ -49,6 +51,9 @@ final class TrunkParts {
     /** Words of a name that tell a side. */
     private static final Set<String> SIDES = Set.of("left", "right");
 
+    /** How the names of structures begin that are not known. */
+    private static final String UNKNOWN = "other_";
+
     private static final String ALL_BONES = OrganNames.words(LabelTable.ALL_BONES);
 
     private TrunkParts() {}
@@ -56,6 +61,7 @@ final class TrunkParts {
     /** The structures of the trunk and the roots of the limbs. */
     static List<Structure> of(List<Structure> body) {
         List<Structure> trunk = body.stream()
+                .filter(s -> s.kind() != StructureKind.LESION && !s.name().startsWith(UNKNOWN))
                 .filter(s -> !CARRIERS.containsKey(firstWord(s)) && !OUTSIDE.contains(firstWord(s)) && !isAllBones(s))
                 .toList();
         List<Structure> parts = new ArrayList<>(trunk);

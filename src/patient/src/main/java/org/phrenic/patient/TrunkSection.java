@@ -3,14 +3,15 @@ package org.phrenic.patient;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 
 /**
  * Elliptic sections of the parts of the trunk that have no structures of their own: the neck above the first thoracic
- * vertebra and, in a body without bowel or skin, the abdomen below the middle of the lower ribs: as broad and deep as
- * the lower rib cage at the costal margin and at the lower end, narrower at the waist between them.
+ * vertebra and, in a body without bowel or skin there, the abdomen below the middle of the lower ribs: as broad and
+ * deep as the lower rib cage at the costal margin and at the lower end, narrower at the waist between them.
  *
  * @param z height, mm
  * @param a half the breadth, mm
@@ -25,6 +26,10 @@ record TrunkSection(double z, double x, double y, double a, double b) {
     private static final double INSIDE = 0.85;
     /** Length of the abdomen below the twelfth thoracic vertebra where no structure reaches lower, mm. */
     private static final double ABDOMEN_MM = 200;
+    /** How far below the costal margin bowel or skin reaches that fills the abdomen, mm. */
+    private static final double BELOW_CAGE_MM = 50;
+    /** The structures that fill an abdomen. */
+    private static final Set<String> BOWEL = Set.of("colon", "small_bowel", "organ_bowel");
     /** Half the breadth and depth of the neck without skin and muscle, and its height above T1, mm. */
     private static final double NECK_A_MM = 45;
 
@@ -48,19 +53,21 @@ record TrunkSection(double z, double x, double y, double a, double b) {
     }
 
     private static void abdomen(List<Structure> body, List<TrunkSection> all) {
-        boolean filled = body.stream()
-                .anyMatch(s -> s.kind() == StructureKind.SKIN
-                        || s.name().equals("colon")
-                        || s.name().equals("small_bowel"));
         Optional<double[]> cage = PatientBody.bounds(body.stream()
                 .filter(s -> s.kind() == StructureKind.RIB || s.kind() == StructureKind.COSTAL_CARTILAGE)
                 .filter(s -> s.level() >= 7 && s.level() <= 10));
         Optional<double[]> t12 =
                 PatientBody.bounds(body.stream().filter(s -> s.kind() == StructureKind.VERTEBRA && s.level() == T12));
-        if (filled || cage.isEmpty() || t12.isEmpty()) {
+        if (cage.isEmpty() || t12.isEmpty()) {
             return;
         }
         double[] c = cage.get();
+        boolean filled = body.stream()
+                .filter(s -> s.kind() == StructureKind.SKIN || BOWEL.contains(s.name()))
+                .anyMatch(s -> s.mesh().bounds()[2] < c[2] - BELOW_CAGE_MM);
+        if (filled) {
+            return;
+        }
         double lowest = body.stream()
                 .filter(s -> s.kind() != StructureKind.SKIN)
                 .mapToDouble(s -> s.mesh().bounds()[2])

@@ -105,6 +105,67 @@ class SkinEnvelopeTest {
                 .isCloseTo(new SurfaceDistance(skin).signedDistance(flank)[0], within(0.5));
     }
 
+    /** A couch 25 mm behind the trunk, and a target volume that reaches 60 mm out of it. */
+    @Test
+    void aCouchAndATargetVolumeDoNotWidenTheSkin() {
+        List<Structure> trunk = body(PatientStructure.Source.VIRTUAL).structures().stream()
+                .map(PatientStructure::structure)
+                .filter(s -> s.kind() != StructureKind.SKIN)
+                .toList();
+        double[] b = PatientBody.bounds(trunk.stream()).orElseThrow();
+        double[] skin = SkinEnvelope.around(trunk).bounds();
+        double z = 0.5 * (b[2] + b[5]);
+        List<Structure> all = new ArrayList<>(trunk);
+        all.add(new Structure(
+                "other_CouchSurface",
+                StructureKind.OTHER,
+                0,
+                Side.MIDLINE,
+                Shapes.moved(Shapes.sphere(60, 3), 0, b[4] + 85, z)));
+        all.add(new Structure(
+                "lesion_ptv",
+                StructureKind.LESION,
+                0,
+                Side.MIDLINE,
+                Shapes.moved(Shapes.sphere(40, 3), b[0] - 20, 0.5 * (b[1] + b[4]), z)));
+        assertThat(SkinEnvelope.around(all).bounds()).containsExactly(skin);
+    }
+
+    private static double[] lowerEnd(List<Structure> body) {
+        double[] skin = SkinEnvelope.around(body).bounds();
+        double[] margin = PatientBody.bounds(
+                        body.stream().filter(s -> s.kind() == StructureKind.RIB && s.level() >= 7 && s.level() <= 10))
+                .orElseThrow();
+        return new double[] {skin[2], margin[2]};
+    }
+
+    /** A scan of the chest shows the flexure of the colon; its skin ends above the costal margin. */
+    @Test
+    void aSliverOfBowelOrASkinThatEndsInTheChestDoesNotFillTheAbdomen() {
+        List<Structure> bones = body(PatientStructure.Source.VIRTUAL).structures().stream()
+                .map(PatientStructure::structure)
+                .filter(s -> s.kind() == StructureKind.RIB || s.kind() == StructureKind.VERTEBRA)
+                .filter(s -> s.level() <= 12)
+                .toList();
+        double[] alone = lowerEnd(bones);
+        assertThat(alone[0]).as("abdomen below the margin").isLessThan(alone[1] - 80);
+        TriangleMesh flexure = Shapes.moved(Shapes.sphere(20, 3), 90, 0, alone[1] + 30);
+        TriangleMesh chest = Shapes.moved(Shapes.sphere(60, 3), 0, 0, alone[1] + 150);
+        for (Structure part : List.of(
+                new Structure("colon", StructureKind.ORGAN, 0, Side.MIDLINE, flexure),
+                new Structure("skin", StructureKind.SKIN, 0, Side.MIDLINE, chest))) {
+            List<Structure> shown = new ArrayList<>(bones);
+            shown.add(part);
+            assertThat(lowerEnd(shown)[0]).as(part.name()).isCloseTo(alone[0], within(1.0));
+        }
+        for (String name : List.of("colon", "organ_bowel")) {
+            List<Structure> shown = new ArrayList<>(bones);
+            TriangleMesh bowel = Shapes.moved(Shapes.sphere(60, 3), 0, -50, alone[1] - 10);
+            shown.add(new Structure(name, StructureKind.ORGAN, 0, Side.MIDLINE, bowel));
+            assertThat(lowerEnd(shown)[0]).as(name + " that fills it").isGreaterThan(alone[0] + 20);
+        }
+    }
+
     /** Of a large body of bones alone, twice as wide as usual: the abdomen is full from the costal margin down. */
     @Test
     void theTrunkBelowTheCageIsNotHollow() {
