@@ -40,26 +40,18 @@ public final class ScanFragments {
 
     /** Share of the structures that are smaller, over the template's, than the one that tells the size of the body. */
     private static final double QUANTILE = 0.75;
+    /** Least number of whole structures that tell the size of the body. */
+    private static final int ENOUGH = 4;
 
     private ScanFragments() {}
 
     /** Returns the body without fragments, with a note that names them. */
     public static PatientBody leftOut(PatientBody body, Thorax template) {
-        List<Ratio> ratios = new ArrayList<>();
-        for (PatientStructure s : body.structures()) {
-            boolean seen = ratios.stream().anyMatch(other -> other.structure.isSameAs(s.structure()));
-            if (!seen
-                    && s.scan().isPresent()
-                    && LEAST_SHARES.containsKey(s.structure().kind())) {
-                ratio(body, s.structure(), template).ifPresent(ratios::add);
-            }
-        }
-        double[] sorted =
-                ratios.stream().mapToDouble(Ratio::toTemplate).sorted().toArray();
-        if (sorted.length == 0) {
+        List<Ratio> ratios = ratios(body, template);
+        if (ratios.isEmpty()) {
             return body;
         }
-        double size = Math.min(1, sorted[Math.min(sorted.length - 1, (int) (QUANTILE * sorted.length))]);
+        double size = size(ratios);
         List<Ratio> fragments =
                 ratios.stream().filter(r -> r.complete && r.isFragment(size)).toList();
         if (fragments.isEmpty()) {
@@ -74,6 +66,36 @@ public final class ScanFragments {
         return new PatientBody(body.name(), rest, ExpectedStructures.missing(rest), body.notes())
                 .withNotes(List.of("left out, too small for what their labels name though the scan does not cut them: "
                         + String.join(", ", names)));
+    }
+
+    /**
+     * Volume of a body over that of a template, by the bones, lungs and liver that the scan shows as a whole: 1 at
+     * most, and 1 where it shows few.
+     */
+    public static double size(PatientBody body, Thorax template) {
+        List<Ratio> whole =
+                ratios(body, template).stream().filter(Ratio::complete).toList();
+        return whole.size() < ENOUGH ? 1 : size(whole);
+    }
+
+    private static double size(List<Ratio> ratios) {
+        double[] sorted =
+                ratios.stream().mapToDouble(Ratio::toTemplate).sorted().toArray();
+        return Math.min(1, sorted[Math.min(sorted.length - 1, (int) (QUANTILE * sorted.length))]);
+    }
+
+    /** Compares each structure of the scan with that of the template. */
+    private static List<Ratio> ratios(PatientBody body, Thorax template) {
+        List<Ratio> ratios = new ArrayList<>();
+        for (PatientStructure s : body.structures()) {
+            boolean seen = ratios.stream().anyMatch(other -> other.structure.isSameAs(s.structure()));
+            if (!seen
+                    && s.scan().isPresent()
+                    && LEAST_SHARES.containsKey(s.structure().kind())) {
+                ratio(body, s.structure(), template).ifPresent(ratios::add);
+            }
+        }
+        return ratios;
     }
 
     /** Compares all parts of a structure with those of the template. */

@@ -18,6 +18,7 @@ import org.phrenic.patient.BodyPlausibility;
 import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
+import org.phrenic.patient.ScanFragments;
 import org.phrenic.patient.ShownPlaces;
 import org.phrenic.patient.TemplateParts;
 import org.phrenic.patient.label.LabelTable;
@@ -48,8 +49,8 @@ public final class BodyCompletion {
     private static final String KIDNEY = "kidney_";
 
     /**
-     * Least volume of what the scan shows of a lung or liver that it cuts off, over the template's: a smaller piece
-     * says nothing of where the rest lies.
+     * Least volume of what the scan shows of a lung or liver that it cuts off, over the template's in a body of the
+     * scan's size: a smaller piece says nothing of where the rest lies.
      */
     private static final double LEAST_SHARE = 0.03;
 
@@ -74,13 +75,14 @@ public final class BodyCompletion {
     private BodyCompletion(PatientBody body, Thorax template) {
         this.body = body;
         rest = TemplateParts.of(template.structures(), body);
+        double size = ScanFragments.size(body, template);
         List<PatientStructure> seen = new ArrayList<>();
         for (PatientStructure s : body.structures()) {
             if (seen.stream().noneMatch(other -> other.structure().isSameAs(s.structure()))) {
                 seen.add(s);
                 PatientBody.merged(rest, s.structure())
                         .map(mesh -> shared(s, mesh))
-                        .filter(BodyCompletion::tells)
+                        .filter(pair -> tells(pair, size))
                         .ifPresent(shared::add);
             }
         }
@@ -100,13 +102,17 @@ public final class BodyCompletion {
                 .toList();
     }
 
-    /** Whether what the scan shows of a structure is enough to fit the template to it. */
-    private static boolean tells(SharedStructure s) {
+    /**
+     * Whether what the scan shows of a structure is enough to fit the template to it.
+     *
+     * @param size volume of the body over that of the template
+     */
+    private static boolean tells(SharedStructure s, double size) {
         boolean organ = s.kind() == StructureKind.LUNG || s.kind() == StructureKind.LIVER;
         boolean atSide = s.cutAt().contains("L") || s.cutAt().contains("R");
         boolean vertebra = s.kind() == StructureKind.VERTEBRA;
         double least = vertebra ? LEAST_SHARE_OF_VERTEBRA : atSide ? LEAST_SHARE_AT_SIDE : LEAST_SHARE;
-        return !(organ || vertebra) || s.shownShare(s.template()) >= least;
+        return !(organ || vertebra) || s.shownShare(s.template()) >= size * least;
     }
 
     /** The structure of the scan, with all its parts as one surface, and its counterpart. */

@@ -12,6 +12,7 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
@@ -116,5 +117,24 @@ class ScanFragmentsTest {
         shown.add(BodyCompletionTest.scanned(shrunk(rib, 0.25, rib.mesh().centre()), "S"));
         PatientBody body = body(shown);
         assertThat(ScanFragments.leftOut(body, MAN)).isSameAs(body);
+    }
+
+    /** The abdomen of the woman, or of a child of 0.6 of her height, with the lower ends of the lungs, 0.1 of them. */
+    @Test
+    void theCutEndOfALungTellsAsMuchInASmallBody() {
+        for (double size : new double[] {1, 0.6}) {
+            List<PatientStructure> shown = new ArrayList<>();
+            abdomen().forEach(s -> shown.add(BodyCompletionTest.scanned(smaller(s.structure(), size), "")));
+            Structure right = WOMAN.find("lung_R").orElseThrow();
+            double[] box = right.mesh().bounds();
+            Structure end = BodyCompletionTest.lobe(right, "lung_R", box[2], 0.75 * box[2] + 0.25 * box[5]);
+            assertThat(MeshMeasure.signedVolume(end.mesh()) / MeshMeasure.signedVolume(right.mesh()))
+                    .isBetween(0.06, 0.14);
+            shown.add(BodyCompletionTest.scanned(smaller(end, size), "S"));
+            PatientBody completed = BodyCompletion.complete(body(shown), MAN);
+            assertThat(completed.structure("lung_R").orElseThrow().source())
+                    .as("right lung of a body of " + size)
+                    .isEqualTo(PatientStructure.Source.EXTENDED);
+        }
     }
 }
