@@ -58,6 +58,12 @@ class DistributionTest {
         assertThat(used).contains("java.base", "java.desktop").isSubsetOf(modulesOfTheImage());
     }
 
+    /** Character sets of DICOM that the program names by text, which no class names. */
+    @Test
+    void theImageHasTheCharacterSetsOfEastAsia() throws IOException {
+        assertThat(modulesOfTheImage()).contains("jdk.charsets");
+    }
+
     /** Screen readers reach the window on Windows by the Java Access Bridge, which no class of the program names. */
     @Test
     void theImageHasTheAccessBridge() throws IOException {

@@ -46,6 +46,10 @@ class LauncherTest {
     }
 
     private String start(Map<String, String> variables, String... arguments) throws Exception {
+        return start(0, variables, arguments);
+    }
+
+    private String start(int exitCode, Map<String, String> variables, String... arguments) throws Exception {
         List<String> command = Stream.concat(
                         Stream.of("/bin/sh", folder.resolve("phrenic").toString()), Stream.of(arguments))
                 .toList();
@@ -55,7 +59,7 @@ class LauncherTest {
         builder.environment().putAll(variables);
         Process process = builder.start();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        assertThat(process.waitFor()).isZero();
+        assertThat(process.waitFor()).isEqualTo(exitCode);
         return said.strip();
     }
 
@@ -68,6 +72,17 @@ class LauncherTest {
                 .contains("-XX:SharedArchiveFile=")
                 .doesNotContain("AtExit");
         assertThat(start("info", "a file")).contains("-XX:SharedArchiveFile=").endsWith("info a file");
+    }
+
+    @Test
+    void aJavaThatIsTooOldIsNamedInsteadOfStarted() throws Exception {
+        for (String old : List.of("11.0.21", "1.8.0_392")) {
+            Files.writeString(folder.resolve("home/release"), "IMPLEMENTOR=\"X\"\nJAVA_VERSION=\"" + old + "\"\n");
+            assertThat(start(1, Map.of(), "run"))
+                    .matches("phrenic: found Java (11|8) in .*home, expected Java 17 or newer");
+        }
+        Files.writeString(folder.resolve("home/release"), "JAVA_VERSION=\"17.0.15\"\n");
+        assertThat(start("--version")).endsWith("phrenic.jar --version");
     }
 
     @Test
