@@ -64,7 +64,7 @@ final class MotionCommand extends ReportingCommand {
         requireInputsKept(request);
         Scenario scenario = scenarioOptions.resolved();
         ConsoleProgress progress = progress();
-        ScheduleCheck.requireWithinRun(scenario);
+        ScheduleCheck.require(scenario);
         OrderedValues report;
         Thorax thorax = SimulationRun.loadThorax(scenario);
         thorax.notes().forEach(progress::note);

@@ -29,7 +29,7 @@ public final class ScenePlayer implements AutoCloseable {
     /** @throws BadInputException if the scenario's body cannot be simulated; the message is one sentence */
     public ScenePlayer(Scenario scenario, SimulationRun.Progress progress) {
         this.progress = progress;
-        ScheduleCheck.requireWithinRun(scenario);
+        ScheduleCheck.require(scenario);
         Thorax thorax = SimulationRun.loadThorax(scenario);
         notInScan = thorax.notInScanSummary();
         thorax.notes().forEach(progress::note);

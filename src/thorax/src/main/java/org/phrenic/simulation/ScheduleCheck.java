@@ -1,21 +1,33 @@
 package org.phrenic.simulation;
 
+import java.util.List;
+import java.util.Optional;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.assembly.LiveBreathing;
 import org.phrenic.model.material.Numerics;
+import org.phrenic.parameter.Effect;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
 
-/** Refuses scheduled changes that come after the end of a run, which would do nothing. */
+/** Refuses, before a run, scheduled changes that would do nothing in it or would end it. */
 public final class ScheduleCheck {
     private ScheduleCheck() {}
 
     /**
-     * Checks the changes of a scenario that runs to its end. A change of the time step moves the end.
+     * Checks the changes of a scenario that runs to its end.
      *
-     * @throws BadInputException with one sentence, if a change is scheduled for a step after the last
+     * @throws BadInputException with one sentence that names the change, if one is scheduled for a step after the last
+     *     or gives a breath that is impossible
      */
-    public static void requireWithinRun(Scenario scenario) {
+    public static void require(Scenario scenario) {
+        requireWithinRun(scenario);
+        requireBreathing(scenario);
+    }
+
+    /** A change of the time step moves the end. */
+    private static void requireWithinRun(Scenario scenario) {
         if (scenario.changes().isEmpty()) {
             return;
         }
@@ -35,6 +47,33 @@ public final class ScheduleCheck {
                 now = now.with(Numerics.TIME_STEP, (Double) change.assignment().value());
                 end = end(now, total, time, step);
             }
+        }
+    }
+
+    /** The changes of one step are made together, so that only the last of them must leave a breath. */
+    private static void requireBreathing(Scenario scenario) {
+        List<ScheduledChange> changes = scenario.changes();
+        Scenario now = scenario.withChanges(List.of());
+        Optional<Assignment> breath = Optional.empty();
+        for (int i = 0; i < changes.size(); i++) {
+            Assignment change = changes.get(i).assignment();
+            now = now.with(List.of(change));
+            Effect effect = change.setting().effect();
+            breath = effect == Effect.PATTERN || effect == Effect.NEW_PATTERN ? Optional.of(change) : breath;
+            boolean lastOfStep = i + 1 == changes.size()
+                    || changes.get(i + 1).step() != changes.get(i).step();
+            if (lastOfStep && breath.isPresent()) {
+                requireBreathing(now, breath.get());
+                breath = Optional.empty();
+            }
+        }
+    }
+
+    private static void requireBreathing(Scenario now, Assignment change) {
+        try {
+            Breathing.patternOf(now);
+        } catch (BadInputException e) {
+            throw new BadInputException(change.origin() + ": " + e.getMessage(), e);
         }
     }
 

@@ -74,7 +74,7 @@ public final class SimulationRun {
      */
     public static Map<String, Object> run(Scenario scenario, Path out, Progress progress, Map<String, String> remarks) {
         long begun = System.nanoTime();
-        ScheduleCheck.requireWithinRun(scenario);
+        ScheduleCheck.require(scenario);
         Thorax thorax = loadThorax(scenario);
         thorax.notes().forEach(progress::note);
         try (Simulation simulation = Simulation.of(scenario, thorax, UserCache.ofUser(), progress)) {

@@ -117,10 +117,10 @@ class RunRecorderTest {
     void aChangeMayBeScheduledForTheLastStepAtAnyRate() {
         Scenario twoBreaths = scenario("preset=quiet", "rate_per_min=19", "time_step_s=0.0025")
                 .without(RunSettings.DURATION);
-        ScheduleCheck.requireWithinRun(twoBreaths.withChanges(List.of(ScheduledChange.parse("2527:depth=0.5"))));
+        ScheduleCheck.require(twoBreaths.withChanges(List.of(ScheduledChange.parse("2527:depth=0.5"))));
         Scenario late = twoBreaths.withChanges(List.of(ScheduledChange.parse("2528:depth=0.5")));
         assertThatExceptionOfType(BadInputException.class)
-                .isThrownBy(() -> ScheduleCheck.requireWithinRun(late))
+                .isThrownBy(() -> ScheduleCheck.require(late))
                 .withMessageContaining("at most step 2527");
     }
 

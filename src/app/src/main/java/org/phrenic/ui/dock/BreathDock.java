@@ -15,7 +15,6 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
-import org.phrenic.breathing.BreathingTraceReader;
 import org.phrenic.breathing.pattern.BreathingPreset;
 import org.phrenic.file.BadInputException;
 import org.phrenic.model.assembly.Breathing;
@@ -157,10 +156,12 @@ public final class BreathDock extends SessionDock {
     /** Breathes by a recorded trace; a file that is none is refused with a message. */
     void openTrace(Path file) {
         try {
-            BreathingTraceReader.read(file);
             session.change(
                     "Breath recorded in " + file.getFileName(),
-                    Assignment.of("window", Breathing.TRACE, Optional.of(file.toAbsolutePath())));
+                    Assignment.read(
+                            "window",
+                            Breathing.TRACE.key(),
+                            file.toAbsolutePath().toString()));
         } catch (BadInputException e) {
             session.refuse(e.getMessage());
         }

@@ -10,6 +10,7 @@ import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
+import org.phrenic.file.BadInputException;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
@@ -153,7 +154,7 @@ public final class Session implements AutoCloseable {
     public void change(EditName name, Assignment... assignments) {
         try {
             edited.change(name, List.of(assignments));
-        } catch (IllegalArgumentException e) {
+        } catch (IllegalArgumentException | BadInputException e) {
             reportRefusal(e.getMessage());
         }
     }

@@ -1,6 +1,7 @@
 package org.phrenic.ui.dock;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.data.Percentage.withPercentage;
 
 import java.awt.Container;
@@ -17,6 +18,8 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
@@ -35,6 +38,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.breathing.pattern.BreathingPreset;
+import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.model.assembly.Breathing;
@@ -638,6 +642,32 @@ class DocksTest {
         EventThread.run(() -> session.edits().undo());
         EventThread.until(
                 "the rate is back", () -> dock.row(Breathing.RATE).slider().isEnabled());
+    }
+
+    @Test
+    void aTraceThatDoesNotBreatheIsRefusedInOneSentence(@TempDir Path folder) throws Exception {
+        Path flat = Files.writeString(
+                folder.resolve("flat.csv"),
+                "time_s,amplitude\n"
+                        + IntStream.range(0, 9).mapToObj(i -> i + ",1\n").collect(Collectors.joining()));
+        Scenario breathing = Scenario.defaults().with(Breathing.TRACE, Optional.of(flat));
+        assertThatExceptionOfType(BadInputException.class)
+                .isThrownBy(() -> Breathing.traceDescription(breathing))
+                .withMessageContaining("flat.csv: the signal stays at 1.0");
+        List<String> said = new ArrayList<>();
+        BreathDock dock = on(() -> new BreathDock(session));
+        Session.Listener ear = new Session.Listener() {
+            @Override
+            public void onMessage(SessionMessage message) {
+                said.add(message.text());
+            }
+        };
+        EventThread.run(() -> {
+            session.addListener(ear);
+            dock.openTrace(flat);
+            session.removeListener(ear);
+        });
+        assertThat(said).singleElement().asString().contains("flat.csv: the signal stays at 1.0, expected breathing");
     }
 
     @Test

@@ -90,6 +90,24 @@ class SessionTest {
         session.change(EditName.of(key), Assignment.read("test", key, value));
     }
 
+    @Test
+    void aChangeThatDoesNotGoWithTheOtherSettingsIsRefusedInOneSentence() {
+        try (Session session = running()) {
+            List<String> said = new ArrayList<>();
+            EventThread.run(() -> {
+                session.addListener(new Session.Listener() {
+                    @Override
+                    public void onMessage(SessionMessage message) {
+                        said.add(message.text());
+                    }
+                });
+                change(session, "node_mass_kg", "0.1");
+                assertThat(session.edits().undoPresentationName()).isEmpty();
+            });
+            assertThat(said).singleElement().asString().contains("node_mass_kg", "expected it with material");
+        }
+    }
+
     private static Object value(Session session, String key) {
         return session.scenario().toMap().get(key);
     }

@@ -3,6 +3,8 @@ package org.phrenic.model.assembly;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.phrenic.breathing.BreathingParameters;
 import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.BreathingTraceReader;
@@ -52,7 +54,7 @@ public final class Breathing extends ScenePart {
             .range(2, 150, "1/min")
             .initialOfPreset(values -> values.get(PRESET).parameters().ratePerMin())
             .shown(Group.BREATHING, Effect.PATTERN)
-            .describedAs("Breaths a minute.");
+            .describedAs("Breaths a minute; coughs at most 51.");
     public static final Parameter DEPTH = Parameter.named("depth", "Depth")
             .range(0, 2)
             .initial(1)
@@ -62,7 +64,7 @@ public final class Breathing extends ScenePart {
             .range(0.1, 0.8)
             .initialOfPreset(values -> values.get(PRESET).parameters().inspiratoryFraction())
             .shown(Group.BREATHING, Effect.PATTERN)
-            .describedAs("Ti / Ttot.");
+            .describedAs("Ti / Ttot; of a sniff less than 0.3.");
     public static final Parameter CHEST_SHARE = Parameter.named("chest_share", "Chest share")
             .range(0, 1)
             .initialOfPreset(values -> values.get(PRESET).parameters().chestShare())
@@ -78,31 +80,54 @@ public final class Breathing extends ScenePart {
     /**
      * The breathing pattern for given settings.
      *
-     * @throws BadInputException if the recording cannot be read
+     * @throws BadInputException if the recording cannot be read or holds no breath, or the preset cannot breathe so
      */
     public static BreathingPattern patternOf(SettingValues values) {
         BreathingPreset preset = values.get(PRESET);
-        BreathingParameters p = preset.parameters();
-        if (values.states(RATE)) {
-            p = p.withRatePerMin(values.get(RATE));
-        }
-        if (values.states(INSPIRATORY_FRACTION)) {
-            p = p.withInspiratoryFraction(values.get(INSPIRATORY_FRACTION));
-        }
-        if (values.states(CHEST_SHARE)) {
-            p = p.withChestShare(values.get(CHEST_SHARE));
-        }
         double depth = values.states(DEPTH) ? values.get(DEPTH) : 1;
         Optional<Path> trace = values.get(TRACE);
-        return trace.isEmpty()
-                ? preset.pattern(p, depth)
-                : new TracePattern(BreathingTraceReader.read(trace.get()), p.withDepth(depth), true);
+        if (trace.isPresent()) {
+            return recorded(trace.get(), balanced(preset.parameters(), values).withDepth(depth));
+        }
+        try {
+            BreathingParameters p = preset.parameters();
+            if (values.states(RATE)) {
+                p = p.withRatePerMin(values.get(RATE));
+            }
+            if (values.states(INSPIRATORY_FRACTION)) {
+                p = p.withInspiratoryFraction(values.get(INSPIRATORY_FRACTION));
+            }
+            return preset.pattern(balanced(p, values), depth);
+        } catch (IllegalArgumentException e) {
+            throw new BadInputException("preset " + preset.name() + stated(values) + ": " + e.getMessage(), e);
+        }
+    }
+
+    private static BreathingParameters balanced(BreathingParameters parameters, SettingValues values) {
+        return values.states(CHEST_SHARE) ? parameters.withChestShare(values.get(CHEST_SHARE)) : parameters;
+    }
+
+    /** The stated values that can make a breath of a preset impossible, for a message; empty if there are none. */
+    private static String stated(SettingValues values) {
+        String stated = Stream.of(RATE, INSPIRATORY_FRACTION)
+                .filter(values::states)
+                .map(parameter -> parameter.key() + " " + parameter.format(values.get(parameter)))
+                .collect(Collectors.joining(" and "));
+        return stated.isEmpty() ? "" : " with " + stated;
+    }
+
+    private static TracePattern recorded(Path trace, BreathingParameters parameters) {
+        try {
+            return new TracePattern(BreathingTraceReader.read(trace), parameters, true);
+        } catch (IllegalArgumentException e) {
+            throw new BadInputException(e.getMessage(), e);
+        }
     }
 
     /**
      * What was read from the recording, in one sentence; empty without a recording.
      *
-     * @throws BadInputException if the recording cannot be read
+     * @throws BadInputException as {@link #patternOf}
      */
     public static Optional<String> traceDescription(SettingValues values) {
         return patternOf(values) instanceof TracePattern trace ? Optional.of(trace.description()) : Optional.empty();
@@ -117,7 +142,7 @@ public final class Breathing extends ScenePart {
         if (!Files.isRegularFile(path)) {
             throw yaml.bad(key, "found no file '" + found + "', expected a CSV file of recorded breathing");
         }
-        BreathingTraceReader.read(path);
+        recorded(path, QUIET.parameters());
         return Optional.of(path);
     }
 }
