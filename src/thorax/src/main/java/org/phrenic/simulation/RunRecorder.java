@@ -10,12 +10,15 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.YamlWriter;
+import org.phrenic.file.BadInputException;
 import org.phrenic.file.Hashes;
 import org.phrenic.file.InputBytes;
 import org.phrenic.file.Numbers;
@@ -42,8 +45,8 @@ final class RunRecorder {
     private static final String UNFINISHED = MESHES + ".part";
     /** Name of a mesh of a run: structure and number of the frame, of at least five digits. */
     private static final String FRAME_NAME = "%s_%05d.vtp";
-    /** Names of {@link #FRAME_NAME}. */
-    private static final Pattern FRAME_NAMES = Pattern.compile(".+_\\d{5,}\\.vtp");
+    /** Names of {@link #FRAME_NAME}: structure, number of the frame. */
+    private static final Pattern FRAME_NAMES = Pattern.compile("(.+)_(\\d{5,})\\.vtp");
     /** Tolerance for rounding when comparing output times. */
     private static final double ROUNDING = 1e-9;
 
@@ -53,6 +56,8 @@ final class RunRecorder {
     private final PvdSeries series;
     private SceneSurfaces surfaces;
     private int frame;
+    /** Number of intervals after which the next meshes are due; whole. */
+    private double due;
 
     RunRecorder(Scenario scenario, Simulation simulation, Path out) {
         this.scenario = scenario;
@@ -87,7 +92,10 @@ final class RunRecorder {
         return out.resolve(UNFINISHED);
     }
 
-    /** Puts the meshes of this run in place of the results of an earlier one, which would not match the new files. */
+    /**
+     * Puts the meshes of this run in place of the results of an earlier one, which would not match the new files. They
+     * are listed before they are moved, so that the next run finds and replaces them wherever this one is stopped.
+     */
     private void replaceEarlierResults() throws IOException {
         Files.deleteIfExists(out.resolve(SUMMARY));
         deleteSeries();
@@ -95,6 +103,7 @@ final class RunRecorder {
             return;
         }
         Files.createDirectories(out.resolve(MESHES));
+        series.write();
         for (Path mesh : frames(unfinished())) {
             Files.move(mesh, out.resolve(MESHES).resolve(mesh.getFileName()));
         }
@@ -103,13 +112,35 @@ final class RunRecorder {
 
     /** Deletes the meshes that an earlier run has listed, then the list. */
     private void deleteSeries() throws IOException {
-        Set<Path> listed = new HashSet<>(PvdSeries.files(out.resolve(SERIES)));
+        Set<Path> listed = listed();
         for (Path mesh : frames(out.resolve(MESHES))) {
             if (listed.contains(mesh)) {
                 Files.delete(mesh);
             }
         }
         Files.deleteIfExists(out.resolve(SERIES));
+    }
+
+    /** The meshes that an earlier run has listed. */
+    private Set<Path> listed() {
+        return new HashSet<>(PvdSeries.files(out.resolve(SERIES)));
+    }
+
+    /** Refuses to begin where a file that no run has listed has the name of one of the meshes. */
+    private void requireNamesFree() {
+        Set<String> structures = surfaces.surfaces().stream().map(Surface::name).collect(Collectors.toSet());
+        long last = (long) (simulation.durationS() / intervalS()) + 1;
+        Set<Path> listed = listed();
+        for (Path mesh : frames(out.resolve(MESHES))) {
+            Matcher name = FRAME_NAMES.matcher(mesh.getFileName().toString());
+            if (!listed.contains(mesh)
+                    && name.matches()
+                    && structures.contains(name.group(1))
+                    && Numbers.parseWhole(name.group(2), 0, last).isPresent()) {
+                throw new BadInputException(
+                        mesh + ": found a file that no run has listed in " + SERIES + ", expected its name to be free");
+            }
+        }
     }
 
     /** Deletes the meshes of a run that did not end, and their folder if nothing else is in it. */
@@ -140,7 +171,11 @@ final class RunRecorder {
 
     /** Time from which the next meshes are due, s. */
     private double dueS() {
-        return frame * scenario.get(RunSettings.MESHES_EVERY) * (1 - ROUNDING);
+        return due * intervalS();
+    }
+
+    private double intervalS() {
+        return scenario.get(RunSettings.MESHES_EVERY) * (1 - ROUNDING);
     }
 
     /** Called after a step; writes meshes if due. */
@@ -150,6 +185,7 @@ final class RunRecorder {
         }
         if (surfaces == null) {
             surfaces = new SceneSurfaces(simulation);
+            requireNamesFree();
         }
         List<TriangleMesh> meshes = surfaces.meshes();
         for (int i = 0; i < meshes.size(); i++) {
@@ -159,6 +195,7 @@ final class RunRecorder {
             series.add(time, i, out.resolve(MESHES).resolve(file));
         }
         frame++;
+        due = Math.max(due, Math.floor(time / intervalS())) + 1;
     }
 
     private static Map<String, double[]> pointData(Surface surface, TriangleMesh mesh) {
@@ -192,9 +229,6 @@ final class RunRecorder {
         }
         CsvWriter.write(out.resolve("observables.csv"), columns, CsvWriter.ALL_DIGITS);
         YamlWriter.write(out.resolve("scenario.yaml"), scenario.toMap());
-        if (series != null) {
-            series.write();
-        }
         Map<String, Object> all = new LinkedHashMap<>(summary);
         all.put("made_by", provenance());
         JsonWriter.write(out.resolve(SUMMARY), all);

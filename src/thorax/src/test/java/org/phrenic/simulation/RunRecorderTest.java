@@ -174,6 +174,55 @@ class RunRecorderTest {
         assertThat(out.resolve("meshes/diaphragm_00000.vtp")).doesNotExist();
     }
 
+    @Test
+    void aRunReplacesTheMeshesOfOneThatWasStoppedWhileItMovedThem() throws IOException {
+        Path out = folder.resolve("stopped");
+        Path obstacle = out.resolve("meshes/lung_R_00001.vtp");
+        SimulationRun.Progress stopping = new SimulationRun.Progress() {
+            @Override
+            public void advanced(double simulatedS, double totalS, double stepsPerS) {}
+
+            @Override
+            public void measured(Map<String, Object> summary) {
+                obstacle.toFile().mkdirs();
+            }
+        };
+        assertThatExceptionOfType(OutputException.class)
+                .isThrownBy(() -> SimulationRun.run(scenario("meshes_every_s=0.05"), out, stopping))
+                .withMessageContaining("lung_R_00001.vtp");
+        assertThat(out.resolve("meshes/diaphragm_00001.vtp")).exists();
+        assertThat(out.resolve("summary.json")).doesNotExist();
+        Files.delete(obstacle);
+        execute(scenario("meshes_every_s=0.05"), out);
+        meshes(out);
+    }
+
+    @Test
+    void aFileThatHasTheNameOfAMeshStopsTheRunBeforeItsFirstStep() throws IOException {
+        Path out = folder.resolve("taken");
+        Path own = Files.createDirectories(out.resolve("meshes")).resolve("liver_00003.vtp");
+        Files.writeString(own, "the user's");
+        assertThatExceptionOfType(BadInputException.class)
+                .isThrownBy(() -> SimulationRun.run(scenario("meshes_every_s=0.03"), out, (at, of, perS) -> {
+                    throw new IllegalStateException("a step was made");
+                }))
+                .withMessageStartingWith(own + ": found a file that no run has listed in scene.pvd");
+        assertThat(own).hasContent("the user's");
+        execute(scenario("meshes_every_s=0.1"), out);
+        assertThat(own).hasContent("the user's");
+    }
+
+    /** Steps of 10 ms up to 0.05 s, each with meshes, then of 1.25 ms, every other with meshes. */
+    @Test
+    void meshesComeAtTheirIntervalAfterTheStepBecomesSmaller() throws IOException {
+        Path out = folder.resolve("finer");
+        execute(
+                scenario("time_step_s=0.01", "duration_s=0.06", "meshes_every_s=0.0025")
+                        .withChanges(List.of(ScheduledChange.parse("5:time_step_s=0.00125"))),
+                out);
+        assertThat(frameTimes(out)).hasSize(1 + 5 + 4);
+    }
+
     private static Map<Path, String> contents(Path folder) throws IOException {
         Map<Path, String> contents = new TreeMap<>();
         try (Stream<Path> files = Files.walk(folder).filter(Files::isRegularFile)) {
