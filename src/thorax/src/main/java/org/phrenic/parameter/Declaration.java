@@ -33,7 +33,7 @@ public record Declaration(String key, String label, Effect effect, String descri
         return new NumberSetting(this, new NumberSetting.Range(unit, least, greatest), initial);
     }
 
-    /** A number from {@code least} to {@code greatest}; a scenario that states less, without effect, is refused. */
+    /** A number from {@code least} to {@code greatest}; a scenario that states less is refused. */
     public NumberSetting numberFrom(
             String unit, double least, double greatest, ToDoubleFunction<SettingValues> initial) {
         return new NumberSetting(this, new NumberSetting.Range(unit, least, greatest, true), initial);

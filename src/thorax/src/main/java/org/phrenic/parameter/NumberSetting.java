@@ -14,7 +14,8 @@ public class NumberSetting extends Setting<Double> {
      * @param minimum smallest value offered; except for a {@link Parameter} and unless less is refused, a scenario may
      *     state any number above 0, and 0 if it is the minimum
      * @param maximum largest value offered
-     * @param refusesLess whether a scenario may not state less than the minimum, because it would have no effect
+     * @param refusesLess whether a scenario may not state less than the minimum, because it would have no effect, or
+     *     the run no end
      */
     public record Range(String unit, double minimum, double maximum, boolean refusesLess) {
         public Range(String unit, double minimum, double maximum) {

@@ -54,6 +54,13 @@ class SettingsTest {
                 .hasMessageContaining("found 0.5, expected at least 1, at most 100 times");
     }
 
+    @Test
+    void aTimeStepOfWhichABreathTakesMillionsIsRefused() {
+        assertThatThrownBy(() -> Scenario.defaults().with("time_step_s=1e-9"))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found 1.0E-9, expected at least 1.0E-5, at most 0.1 s");
+    }
+
     private static Scenario with(Setting<?> setting, String value) {
         return Scenario.defaults().with(List.of(Assignment.read("test", setting.key(), value)));
     }

@@ -15,6 +15,9 @@ public final class Numerics {
     public static final int MAX_THREADS = 256;
 
     private static final int MAX_DEFAULT_THREADS = 4;
+    /** With less, a breath takes millions of steps. */
+    private static final double MIN_STEP_S = 1e-5;
+
     private static final double MAX_STEP_S = 0.1;
     private static final double MAX_STATED_REFRESH_S = 1;
     private static final double MAX_SCALED_STEP_S = 0.01;
@@ -31,7 +34,7 @@ public final class Numerics {
 
     public static final NumberSetting TIME_STEP = Setting.named("time_step_s", "Time step", Effect.SCENE)
             .describedAs("Step of the clock; one beyond the stability limit is split into substeps.")
-            .number("s", 1e-5, MAX_STEP_S, values -> values.get(Materials.MATERIAL)
+            .numberFrom("s", MIN_STEP_S, MAX_STEP_S, values -> values.get(Materials.MATERIAL)
                     .timeStepS());
     public static final ChoiceSetting<IntegratorKind> INTEGRATOR = Setting.named(
                     "integrator", "Integrator", Effect.INTEGRATION)
