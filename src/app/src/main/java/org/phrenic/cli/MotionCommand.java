@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.breathing.pattern.TracePattern;
 import org.phrenic.cli.option.MotionOptions;
 import org.phrenic.cli.option.ReportFolder;
 import org.phrenic.cli.option.ScenarioOptions;
@@ -14,9 +15,11 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 import org.phrenic.file.UserCache;
 import org.phrenic.mesh.io.raster.VolumeSource;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.motion.BodyMotion;
 import org.phrenic.motion.MotionExport;
 import org.phrenic.motion.MotionRequest;
@@ -65,14 +68,14 @@ final class MotionCommand extends ReportingCommand {
         Scenario scenario = scenarioOptions.resolved();
         ConsoleProgress progress = progress();
         ScheduleCheck.require(scenario);
+        requireSimulatedTimes(scenario);
         OrderedValues report;
         Thorax thorax = SimulationRun.loadThorax(scenario);
         thorax.notes().forEach(progress::note);
         try (Simulation simulation = Simulation.of(scenario, thorax, UserCache.ofUser(), progress);
                 BodyMotion motion = new BodyMotion(simulation, options.organs(), options.lungs(), scenario.threads())) {
-            double dt = simulation.stepper().dt();
-            double lastS = SimulationRun.stepsFor(simulation.durationS(), dt) * dt;
-            double[] times = options.times(simulation.breathDurationS(), Math.max(lastS, simulation.durationS()));
+            double lastS = Math.max(simulation.stepTimes().lastS(), simulation.durationS());
+            double[] times = options.times(simulation.breathDurationS(), lastS);
             report = new MotionExport(simulation, motion, request, out, progress).write(times);
         } finally {
             progress.end();
@@ -93,6 +96,25 @@ final class MotionCommand extends ReportingCommand {
         if (name.matches(FILE_OF_A_TIME + Pattern.quote(request.format()))) {
             ReportFolder.requireNotRead("--out", out.resolve(name), image);
         }
+    }
+
+    /**
+     * Refuses the times of the recording that is breathed: those of the simulation begin at an end-expiration of it.
+     */
+    private void requireSimulatedTimes(Scenario scenario) {
+        Path times = options.timesFile();
+        if (times != null
+                && scenario.trace().filter(trace -> isSame(trace, times)).isPresent()
+                && Breathing.patternOf(scenario) instanceof TracePattern trace) {
+            throw new BadInputException(Numbers.format(
+                    "--times %s: found the recording that is breathed, expected simulated times, of which 0 is at"
+                            + " %.3f s of the recording",
+                    times, trace.startS()));
+        }
+    }
+
+    private static boolean isSame(Path one, Path other) {
+        return one.toAbsolutePath().normalize().equals(other.toAbsolutePath().normalize());
     }
 
     private static String table(OrderedValues report) {

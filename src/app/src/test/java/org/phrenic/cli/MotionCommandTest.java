@@ -145,4 +145,39 @@ class MotionCommandTest {
         assertThat(run.exitCode()).isEqualTo(2);
         assertThat(run.err()).contains("--at: found 0.0526 s, expected 0 to 0.0525 s");
     }
+
+    /** Breaths of 4 s, the first of which begins after 1 s of the recording. */
+    @Test
+    void refusesTheTimesOfTheRecordingWhichAreNotThoseOfTheSimulation() throws IOException {
+        StringBuilder csv = new StringBuilder("time_s,amplitude\n");
+        for (int i = 0; i <= 90; i++) {
+            csv.append(i / 10.0)
+                    .append(',')
+                    .append(-Math.cos(Math.PI * (i - 10) / 20))
+                    .append('\n');
+        }
+        String trace = Files.writeString(folder.resolve("trace.csv"), csv).toString();
+        CommandLineRun run = motion("--grid", "50", "--times", trace, "--set", "trace=" + trace);
+        assertThat(run.exitCode()).isEqualTo(2);
+        assertThat(run.err()).contains("--times " + trace + ": found the recording", "0 is at 1.000 s");
+        assertThat(folder.resolve("out")).doesNotExist();
+    }
+
+    /** Two steps of 10 ms and 16 of 1.25 ms. */
+    @Test
+    void theLastTimeAndTheStepsInBetweenAreThoseOfAChangedTimeStep() {
+        List<String> changed = List.of("--time-step", "0.01", "--change", "2:time_step_s=0.00125", "--grid", "50");
+        CommandLineRun late = motion(with(changed, "--steps", "18", "--at", "0.0413"));
+        assertThat(late.exitCode()).isEqualTo(2);
+        assertThat(late.err()).contains("--at: found 0.0413 s, expected 0 to 0.04 s");
+        CommandLineRun run = motion(with(changed, "--duration", "0.04", "--at", "0,0.03,0.0325", "--json"));
+        assertThat(run.exitCode()).as(run.err()).isZero();
+        assertThat(run.out()).contains("\"time_s\": 0.03,", "\"time_s\": 0.0325,");
+    }
+
+    private static String[] with(List<String> arguments, String... more) {
+        List<String> all = new ArrayList<>(arguments);
+        all.addAll(List.of(more));
+        return all.toArray(new String[0]);
+    }
 }

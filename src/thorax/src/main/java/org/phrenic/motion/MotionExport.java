@@ -21,6 +21,7 @@ import org.phrenic.mesh.io.image.VoxelSeries;
 import org.phrenic.mesh.voxel.VoxelBox;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
+import org.phrenic.simulation.StepTimes;
 
 /**
  * Breathes a body and writes its motion at some times: displacement fields forward and backward, trajectories, warped
@@ -137,18 +138,14 @@ public final class MotionExport {
 
     /** Refuses times that are reached at one step, or that round to one file name. */
     private void requireApart(double[] times) {
-        double dt = simulation.stepper().dt();
+        StepTimes steps = simulation.stepTimes();
         for (int i = 1; i < times.length; i++) {
-            if (label(reached(times[i], dt)).equals(label(reached(times[i - 1], dt)))) {
+            if (label(steps.nearestS(times[i])).equals(label(steps.nearestS(times[i - 1])))) {
                 throw new BadInputException("motion: found the times " + times[i - 1] + " and " + times[i]
-                        + " s, which give the same files, expected times that differ by 0.001 s and a step of " + dt
-                        + " s or more");
+                        + " s, which give the same files, expected times that differ by 0.001 s and a time step or"
+                        + " more");
             }
         }
-    }
-
-    private static double reached(double time, double dt) {
-        return Math.max(0, Math.ceil(time / dt - 0.5)) * dt;
     }
 
     /** A time in file names. */
@@ -198,9 +195,8 @@ public final class MotionExport {
 
     /** Breathes to a time and writes what belongs to it alone. */
     private void phase(double time) {
-        double dt = simulation.stepper().dt();
         long told = System.nanoTime();
-        while (simulation.time() < time - dt / 2) {
+        while (simulation.time() < time - simulation.timeStepS() / 2) {
             simulation.step();
             if (System.nanoTime() - told > 1_000_000_000L) {
                 told = System.nanoTime();

@@ -5,7 +5,6 @@ import java.util.Optional;
 import org.phrenic.file.BadInputException;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.assembly.LiveBreathing;
-import org.phrenic.model.material.Numerics;
 import org.phrenic.parameter.Effect;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
@@ -31,22 +30,14 @@ public final class ScheduleCheck {
         if (scenario.changes().isEmpty()) {
             return;
         }
-        double total = scenario.durationS(new LiveBreathing(scenario));
-        Scenario now = scenario;
-        double time = 0;
-        long step = 0;
-        long end = end(scenario, total, 0, 0);
+        StepTimes times = new StepTimes(scenario, scenario.durationS(new LiveBreathing(scenario)));
         for (ScheduledChange change : scenario.changes()) {
-            if (change.step() > end) {
+            if (change.step() > times.lastStep()) {
                 throw new BadInputException(change.assignment().origin() + ": found step " + change.step()
-                        + " after the end of the run, expected at most step " + end + " (--steps, --duration)");
+                        + " after the end of the run, expected at most step " + times.lastStep()
+                        + " (--steps, --duration)");
             }
-            if (change.assignment().setting() == Numerics.TIME_STEP) {
-                time += (change.step() - step) * now.timeStepS();
-                step = change.step();
-                now = now.with(Numerics.TIME_STEP, (Double) change.assignment().value());
-                end = end(now, total, time, step);
-            }
+            times.add(change);
         }
     }
 
@@ -75,11 +66,5 @@ public final class ScheduleCheck {
         } catch (BadInputException e) {
             throw new BadInputException(change.origin() + ": " + e.getMessage(), e);
         }
-    }
-
-    private static long end(Scenario scenario, double total, double time, long step) {
-        return scenario.steps() >= 0
-                ? scenario.steps()
-                : step + SimulationRun.stepsFor(total - time, scenario.timeStepS());
     }
 }

@@ -196,8 +196,15 @@ public final class Simulation implements AutoCloseable {
     /** Total simulated time of the scenario, s. */
     public double durationS() {
         return settings().steps() >= 0
-                ? settings().steps() * stepper.dt()
+                ? stepTimes().lastS()
                 : settings().durationS(scene.drive().pattern());
+    }
+
+    /** When the steps of the scenario are made, with the changes made and those to come. */
+    public StepTimes stepTimes() {
+        double totalS = settings().durationS(scene.drive().pattern());
+        List<ScheduledChange> coming = scheduled.subList(nextScheduled, scheduled.size());
+        return new StepTimes(start, totalS).with(changes()).with(coming);
     }
 
     /** Period of the breathing pattern, s; infinite if it is not periodic. */
@@ -205,10 +212,7 @@ public final class Simulation implements AutoCloseable {
         return scene.drive().pattern().periodS();
     }
 
-    /**
-     * Time that covers the complete breathing pattern, s: one period, or the duration of a pattern that is not
-     * periodic.
-     */
+    /** Period of the breathing pattern, or the duration with one that is not periodic, s. */
     public double breathDurationS() {
         return Double.isInfinite(breathPeriodS()) ? durationS() : breathPeriodS();
     }
@@ -301,11 +305,10 @@ public final class Simulation implements AutoCloseable {
      */
     public boolean undoLastChange() {
         List<Assignment> back = tuning.undoAssignments();
-        if (back.isEmpty()) {
-            return false;
+        if (!back.isEmpty()) {
+            change(back);
         }
-        change(back);
-        return true;
+        return !back.isEmpty();
     }
 
     /** The initial scenario, without changes. */

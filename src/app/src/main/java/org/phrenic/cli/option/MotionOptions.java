@@ -48,7 +48,7 @@ public final class MotionOptions {
     @Option(
             names = "--times",
             paramLabel = "FILE",
-            description = "CSV with a column time_s, such as a trace or observables.csv.")
+            description = "CSV with a column time_s of simulated times, such as observables.csv.")
     private Path times;
 
     @Option(names = "--format", paramLabel = "EXT", description = "nii.gz (default), nii, nrrd or mha.")

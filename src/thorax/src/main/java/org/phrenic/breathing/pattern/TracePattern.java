@@ -28,6 +28,7 @@ public final class TracePattern implements BreathingPattern {
 
     private final BreathingTrace trace;
     private final boolean loops;
+    private final double startS;
     private final double durationS;
     private final MonotoneCubic curve;
     private final double[] onsetsS;
@@ -48,7 +49,7 @@ public final class TracePattern implements BreathingPattern {
         int[] restful = endExpirations(amplitude);
         int first = restful[0];
         int last = restful[restful.length - 1];
-        double startS = trace.timeS()[first];
+        startS = trace.timeS()[first];
         durationS = trace.timeS()[last] - startS;
         if (!(durationS > 2 * FADE_S)) {
             throw new IllegalArgumentException(trace.name() + ": " + durationS
@@ -103,19 +104,24 @@ public final class TracePattern implements BreathingPattern {
         }
     }
 
+    /** Time of the recording at its first end-expiration, where the pattern begins, s. */
+    public double startS() {
+        return startS;
+    }
+
     /** Number of breaths in one pass of the trace. */
     public int breaths() {
         return onsetsS.length - 1;
     }
 
-    /** What was read from the recording, and how it is breathed: signal, scale, number and period of breaths. */
+    /** What was read from the recording, and how it is breathed: signal, scale, number, begin and period of breaths. */
     public String description() {
         double low = trace.percentile(BreathingTrace.BASELINE_PERCENT);
         double high = trace.percentile(BreathingTrace.PEAK_PERCENT);
         int decimals = Math.max(0, SCALE_DIGITS - 1 - (int) Math.floor(StrictMath.log10(high - low)));
         String value = "%." + decimals + "f";
         String text = "%s: %s; depth 0 at " + value + ", 1 at " + value
-                + " (%.0fth and %.0fth percentile); %d %s in %.1f s, %.1f s each%s;"
+                + " (%.0fth and %.0fth percentile); %d %s in %.1f s from %.2f s of the recording on, %.1f s each%s;"
                 + " rate and inspiratory fraction are those of the recording";
         return Numbers.format(
                 text,
@@ -128,6 +134,7 @@ public final class TracePattern implements BreathingPattern {
                 breaths(),
                 breaths() == 1 ? "breath" : "breaths",
                 durationS,
+                startS,
                 durationS / breaths(),
                 loops ? ", then again from the first" : "");
     }

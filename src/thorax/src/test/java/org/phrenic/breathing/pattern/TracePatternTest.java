@@ -76,6 +76,21 @@ class TracePatternTest {
         assertThat(markers.description()).contains("first principal component of columns x, y, z", "5.0 s each");
     }
 
+    /** The lowest sample before the first breath is at 1 s. */
+    @Test
+    void whereInTheRecordingTheBreathBeginsIsSaid() throws IOException {
+        StringBuilder csv = new StringBuilder("time_s,amplitude\n");
+        for (int i = 0; i <= 90; i++) {
+            csv.append(i / 10.0)
+                    .append(',')
+                    .append(-Math.cos(Math.PI * (i - 10) / 20))
+                    .append('\n');
+        }
+        TracePattern pattern = new TracePattern(BreathingTraceReader.read(write(csv.toString())), DEPTH, true);
+        assertThat(pattern.startS()).isEqualTo(1);
+        assertThat(pattern.description()).contains("2 breaths in 8.0 s from 1.00 s of the recording on, 4.0 s each");
+    }
+
     /** Noise turns the slope many times a breath; a breath still is one inspiration and one expiration. */
     @Test
     void aNoisyTraceHasOneInspirationABreath() throws IOException {
