@@ -71,7 +71,8 @@ public final class Scenario implements SettingValues {
     }
 
     /**
-     * Copy of this scenario with other values. If a setting is assigned twice, the last value applies.
+     * Copy of this scenario with other values. If a setting is assigned twice, the last value applies. With another
+     * material, what is stated as the default of the present one becomes the default of the other.
      *
      * @throws BadInputException with one sentence that names the origin of the value and the key
      */
@@ -92,6 +93,9 @@ public final class Scenario implements SettingValues {
     private Scenario assigned(List<Assignment> assignments, boolean defaultsToo) {
         Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
         Map<Setting<?>, String> origins = new LinkedHashMap<>();
+        if (!defaultsToo) {
+            values.keySet().removeAll(MaterialDefaults.leftBy(this, assignments));
+        }
         for (Assignment assignment : assignments) {
             values.put(assignment.setting(), assignment.value());
             origins.put(assignment.setting(), assignment.origin());
@@ -131,14 +135,13 @@ public final class Scenario implements SettingValues {
     }
 
     /**
-     * Copy of this scenario with another material. Stated values are kept, except those that the material does not use.
+     * Copy of this scenario with another material. Stated values are kept, except those that the material does not use
+     * and those that are defaults of the present one alone.
      */
     public Scenario withMaterial(TissueMaterial material) {
         Map<Setting<?>, Object> values = new LinkedHashMap<>(stated);
-        values.keySet()
-                .removeAll(Materials.ofSome().stream()
-                        .filter(setting -> !material.uses(setting))
-                        .toList());
+        values.keySet().removeIf(setting -> Materials.ofSome().contains(setting) && !material.uses(setting));
+        values.keySet().removeAll(MaterialDefaults.leftBy(this, material));
         values.put(Materials.MATERIAL, material);
         return new Scenario(values);
     }

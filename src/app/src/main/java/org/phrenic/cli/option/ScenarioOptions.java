@@ -8,7 +8,11 @@ import java.util.List;
 import java.util.Set;
 import org.phrenic.file.BadInputException;
 import org.phrenic.model.material.Materials;
+import org.phrenic.model.material.Numerics;
+import org.phrenic.model.material.RigidTendon;
+import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
 import org.phrenic.simulation.SimulationRun;
@@ -19,6 +23,9 @@ import picocli.CommandLine.Parameters;
 public final class ScenarioOptions {
     /** In place of a breathing preset: the published model. */
     private static final String PAPER = "paper";
+    /** What the published model is besides its material, whatever a scenario file states. */
+    private static final List<Setting<?>> SCHEME = List.of(
+            Numerics.INTEGRATOR, Numerics.TIME_STEP, Numerics.PROJECTION_SWEEPS, Numerics.REFRESH, RigidTendon.TENDON);
 
     @Parameters(
             arity = "0..1",
@@ -107,6 +114,9 @@ public final class ScenarioOptions {
                         + ": found it with --preset paper, which sets the material, expected one of them");
             }
             OptionValues.assign(list, "--preset", "material", Materials.PUBLISHED.label());
+            for (Setting<?> setting : SCHEME) {
+                base = base.without(setting);
+            }
         } else {
             OptionValues.assign(list, "--preset", "preset", preset);
         }
@@ -119,8 +129,31 @@ public final class ScenarioOptions {
         OptionValues.assign(list, "--threads", "threads", threads);
         list.addAll(Arrays.asList(more));
         settings.forEach(text -> list.add(Assignment.parse(text)));
+        if (body) {
+            requireOneBody(list);
+        }
+        if (assigns(list, RunSettings.DURATION) && !assigns(list, RunSettings.STEPS)) {
+            // The steps of a scenario file would replace the duration that is asked for here.
+            base = base.without(RunSettings.STEPS);
+        }
         List<ScheduledChange> scheduled =
                 changes.stream().map(ScheduledChange::parse).toList();
         return scheduled.isEmpty() ? base.with(list) : base.with(list).withChanges(scheduled);
+    }
+
+    private static boolean assigns(List<Assignment> list, Setting<?> setting) {
+        return list.stream().anyMatch(assignment -> assignment.setting() == setting);
+    }
+
+    /** Refuses another body beside one that is given in place of a scenario, which is the first. */
+    private void requireOneBody(List<Assignment> list) {
+        list.stream()
+                .filter(assignment -> assignment.setting() == RunSettings.ANATOMY)
+                .skip(1)
+                .findFirst()
+                .ifPresent(other -> {
+                    throw new BadInputException(other.origin() + ": found another body than " + scenario
+                            + ", which is given in place of a scenario, expected one of them");
+                });
     }
 }

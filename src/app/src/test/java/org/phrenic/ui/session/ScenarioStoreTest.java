@@ -9,6 +9,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.document.YamlWriter;
+import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.file.BadInputException;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.material.Materials;
@@ -78,6 +80,19 @@ class ScenarioStoreTest {
                 .isEqualTo(Scenario.defaults()
                         .with("material=paper", "rib_rotation=0.5", "rate_per_min=20", "resolution=low"));
         assertThat(paper.withMaterial(Materials.PHYSICAL).timeStepS()).isEqualTo(0.00125);
+    }
+
+    /** A scenario that a run writes states every default of its material. */
+    @Test
+    void defaultsThatAreWrittenOutBecomeThoseOfAnotherMaterial() {
+        Path written = folder.resolve("written.yaml");
+        YamlWriter.write(written, Scenario.defaults().with("depth=0.8").toMap());
+        Scenario published = Scenario.read(written).withMaterial(Materials.PUBLISHED);
+        assertThat(published).isEqualTo(Scenario.defaults().with("material=published", "depth=0.8"));
+        YamlWriter.write(written, Scenario.defaults().with("integrator=rk4").toMap());
+        Scenario chosen = Scenario.read(written).withMaterial(Materials.PUBLISHED);
+        assertThat(chosen.integrator()).isEqualTo(IntegratorKind.RK4);
+        assertThat(chosen.timeStepS()).isEqualTo(0.01);
     }
 
     @Test
