@@ -18,6 +18,8 @@ final class EditedScenario {
     private final Supplier<Scenario> present;
     private final Runnable onHold;
     private Scenario requested;
+    /** The scenario that was loaded last, with its scheduled changes. */
+    private Scenario loaded;
     /** Changes made, undone or redone whose scene loads, the oldest first. */
     private final Map<UndoableEdit, Pending> loading = new LinkedHashMap<>();
     /** The values before these. */
@@ -38,6 +40,7 @@ final class EditedScenario {
      */
     EditedScenario(Scenario first, LiveRun live, EditHistory edits, Supplier<Scenario> present, Runnable onHold) {
         requested = first;
+        loaded = first;
         before = first;
         this.live = live;
         this.edits = edits;
@@ -48,6 +51,11 @@ final class EditedScenario {
     /** The values that were requested last. */
     Scenario requested() {
         return requested;
+    }
+
+    /** Whether the scenario that was loaded last schedules changes. */
+    boolean isScheduled() {
+        return !loaded.changes().isEmpty();
     }
 
     /**
@@ -79,6 +87,9 @@ final class EditedScenario {
         Scenario next = now.with(assignments);
         live.change(assignments);
         requested = next;
+        if (!assignments.stream().allMatch(a -> a.setting().isLive())) {
+            loaded = next;
+        }
         if (next.hold() != now.hold()) {
             onHold.run();
         }
@@ -94,6 +105,7 @@ final class EditedScenario {
 
     private void load(Scenario scenario) {
         requested = scenario;
+        loaded = scenario;
         live.load(scenario);
     }
 

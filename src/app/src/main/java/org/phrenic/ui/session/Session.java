@@ -137,6 +137,11 @@ public final class Session implements AutoCloseable {
         return ofUser.apply(scenario());
     }
 
+    /** Whether the scenario that was loaded schedules changes, which {@link #userScenario} leaves out. */
+    public boolean isScheduled() {
+        return edited.isScheduled();
+    }
+
     /** Sets what leaves out of a scenario what a part of the window sets for itself. */
     public void setOfUser(UnaryOperator<Scenario> withoutOwn) {
         ofUser = withoutOwn;
@@ -147,10 +152,7 @@ public final class Session implements AutoCloseable {
         change(EditName.of(label), assignments);
     }
 
-    /**
-     * Changes values by hand; quick changes of the same keys are undone together. Wrong values are reported and change
-     * nothing.
-     */
+    /** Changes values by hand; quick changes of the same keys are undone together. Wrong values are only reported. */
     public void change(EditName name, Assignment... assignments) {
         try {
             edited.change(name, List.of(assignments));

@@ -42,8 +42,11 @@ final class ScenarioTitle {
         return scenario.states(RunSettings.NAME) ? scenario.name() : "";
     }
 
-    /** Without a hold of the breath, and without the repetition of steady breaths, which a rehearsal sets itself. */
+    /**
+     * Without steps and changes, which belong to a run, a hold of the breath, and the repetition of steady breaths,
+     * which a rehearsal sets itself.
+     */
     private static Scenario lasting(Scenario scenario) {
-        return scenario.withChanges(List.of()).with("hold=false", "repeat_breath=false");
+        return scenario.withChanges(List.of()).without(RunSettings.STEPS).with("hold=false", "repeat_breath=false");
     }
 }

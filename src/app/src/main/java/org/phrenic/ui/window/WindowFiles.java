@@ -10,6 +10,7 @@ import javax.swing.SwingUtilities;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.document.YamlWriter;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.export.PngFile;
 import org.phrenic.ui.scan.ScanImporter;
@@ -23,6 +24,8 @@ import org.phrenic.ui.widget.FileDialogs;
 /** Files that the window reads and writes: chosen in dialogs, read and written off the event dispatch thread. */
 public final class WindowFiles {
     private static final int PICTURE_SCALE = 2;
+    private static final String WITHOUT_CHANGES =
+            " It has the present values; the changes that the scenario schedules are not saved.";
 
     private final JFrame frame;
     private final Session session;
@@ -92,12 +95,16 @@ public final class WindowFiles {
         return scans;
     }
 
-    /** Saves the values that are present when the file is chosen; {@code saved} gets them once they are saved. */
+    /**
+     * Saves the values that are present when the file is chosen, without steps and changes, which belong to a run;
+     * {@code saved} gets them once they are saved.
+     */
     void saveScenario(Consumer<Scenario> saved) {
         FileDialogs.save(frame, "Save scenario", session.scenario().name() + ".yaml")
                 .ifPresent(file -> {
-                    Scenario present = session.userScenario();
-                    save(file, () -> YamlWriter.write(file, present.toMap()), () -> saved.accept(present));
+                    Scenario present = session.userScenario().without(RunSettings.STEPS);
+                    String left = session.isScheduled() ? WITHOUT_CHANGES : "";
+                    save(file, left, () -> YamlWriter.write(file, present.toMap()), () -> saved.accept(present));
                 });
     }
 
@@ -127,15 +134,16 @@ public final class WindowFiles {
     }
 
     private void savePicture(Path file, BufferedImage image) {
-        save(file, () -> PngFile.write(file, image), () -> {});
+        save(file, "", () -> PngFile.write(file, image), () -> {});
     }
 
-    private void save(Path file, Runnable write, Runnable saved) {
+    /** @param left what is not saved, a sentence after a space; empty if nothing is left out */
+    private void save(Path file, String left, Runnable write, Runnable saved) {
         FileWrites.execute(
                 file.toString(),
                 Executors.callable(write),
                 done -> {
-                    session.note("Saved " + file + ".");
+                    session.note("Saved " + file + "." + left);
                     saved.run();
                 },
                 session::refuse);

@@ -3,6 +3,7 @@ package org.phrenic.ui.window;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 
 class ScenarioTitleTest {
@@ -40,6 +41,16 @@ class ScenarioTitleTest {
     void neitherAHoldNorARehearsalIsAChange() {
         title.opened(QUIET);
         assertThat(title.text(QUIET.with("hold=true", "repeat_breath=true"))).isEqualTo(plain);
+    }
+
+    /** Saved without its steps, as they belong to a run. */
+    @Test
+    void theStepsOfARunAreNoChange() {
+        Scenario run = QUIET.with("name=mine", "steps=500");
+        title.read(run);
+        assertThat(title.text(run)).isEqualTo("mine - Phrenic");
+        title.saved(run.without(RunSettings.STEPS));
+        assertThat(title.text(run)).isEqualTo("mine - Phrenic");
     }
 
     @Test

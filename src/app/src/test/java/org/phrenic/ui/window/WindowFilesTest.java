@@ -18,8 +18,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.ScheduledChange;
 import org.phrenic.ui.session.EventThread;
 import org.phrenic.ui.session.Session;
+import org.phrenic.ui.session.SessionMessage;
 import org.phrenic.ui.session.WindowPreferences;
 
 /** Files that are opened by menu or drop. */
@@ -74,6 +76,51 @@ class WindowFilesTest {
             });
             EventThread.until("the file", () -> !done.isEmpty());
             assertThat(Scenario.read(saved).get(Breathing.DEPTH)).isEqualTo(1.3);
+        } finally {
+            WindowPreferences.ofUser().setFolder(before);
+        }
+    }
+
+    @Test
+    void aScenarioIsSavedWithoutStepsAndChangesAndSaysSo() throws IOException {
+        WindowHarness.assumeDisplay();
+        Path saved = folder.resolve("saved.yaml");
+        Path before = WindowPreferences.ofUser().folder();
+        Scenario scheduled = Scenario.defaults()
+                .with("resolution=low", "threads=1", "steps=900")
+                .withChanges(List.of(ScheduledChange.parse("800:depth=0.5")));
+        try (Session session = EventThread.get(() -> new Session(scheduled))) {
+            EventThread.until("a scene", () -> session.scene().isPresent());
+            List<String> said = new ArrayList<>();
+            EventThread.run(() -> {
+                session.addListener(new Session.Listener() {
+                    @Override
+                    public void onMessage(SessionMessage message) {
+                        said.add(message.text());
+                    }
+                });
+                WindowFiles files = new WindowFiles(null, session, null, WindowPreferences.unsaved(), plan -> {}, null);
+                SwingUtilities.invokeLater(() -> files.saveScenario(done -> {}));
+            });
+            EventThread.until("the dialog", () -> chooser().isPresent());
+            EventThread.run(() -> {
+                chooser().orElseThrow().setSelectedFile(saved.toFile());
+                chooser().orElseThrow().approveSelection();
+            });
+            EventThread.until("the note", () -> !said.isEmpty());
+            assertThat(said)
+                    .singleElement()
+                    .asString()
+                    .startsWith("Saved " + saved)
+                    .contains("changes", "not saved");
+            assertThat(Scenario.read(saved).steps()).isEqualTo(-1);
+            assertThat(Scenario.read(saved).changes()).isEmpty();
+            EventThread.run(() -> {
+                session.change("Resolution", Assignment.read("test", "resolution", "medium"));
+                assertThat(session.isScheduled())
+                        .as("another scene, without them")
+                        .isFalse();
+            });
         } finally {
             WindowPreferences.ofUser().setFolder(before);
         }
