@@ -66,6 +66,8 @@ final class ReproduceCommand implements Callable<Integer> {
     private static final double WINDOW_S = 3.4;
     private static final double QUICK_WINDOW_S = 0.1;
     private static final String PICTURES = "pictures";
+    private static final String PAGE = "report.html";
+    private static final String TEXT = "report.md";
 
     @Spec
     private CommandSpec spec;
@@ -107,6 +109,9 @@ final class ReproduceCommand implements Callable<Integer> {
         Map<Integer, List<FigureImage>> figures = figures(err);
         Reproduction found = Reproduction.of(quick, progress);
         PatientResults people = patientResults(scans, new ConsoleProgress(err, "patients done"));
+        // Those of an earlier reproduction would show the new pictures.
+        AtomicFile.delete(out.resolve(PAGE));
+        AtomicFile.delete(out.resolve(TEXT));
         Map<Integer, List<Picture>> pictures = new TreeMap<>();
         figures.forEach((number, of) -> pictures.put(number, writeFigures(of)));
         Map<String, List<Picture>> segmented = new TreeMap<>();
@@ -114,10 +119,10 @@ final class ReproduceCommand implements Callable<Integer> {
         draw(people, segmented, distances);
         ReportPictures drawn = new ReportPictures(pictures, segmented, distances, noPictures);
         ReportDocument report = new ReproductionReport(found, people, drawn, made.lines()).document();
-        AtomicFile.write(out.resolve("report.md"), MarkdownPage.format(report));
-        AtomicFile.write(out.resolve("report.html"), HtmlPage.format(report));
+        AtomicFile.write(out.resolve(TEXT), MarkdownPage.format(report));
+        AtomicFile.write(out.resolve(PAGE), HtmlPage.format(report));
         PrintWriter stdout = spec.commandLine().getOut();
-        stdout.println(out.resolve("report.html"));
+        stdout.println(out.resolve(PAGE));
         stdout.println(Disclaimer.TEXT);
         stdout.flush();
         if (!unusable.isEmpty() || !found.failures().isEmpty()) {

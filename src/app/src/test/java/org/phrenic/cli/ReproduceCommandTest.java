@@ -80,6 +80,20 @@ class ReproduceCommandTest {
         }
     }
 
+    /** A folder that has a report is complete: an earlier one does not stand beside other pictures. */
+    @Test
+    void anEarlierReportGoesBeforeTheFirstPictureIsWritten() throws IOException {
+        assumeThat(quick.exitCode()).as("something here draws").isEqualTo(ExitCode.SUCCESS);
+        Path out = Files.createDirectory(folder.resolve("again"));
+        Path page = Files.writeString(out.resolve("report.html"), "of an earlier reproduction");
+        Path text = Files.writeString(out.resolve("report.md"), "of an earlier reproduction");
+        Files.writeString(out.resolve("pictures"), "a file where the folder of pictures should be");
+        CommandLineRun run = CommandLineRun.of("reproduce", "--quick", "--out", out.toString());
+        assertThat(run.exitCode()).isNotEqualTo(ExitCode.SUCCESS);
+        assertThat(page).doesNotExist();
+        assertThat(text).doesNotExist();
+    }
+
     @Test
     void nothingIsLeftOpenInAText() {
         assertThat(markdown).doesNotContain("NaN", "null", "%s", "%d", "Infinity");
