@@ -42,10 +42,10 @@ public final class RunSettings {
                             : Path.of(value).toAbsolutePath().normalize().toString());
 
     public static final NumberSetting DURATION = Setting.named("duration_s", "Duration", Effect.ASSEMBLY)
-            .describedAs("Simulated time; without it two breaths, or as long as a hold or a recording takes.")
+            .describedAs("Simulated time; without it two breaths or cycles, or as long as a hold or a recording takes.")
             .number("s", MIN_OFFERED_S, MAX_DURATION_S, values -> Double.NaN);
     public static final NumberSetting RECORD_EVERY = Setting.named("record_every_s", "Record every", Effect.ASSEMBLY)
-            .describedAs("Time between samples of the observables.")
+            .describedAs("Time between samples of the observables, rounded to whole steps.")
             .number("s", MIN_OFFERED_S, MAX_DURATION_S, values -> RECORD_EVERY_S);
     /** Interval of mesh output; 0 for no meshes. */
     public static final NumberSetting MESHES_EVERY = Setting.named("meshes_every_s", "Meshes every", Effect.ASSEMBLY)

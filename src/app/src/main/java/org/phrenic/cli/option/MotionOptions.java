@@ -39,7 +39,11 @@ public final class MotionOptions {
     @Option(names = "--regions", description = "Also write the number of the region of each voxel of the grid.")
     private boolean regions;
 
-    @Option(names = "--phases", paramLabel = "N", description = "So many times, spread evenly over a breath.")
+    @Option(
+            names = "--phases",
+            paramLabel = "N",
+            description = "So many times, spread evenly over a breath, a cycle (cheyne-stokes), a recording, or the "
+                    + "whole of a scenario with a hold.")
     private String phases;
 
     @Option(names = "--at", paramLabel = "S[,S...]", description = "Simulated times, s.")
