@@ -46,6 +46,13 @@ public final class CoughPattern extends PatternOfPeriod {
         }
     }
 
+    /** Inspiration, compression, expulsion with recovery, and rest. */
+    @Override
+    public double[] stretchesS() {
+        double compressedS = inspirationS + compressionS;
+        return new double[] {inspirationS, compressedS, compressedS + 2 * expulsionS, periodS()};
+    }
+
     @Override
     public void at(double timeS, BreathState state) {
         state.setPlace(timeS, periodS());

@@ -92,7 +92,8 @@ public final class LiveBreathing implements BreathingPattern {
         }
         double start = i == 0 ? 0 : from[i - 1];
         double startTo = i == 0 ? 0 : to[i - 1];
-        double within = (placeS - start) / (from[i] - start) * (to[i] - startTo);
+        double share = from[i] > start ? (placeS - start) / (from[i] - start) : 0;
+        double within = share * (to[i] - startTo);
         return (repeats ? rounds * next.periodS() : 0) + startTo + within;
     }
 

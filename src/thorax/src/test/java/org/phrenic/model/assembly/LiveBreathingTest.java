@@ -66,7 +66,8 @@ class LiveBreathingTest {
 
     /**
      * Half the rate: 16 breaths of a cycle take 80 s instead of 40 s, the apnoea 20 s as before. Twice the rate around
-     * a hold of 24 s: from 5.8 s on instead of 11.6 s.
+     * a hold of 24 s: from 5.8 s on instead of 11.6 s. A cough of 6 s, then of 3 s, has 0.2 s of compression and 0.8 s
+     * of expulsion and recovery, as before.
      */
     @ParameterizedTest
     @CsvSource({
@@ -81,6 +82,10 @@ class LiveBreathingTest {
         "hold-expiration, 30, 2, 1",
         "hold-expiration, 30, 20, 16",
         "hold-expiration, 30, 37, 30.5",
+        "cough, 20, 0.45, 0.225",
+        "cough, 20, 1, 0.55",
+        "cough, 20, 1.25, 0.8",
+        "cough, 20, 9.95, 5.225",
     })
     void anotherRateGoesOnAtTheSamePlaceInBreathHoldOrApnoea(String preset, int rate, double nowS, double intoS) {
         LiveBreathing breathing = breathing("preset=" + preset);
