@@ -76,6 +76,9 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
     /** Level from which on a flat face of a lung that is cut off is no dome: a vertebra below full inspiration. */
     private static final double LOWEST_DOME = 13;
 
+    /** Steps of a stated level in a vertebra. */
+    private static final double TENTHS = 10;
+
     private static final int LAST_LEVEL = StructureName.FIRST_LUMBAR + 2;
 
     /**
@@ -156,8 +159,9 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
     }
 
     private static String name(double level) {
-        boolean lumbar = level >= StructureName.FIRST_LUMBAR;
-        return Numbers.format(lumbar ? "L%.1f" : "T%.1f", lumbar ? level - StructureName.FIRST_LUMBAR + 1 : level);
+        double rounded = Math.round(TENTHS * level) / TENTHS;
+        boolean lumbar = rounded >= StructureName.FIRST_LUMBAR;
+        return Numbers.format(lumbar ? "L%.1f" : "T%.1f", lumbar ? rounded - StructureName.FIRST_LUMBAR + 1 : rounded);
     }
 
     /**
