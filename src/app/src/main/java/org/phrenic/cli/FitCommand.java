@@ -98,8 +98,8 @@ final class FitCommand extends ReportingCommand {
             paramLabel = "PART=FILE",
             description =
                     "Surface of a part at the second breath level (stl, obj, ply, vtk, vtp), or pairs of points (csv)."
-                            + " Parts: lungs, lung_R, lung_L, lung_base_R, lung_base_L, diaphragm, liver. May "
-                            + "be repeated.")
+                            + " Parts: lungs, lung_R, lung_L, lung_base_R, lung_base_L, diaphragm, liver. "
+                            + "lung_R and lung_L bring their bases, lungs (both in one) does not. May be repeated.")
     private List<String> targets = new ArrayList<>();
 
     @Option(

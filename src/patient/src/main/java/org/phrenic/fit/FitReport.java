@@ -17,13 +17,11 @@ import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.file.Numbers;
 import org.phrenic.fit.search.FitParameter;
+import org.phrenic.fit.search.SearchSpace;
 import org.phrenic.mesh.query.DistanceSummary;
 
 /** The result of a fit as tables, as a document and as JSON values. */
 public record FitReport(FitResult result) {
-    /** A parameter nearer to a bound than this is at the bound; a fraction of the range. */
-    private static final double AT_BOUND = 1e-6;
-
     /** Columns of {@link #distances}. */
     public static final List<Column> DISTANCES =
             Column.list("target | body | # mean | # SD | # RMS | # 95 % | # residual / initial");
@@ -122,20 +120,18 @@ public record FitReport(FitResult result) {
         if (!keys.isEmpty()) {
             limits.add("At a bound: " + String.join(", ", keys) + ".");
         }
+        limits.addAll(FitTarget.withoutBase(result.setup().targets()));
         result.search().failures().forEach(f -> limits.add(f.sentence()));
         return limits;
     }
 
     private List<String> boundKeys() {
-        List<String> keys = new ArrayList<>();
-        for (int i = 0; i < result.values().length; i++) {
-            FitParameter p = result.setup().parameters().get(i);
-            double u = p.toUnit(result.values()[i]);
-            if (Math.min(u, 1 - u) < AT_BOUND) {
-                keys.add(p.parameter().key());
-            }
-        }
-        return keys;
+        List<FitParameter> parameters = result.setup().parameters();
+        SearchSpace space = new SearchSpace(parameters);
+        return IntStream.range(0, parameters.size())
+                .filter(i -> space.isAtBound(result.values(), i))
+                .mapToObj(i -> parameters.get(i).parameter().key())
+                .toList();
     }
 
     /** The report as a document. */

@@ -58,7 +58,7 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
 
     /**
      * Adds the base of each lung as a target of the same weight, unless it is already present. The base is a small part
-     * of the lung surface, but only the base shows the dome of the diaphragm.
+     * of the lung surface, but only the base shows the dome of the diaphragm. Both lungs in one surface bring none.
      */
     public static List<FitTarget> withBases(List<FitTarget> targets) {
         List<FitTarget> all = new ArrayList<>();
@@ -72,6 +72,18 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
             }
         }
         return all;
+    }
+
+    /** A sentence on each surface of both lungs in one, which brings no base, unless a base is a target too. */
+    static List<String> withoutBase(List<FitTarget> targets) {
+        boolean bases = targets.stream().anyMatch(target -> target.part().isBase());
+        return targets.stream()
+                .filter(target -> !bases && target.weight() > 0)
+                .filter(target -> target.part() == FitPart.LUNGS && !target.isPointPairs())
+                .map(target -> "The target " + target.name() + " has no base of its own, which "
+                        + FitPart.LUNG_RIGHT.label() + " and " + FitPart.LUNG_LEFT.label()
+                        + " have: the domes may be millimetres wrong.")
+                .toList();
     }
 
     /** Whether the target consists of point pairs. */

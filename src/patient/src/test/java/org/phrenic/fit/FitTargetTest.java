@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.anatomy.Resolution;
@@ -66,6 +67,22 @@ class FitTargetTest {
         assertThatThrownBy(() -> read(LUNG.withPositions(p)))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("lung_R.ply: found a structure of 1.000e+30 mm, expected at most 3000 mm");
+    }
+
+    @Test
+    void aLungBringsItsBaseAndBothInOneSayThatTheyBringNone() {
+        List<FitTarget> one = FitTarget.withBases(List.of(FitTarget.of(FitPart.LUNG_RIGHT, LUNG)));
+        assertThat(one).extracting(FitTarget::part).containsExactly(FitPart.LUNG_RIGHT, FitPart.LUNG_BASE_RIGHT);
+        assertThat(FitTarget.withoutBase(one)).isEmpty();
+        FitTarget both = FitTarget.of(FitPart.LUNGS, LUNG);
+        assertThat(FitTarget.withBases(List.of(both))).containsExactly(both);
+        assertThat(FitTarget.withoutBase(List.of(both)))
+                .singleElement()
+                .asString()
+                .startsWith("The target lungs has no base of its own");
+        assertThat(FitTarget.withoutBase(List.of(both, FitTarget.of(FitPart.LUNG_BASE_LEFT, LUNG))))
+                .isEmpty();
+        assertThat(FitTarget.withoutBase(List.of(both.withWeight(0)))).isEmpty();
     }
 
     private static int count(boolean[] mask) {

@@ -21,6 +21,9 @@ public record SearchSpace(List<FitParameter> parameters) {
             TransdiaphragmaticPressure.GREATEST_PRESSURE, List.of(TransdiaphragmaticPressure.PRESSURE_LEFT_OVER_RIGHT),
             RibRotation.RIB_ROTATION, List.of(RibRotation.RIB_LEFT_OVER_RIGHT));
 
+    /** A coordinate nearer to 0 or 1 than this is at a bound. */
+    private static final double AT_BOUND = 1e-6;
+
     public SearchSpace {
         parameters = List.copyOf(parameters);
     }
@@ -85,6 +88,17 @@ public record SearchSpace(List<FitParameter> parameters) {
             shared[i] = Math.min(p.maximum(), values[i] * strongerSideOverMean(p, values));
         }
         return shared;
+    }
+
+    /**
+     * Whether a value is at a bound, or nearer than a millionth of the range. Of a drive whose sides differ the mean
+     * may be there while the value, that of the stronger side, is not.
+     */
+    public boolean isAtBound(double[] values, int parameter) {
+        FitParameter p = parameters.get(parameter);
+        double value = p.toUnit(values[parameter]);
+        double mean = p.toUnit(Math.max(p.minimum(), meanOfSides(parameter, values)));
+        return Math.min(Math.min(value, 1 - value), mean) < AT_BOUND;
     }
 
     /** The value of a parameter, of a drive the geometric mean of its sides. */
