@@ -105,7 +105,8 @@ final class MotionCommand extends ReportingCommand {
         Path times = options.timesFile();
         if (times != null
                 && scenario.trace().filter(trace -> isSame(trace, times)).isPresent()
-                && Breathing.patternOf(scenario) instanceof TracePattern trace) {
+                && Breathing.patternOf(scenario) instanceof TracePattern trace
+                && trace.startS() != 0) {
             throw new BadInputException(Numbers.format(
                     "--times %s: found the recording that is breathed, expected simulated times, of which 0 is at"
                             + " %.3f s of the recording",

@@ -170,9 +170,9 @@ class MotionCommandTest {
         CommandLineRun late = motion(with(changed, "--steps", "18", "--at", "0.0413"));
         assertThat(late.exitCode()).isEqualTo(2);
         assertThat(late.err()).contains("--at: found 0.0413 s, expected 0 to 0.04 s");
-        CommandLineRun run = motion(with(changed, "--duration", "0.04", "--at", "0,0.03,0.0325", "--json"));
+        CommandLineRun run = motion(with(changed, "--duration", "0.04", "--at", "0,0.0225,0.0245,0.0325", "--json"));
         assertThat(run.exitCode()).as(run.err()).isZero();
-        assertThat(run.out()).contains("\"time_s\": 0.03,", "\"time_s\": 0.0325,");
+        assertThat(run.out()).contains("\"time_s\": 0.0225,", "\"time_s\": 0.025,", "\"time_s\": 0.0325,");
     }
 
     private static String[] with(List<String> arguments, String... more) {

@@ -21,7 +21,7 @@ import java.util.zip.ZipFile;
 public final class ProgramBuild {
     private static final String PROGRAM = "org/phrenic/";
     /** Packages that compute no result of a run, and that are not in all packages of the program. */
-    private static final Set<String> OTHERS = Set.of("cli", "cluster", "fit", "patient", "scene", "ui");
+    private static final Set<String> OTHERS = Set.of("cli", "cluster", "fit", "scene", "ui");
 
     private static final int DIGITS = 12;
 

@@ -127,8 +127,8 @@ public final class InspiratoryHold implements AutoCloseable {
                 simulation.step();
             }
             return "";
-        } catch (DivergenceException | IllegalArgumentException unstable) {
-            // The latter is thrown if no substep makes the time step stable.
+        } catch (DivergenceException | IllegalArgumentException | BadInputException unstable) {
+            // No substep makes the time step stable, or the breath is impossible.
             return String.valueOf(unstable.getMessage()).replaceAll("[\",\\s]+", " ");
         }
     }

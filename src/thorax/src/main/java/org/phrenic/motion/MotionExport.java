@@ -45,6 +45,9 @@ public final class MotionExport {
 
     private static final double PACKED = 0.5;
 
+    /** Far less than a time step, far more than the rounding of a time, s. */
+    private static final double ROUNDING_S = 1e-9;
+
     private final Simulation simulation;
     private final BodyMotion motion;
     private final MotionRequest request;
@@ -196,7 +199,8 @@ public final class MotionExport {
     /** Breathes to a time and writes what belongs to it alone. */
     private void phase(double time) {
         long told = System.nanoTime();
-        while (simulation.time() < time - simulation.timeStepS() / 2) {
+        double reached = simulation.stepTimes().nearestS(time);
+        while (simulation.time() < reached - ROUNDING_S) {
             simulation.step();
             if (System.nanoTime() - told > 1_000_000_000L) {
                 told = System.nanoTime();

@@ -8,6 +8,7 @@ import java.util.Map;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.integrator.Stepper;
+import org.phrenic.file.BadInputException;
 import org.phrenic.study.stability.CaseResult.Outcome;
 
 /** Runs one stability case under one integrator and checks its bounds. */
@@ -98,7 +99,7 @@ final class CaseRun {
         StabilityScene scene;
         try {
             scene = stabilityCase.factory().create(integrator, 1, durationS);
-        } catch (IllegalArgumentException | DivergenceException unmade) {
+        } catch (IllegalArgumentException | BadInputException | DivergenceException unmade) {
             Outcome outcome = unmade instanceof DivergenceException ? Outcome.STOPPED : Outcome.REFUSED;
             return CaseResult.unmade(stabilityCase.key(), integrator, outcome, durationS, unmade.getMessage());
         }
@@ -106,7 +107,7 @@ final class CaseRun {
             CaseRun run = new CaseRun(stabilityCase, integrator, reference, scene);
             try {
                 run.advance(durationS, nodeEvaluations);
-            } catch (IllegalArgumentException refusedChange) {
+            } catch (IllegalArgumentException | BadInputException refusedChange) {
                 run.stop(refusedChange.getMessage());
             }
             run.finish(durationS);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Consumer;
+import org.phrenic.file.BadInputException;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.material.Muscle;
 import org.phrenic.model.material.RibRotation;
@@ -63,7 +64,7 @@ final class RandomSliders implements Consumer<Simulation> {
             next = now + MIN_INTERVAL_S + SPREAD_S * random.nextDouble() * random.nextDouble();
             try {
                 simulation.change(randomChanges());
-            } catch (IllegalArgumentException refused) {
+            } catch (IllegalArgumentException | BadInputException refused) {
                 // A refused change leaves the scene unchanged, as in the program.
                 return;
             }

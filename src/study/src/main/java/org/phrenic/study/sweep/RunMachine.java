@@ -8,6 +8,7 @@ import org.phrenic.access.MovingAnatomy;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.file.Hashes;
 import org.phrenic.file.ProgramBuild;
+import org.phrenic.patient.diaphragm.CageEnvelope;
 import org.phrenic.scenario.Scenario;
 
 /** Names what may change the bits of a run: version and build of the program, Java and processor. */
@@ -40,7 +41,12 @@ public final class RunMachine {
     private static String describe() {
         String version = RunMachine.class.getPackage().getImplementationVersion();
         String build = ProgramBuild.of(
-                        RunMachine.class, MovingAnatomy.class, Scenario.class, Hashes.class, ParticleSystem.class)
+                        RunMachine.class,
+                        CageEnvelope.class,
+                        MovingAnatomy.class,
+                        Scenario.class,
+                        Hashes.class,
+                        ParticleSystem.class)
                 .map(digits -> " build " + digits)
                 .orElse("");
         return "phrenic " + (version == null ? "(not packaged)" : version) + build + JAVA + Runtime.version() + ", "

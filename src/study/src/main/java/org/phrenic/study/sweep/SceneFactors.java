@@ -102,7 +102,7 @@ final class SceneFactors {
             }
         }
         person(point).ifPresent(p -> assignments.add(Assignment.of("person", RunSettings.ANATOMY, cohort.body(p))));
-        return scenario.with(assignments);
+        return scenario.stating(assignments);
     }
 
     /** The body of a point. */

@@ -4,9 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Map;
-import org.junit.jupiter.api.Test;
+import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.engine.integrator.IntegratorKind;
@@ -14,6 +15,7 @@ import org.phrenic.engine.integrator.StepPolicy;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
+import org.phrenic.file.BadInputException;
 import org.phrenic.study.stability.CaseResult.Outcome;
 
 /** A divergence that was noticed does not excuse a body that ends elsewhere, or a run that cannot go on. */
@@ -100,9 +102,14 @@ class ReturnAfterDivergenceTest {
         assertThat(new StabilityReport(study).table().get(1)).containsExactly("thrown", expected.label());
     }
 
-    @Test
-    void onlyWhatIsToldBeforeTheRunIsARefusal() {
-        IllegalArgumentException reason = new IllegalArgumentException("found 1, expected 2");
+    static Stream<RuntimeException> refusals() {
+        return Stream.of(
+                new IllegalArgumentException("found 1, expected 2"), new BadInputException("found 1, expected 2"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("refusals")
+    void onlyWhatIsToldBeforeTheRunIsARefusal(RuntimeException reason) {
         CaseResult before = run(
                 (kind, part, duration) -> {
                     throw reason;
