@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.io.VtpWriter;
 import org.phrenic.mesh.io.volume.NiftiWriter;
@@ -28,7 +29,8 @@ public final class ImportedBodies {
      */
     public static List<BodyCase> cuts(
             BodyCase source, Collection<BodyCut> cuts, Supplier<Thorax> template, Path folder) {
-        return cuts(source, cuts, new InspiredBody(source.thorax(), shares(cuts)), template, folder);
+        InspiredBody inspired = new InspiredBody(source.thorax(), Resolution.LOW.budget(), shares(cuts));
+        return cuts(source, cuts, inspired, template, folder);
     }
 
     /** The shares of inspiration at which scans show a body. */

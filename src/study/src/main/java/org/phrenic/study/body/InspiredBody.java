@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.TriangleMesh;
@@ -18,20 +19,23 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * A body at shares of its inspiration, all from one deep breath at low resolution, which is simulated when the first of
- * them is asked for. Structures of which the scene has no surface are left out. Thread-safe.
+ * A body at shares of its inspiration, all from one deep breath, which is simulated when the first of them is asked
+ * for. Structures of which the scene has no surface are left out. Thread-safe.
  */
 final class InspiredBody {
     private final Supplier<Thorax> body;
+    private final MeshBudget budget;
     private final Set<Double> shares;
     private final Map<Double, Thorax> known = new HashMap<>();
 
     /**
      * @param body loads the body at end-expiration
+     * @param budget number of vertices with which it breathes
      * @param shares shares of the descent of the domes to full inspiration that may be asked for, more than 0 to 1
      */
-    InspiredBody(Supplier<Thorax> body, Set<Double> shares) {
+    InspiredBody(Supplier<Thorax> body, MeshBudget budget, Set<Double> shares) {
         this.body = body;
+        this.budget = budget;
         this.shares = Set.copyOf(shares);
     }
 
@@ -47,8 +51,9 @@ final class InspiredBody {
 
     private Map<Double, Thorax> breathe() {
         Thorax resting = body.get();
-        try (Simulation simulation = Simulation.of(
-                Scenario.defaults().with("resolution=low", "preset=" + BreathDepth.DEEP.preset()), resting)) {
+        Scenario deep =
+                Scenario.defaults().with("mesh_vertices=" + budget.vertices(), "preset=" + BreathDepth.DEEP.preset());
+        try (Simulation simulation = Simulation.of(deep, resting)) {
             SceneSurfaces surfaces = new SceneSurfaces(simulation);
             List<Frame> descent = descent(simulation, surfaces);
             return shares.stream()

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -18,9 +18,13 @@ import org.phrenic.patient.diaphragm.SheetQuality;
 
 /** Scans of the virtual woman at inspiration; {@code phrenic bench bodies} measures more of them. */
 class InspiredBodyTest {
-    private static final Thorax WOMAN = VirtualThorax.ofPreset("adult-female", Resolution.LOW);
+    /** Coarser meshes than at low resolution: volumes and heights hardly depend on them. */
+    private static final MeshBudget COARSE = new MeshBudget(8000);
+
+    private static final Thorax WOMAN = VirtualThorax.ofPreset("adult-female", COARSE);
     private static final InspiredBody INSPIRED = new InspiredBody(
             () -> WOMAN,
+            COARSE,
             ImportedBodies.shares(List.of(BodyCut.WHOLE, BodyCut.HALF_INSPIRED, BodyCut.INSPIRED_ABDOMEN)));
 
     private static double lungMl(Thorax body) {
@@ -58,7 +62,7 @@ class InspiredBodyTest {
         BodyCase woman = new BodyCase("woman", "virtual", 1, () -> WOMAN);
         double top = WOMAN.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh().bounds()[5];
         List<BodyCut> cuts = List.of(BodyCut.INSPIRED_ABDOMEN);
-        Supplier<Thorax> template = () -> VirtualThorax.ofPreset("adult-male", Resolution.LOW);
+        Supplier<Thorax> template = () -> VirtualThorax.ofPreset("adult-male", COARSE);
         for (BodyCase scan : ImportedBodies.cuts(woman, cuts, INSPIRED, template, folder)) {
             Thorax imported = scan.thorax().get();
             assertThat(imported.structuresOf(StructureKind.DIAPHRAGM)
