@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Resolution;
 
 /**
@@ -17,6 +18,9 @@ import org.phrenic.anatomy.Resolution;
  */
 final class StabilityCases {
     private static final double DOME_REFERENCE_S = 40;
+    /** Vertices of a thorax of the short version, a third of those at low resolution. */
+    private static final MeshBudget QUICK_BUDGET = new MeshBudget(4000);
+
     static final double UNBOUNDED = Double.POSITIVE_INFINITY;
 
     static final StabilityBounds NEAR_REFERENCE =
@@ -34,14 +38,14 @@ final class StabilityCases {
     }
 
     /**
-     * @param quick whether to use the short version: coarser domes, thoraxes at low instead of medium resolution
+     * @param quick whether to use the short version: coarser domes and thoraxes
      * @param scan folder of a scanned body; without it the cases of that body are left out
      */
     static List<StabilityCase> all(boolean quick, Optional<String> scan) {
         StabilityCases domes = new StabilityCases(quick ? 5 : 10);
         domes.addDomes();
         List<StabilityCase> all = new ArrayList<>(domes.cases);
-        all.addAll(new ThoraxCases(quick ? Resolution.LOW : Resolution.MEDIUM, scan).all());
+        all.addAll(new ThoraxCases(quick ? QUICK_BUDGET : Resolution.MEDIUM.budget(), scan).all());
         return List.copyOf(all);
     }
 

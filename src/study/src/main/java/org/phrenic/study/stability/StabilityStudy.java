@@ -24,7 +24,7 @@ public record StabilityStudy(Map<String, String> cases, List<IntegratorKind> int
      * Selection and limits of a study.
      *
      * @param only keys of cases; empty for all
-     * @param quick whether to run the short version: coarser domes, thoraxes at low resolution, shorter times
+     * @param quick whether to run the short version: coarser domes and thoraxes, shorter times
      * @param scan folder of a scanned body; without it its cases are left out
      * @param nodeEvaluations budget of force evaluations times nodes per cell. A cell that needs more ends early, which
      *     its simulated time shows.

@@ -15,11 +15,11 @@ import static org.phrenic.study.stability.StabilityMeasure.SPEED_MM_S;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.DoubleFunction;
+import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.model.assembly.Breathing;
@@ -36,6 +36,9 @@ final class ThoraxCases {
     private static final double REFINEMENT_DIVISOR = 2;
 
     private static final double REFERENCE_S = 8;
+    /** Least vertices of a scanned body: on coarser meshes its nodes gain energy where the wall puts them back. */
+    private static final int LEAST_SCANNED_VERTICES = Resolution.LOW.vertices();
+
     /** Time from one throw of the ribs to the next, s; the short version has one throw, and half a second after it. */
     private static final double RIB_STEP_INTERVAL_S = 2;
 
@@ -53,19 +56,20 @@ final class ThoraxCases {
     private static final StabilityBounds RETURNING =
             StabilityBounds.BODY.with(SPEED_MM_S, 10_000).with(RETURN_MM, 1);
 
-    private final Resolution resolution;
+    private final MeshBudget budget;
     private final List<StabilityCase> cases = new ArrayList<>();
     private final Map<String, Thorax> bodies = new HashMap<>();
 
     /**
-     * @param resolution of all bodies
+     * @param budget number of vertices of all bodies, of a scanned body at least those at low resolution
      * @param scan folder of a scanned body; without it the cases of that body are left out
      */
-    ThoraxCases(Resolution resolution, Optional<String> scan) {
-        this.resolution = resolution;
+    ThoraxCases(MeshBudget budget, Optional<String> scan) {
+        this.budget = budget;
         addBreaths("thorax-man", "the virtual man", RunSettings.VIRTUAL_MAN);
         addBreaths("thorax-woman", "the virtual woman", RunSettings.VIRTUAL_WOMAN);
-        scan.ifPresent(folder -> addBreaths("thorax-scanned", "the scanned body", folder));
+        String vertices = "mesh_vertices=" + Math.max(budget.vertices(), LEAST_SCANNED_VERTICES);
+        scan.ifPresent(folder -> addBreaths("thorax-scanned", "the scanned body", folder, vertices));
         addParameters();
         addInterventions();
         addHours();
@@ -76,11 +80,11 @@ final class ThoraxCases {
     }
 
     /** Quiet and deep breaths, and quiet breaths with the paper's material. */
-    private void addBreaths(String key, String who, String anatomy) {
-        String body = "anatomy=" + anatomy;
+    private void addBreaths(String key, String who, String anatomy, String... mesh) {
+        Scenario body = scenario(mesh).with("anatomy=" + anatomy);
         breathing(key, who + ", quiet breaths", 40, 2, CONTACT, body);
-        breathing(key + "-deep", who + ", deep breaths", 40, 2, FOLDED, body, "preset=deep");
-        breathing(key + "-paper", who + ", the paper's parameters", 200, 2, FAST, body, "material=paper");
+        breathing(key + "-deep", who + ", deep breaths", 40, 2, FOLDED, body.with("preset=deep"));
+        breathing(key + "-paper", who + ", the paper's parameters", 200, 2, FAST, body.with("material=paper"));
     }
 
     private void addParameters() {
@@ -174,7 +178,11 @@ final class ThoraxCases {
 
     private void breathing(
             String key, String title, double durationS, double quickS, StabilityBounds bounds, String... settings) {
-        Scenario scenario = scenario(settings);
+        breathing(key, title, durationS, quickS, bounds, scenario(settings));
+    }
+
+    private void breathing(
+            String key, String title, double durationS, double quickS, StabilityBounds bounds, Scenario scenario) {
         double periodS = scenario.breathing().pattern().periodS();
         thorax(key, title, durationS, quickS, periodS, bounds, scenario, duration -> simulation -> {});
     }
@@ -200,7 +208,7 @@ final class ThoraxCases {
     }
 
     private Scenario scenario(String... settings) {
-        String size = "resolution=" + resolution.name().toLowerCase(Locale.ROOT);
+        String size = "mesh_vertices=" + budget.vertices();
         return Scenario.defaults().with(size, "threads=1").with(settings);
     }
 
