@@ -60,12 +60,7 @@ class RegressionTest {
     private static RegressionScene small() {
         return new RegressionScene(
                 "small",
-                List.of(
-                        "mesh_vertices=" + SMALL_VERTICES,
-                        "material=paper",
-                        "lungs=off",
-                        "sternum=off",
-                        "liver=false"),
+                List.of("mesh_vertices=" + SMALL_VERTICES, "material=paper", "lungs=off", "sternum=off", "liver=false"),
                 List.of(),
                 new double[] {SMALL_S, 2 * SMALL_S},
                 0.005,

@@ -42,7 +42,7 @@ class AccessStudyTest {
     void aTargetGoesDownInInspirationAndSomeWaysToItAreFree() {
         SweepPlan plan = SweepPlan.of(SweepStudy.parse(
                 "study.yaml",
-                "model: access\nsettings: {resolution: low, rate_per_min: 60}\n"
+                "model: access\nsettings: {mesh_vertices: 3000, rate_per_min: 60}\n"
                         + "design: {kind: list, columns: [target.from_right], points: [[0.2]]}\n"));
         RunRow row = RunRow.of(plan.model(), plan.points().get(0));
         assertThat(row.failure()).isEmpty();
@@ -65,7 +65,7 @@ class AccessStudyTest {
     void organsOfABodyInAnotherSizeStandInTheWay() {
         SweepPlan plan = SweepPlan.of(SweepStudy.parse(
                 "study.yaml",
-                "model: access\nsettings: {resolution: low, rate_per_min: 60}\n"
+                "model: access\nsettings: {mesh_vertices: 3000, rate_per_min: 60}\n"
                         + "design: {kind: list, columns: [body.scale], points: [[1.05]]}\n"));
         SweepPoint point = plan.points().get(0);
         try (Simulation simulation = ((AccessModel) plan.model()).simulation(point)) {
