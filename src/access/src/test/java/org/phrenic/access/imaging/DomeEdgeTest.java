@@ -71,7 +71,7 @@ class DomeEdgeTest {
 
     @Test
     void itFollowsTheHeightOfTheRightDomeWithinAPixel() {
-        Scenario scenario = Scenario.defaults().with("resolution=low").with("preset=quiet");
+        Scenario scenario = Scenario.defaults().with("mesh_vertices=3000", "preset=quiet");
         try (Simulation simulation = Simulation.of(scenario, SimulationRun.loadThorax(scenario))) {
             SceneSurfaces scene = new SceneSurfaces(simulation);
             double[] place = place(scene.surfaces());
