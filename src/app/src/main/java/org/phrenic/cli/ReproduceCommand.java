@@ -75,7 +75,7 @@ final class ReproduceCommand implements Callable<Integer> {
     @Option(names = "--out", required = true, paramLabel = "DIR", description = "Folder for report and pictures.")
     private Path out;
 
-    @Option(names = "--quick", description = "Low resolution, fewer breaths, small pictures: to see that it works.")
+    @Option(names = "--quick", description = "Coarse meshes, fewer breaths, small pictures: to see that it works.")
     private boolean quick;
 
     @Option(
@@ -197,7 +197,8 @@ final class ReproduceCommand implements Callable<Integer> {
         ConsoleProgress progress = new ConsoleProgress(err);
         Map<Integer, List<FigureImage>> figures = new TreeMap<>();
         Scenario breath = quick
-                ? PaperScenarios.defaultModel("quiet", Resolution.LOW).with("rate_per_min=60")
+                ? PaperScenarios.defaultModel("quiet", Resolution.LOW)
+                        .with("rate_per_min=60", PaperScenarios.QUICK_MESH)
                 : PaperScenarios.defaultModel("deep", Resolution.LOW);
         try {
             Optional<Scenario> published =

@@ -46,7 +46,7 @@ public record GroundTruth(List<FitTarget> targets, double domeRightMm, double do
     }
 
     /** Like {@link #of(SyntheticPatient, Resolution, double, long)}, with a choice of mesh and visible parts. */
-    static GroundTruth of(
+    public static GroundTruth of(
             SyntheticPatient patient, List<String> settings, List<FitPart> parts, double noiseMm, long seed) {
         return of(patient.body(settings), settings, patient.hidden(), parts, noiseMm, seed);
     }

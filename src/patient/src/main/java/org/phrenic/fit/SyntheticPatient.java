@@ -65,7 +65,7 @@ public record SyntheticPatient(
     }
 
     /** The body that settings of a scenario name, shaped. */
-    Thorax body(List<String> settings) {
+    public Thorax body(List<String> settings) {
         Thorax plain = SimulationRun.loadThorax(Scenario.defaults().with(settings.toArray(String[]::new)));
         return new Thorax(name, plain.structures().stream().map(this::shaped).toList(), plain.notes());
     }

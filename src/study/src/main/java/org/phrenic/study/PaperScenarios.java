@@ -9,6 +9,9 @@ public final class PaperScenarios {
     /** The paper's time step, s. */
     public static final double STEP_S = 0.01;
 
+    /** Setting of the mesh of a quick reproduction, a quarter of that at low resolution. */
+    public static final String QUICK_MESH = "mesh_vertices=3000";
+
     private PaperScenarios() {}
 
     /** The program's default model: membrane, pressure, muscle that shortens. */

@@ -11,6 +11,7 @@ import org.phrenic.document.report.ReportDocument;
 import org.phrenic.fit.InspiratoryHold;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
+import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.study.paper.Claim.Verdict;
 import org.phrenic.study.paper.PatientCase.DistanceChange;
 
@@ -22,7 +23,8 @@ record PatientSection(PatientResults results, ReportPictures pictures) {
         if (!results.missingNote().isEmpty()) {
             report.remark(results.missingNote());
         }
-        report.paragraph(PaperTexts.text("patients", ifReal("patients-real")));
+        report.paragraph(PaperTexts.text(
+                "patients", ifReal("patients-real"), mesh(results.cases().get(0))));
         for (PatientCase patient : results.cases()) {
             String name = patient.name();
             String levels = PaperTexts.text(patient.synthetic() ? "levels-synthetic" : "levels-real");
@@ -148,6 +150,12 @@ record PatientSection(PatientResults results, ReportPictures pictures) {
         double steps = InspiratoryHold.observedAtS(timed.get().fit().scenario())
                 / timed.get().fit().scenario().timeStepS()
                 / timed.get().fit().search().cpuPerEvaluationS();
-        return PaperTexts.claim("patient-speed", Verdict.SHOWN, grouped(steps) + " at low resolution");
+        return PaperTexts.claim("patient-speed", Verdict.SHOWN, grouped(steps) + " " + mesh(timed.get()));
+    }
+
+    /** The mesh of a fit, as in {@code at low resolution}. */
+    private static String mesh(PatientCase patient) {
+        long vertices = patient.fit().scenario().get(OrganSettings.MESH_VERTICES);
+        return vertices > 0 ? "on a mesh of " + grouped((double) vertices) + " vertices" : "at low resolution";
     }
 }

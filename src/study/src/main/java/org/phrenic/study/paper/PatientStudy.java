@@ -16,6 +16,7 @@ import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.Numbers;
 import org.phrenic.fit.Fit;
 import org.phrenic.fit.FitHalf;
+import org.phrenic.fit.FitPart;
 import org.phrenic.fit.FitProgress;
 import org.phrenic.fit.FitResult;
 import org.phrenic.fit.FitSetup;
@@ -60,10 +61,11 @@ public final class PatientStudy {
 
     private static final int THREADS = 2;
     private static final double NOISE_MM = 1;
+    private static final List<FitPart> LUNGS = List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT);
     private final boolean quick;
     private final ProgressListener progress;
 
-    /** @param quick whether to use the first patient only, without tuning */
+    /** @param quick whether to use the first patient only, without tuning, and a synthetic one on a coarse mesh */
     public PatientStudy(boolean quick, ProgressListener progress) {
         this.quick = quick;
         this.progress = progress;
@@ -136,9 +138,15 @@ public final class PatientStudy {
     public PatientCase synthetic() {
         SyntheticPatient patient = SyntheticPatient.five().get(0);
         progress.note("a synthetic patient: " + patient.name());
-        GroundTruth truth = GroundTruth.of(patient, quick ? Resolution.LOW : Resolution.MEDIUM, NOISE_MM, 1);
-        Thorax body = patient.body(Resolution.LOW);
-        Scenario base = Scenario.defaults().with("preset=deep", "anatomy=" + patient.anatomy(), "resolution=low");
+        List<String> settings = new ArrayList<>(List.of("anatomy=" + patient.anatomy(), "resolution=low"));
+        if (quick) {
+            settings.add(PaperScenarios.QUICK_MESH);
+        }
+        GroundTruth truth = quick
+                ? GroundTruth.of(patient, settings, LUNGS, NOISE_MM, 1)
+                : GroundTruth.of(patient, Resolution.MEDIUM, NOISE_MM, 1);
+        Thorax body = patient.body(settings);
+        Scenario base = Scenario.defaults().with("preset=deep").with(settings.toArray(String[]::new));
         FitResult fit = fit(
                 base,
                 FitParameter.defaults(base),

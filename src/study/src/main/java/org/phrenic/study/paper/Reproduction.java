@@ -93,6 +93,8 @@ public record Reproduction(
     private static final double TRIAL_S = 0.3;
     private static final int QUICK_TRIALS = 3;
     private static final double QUICK_TRIAL_S = 0.02;
+    private static final String[] AS_RESOLVED = {};
+    private static final String[] COARSE = {PaperScenarios.QUICK_MESH};
 
     /**
      * The breath of a run, if it was simulated. The ribs alone do not lower the domes, so deep breaths of the default
@@ -115,32 +117,42 @@ public record Reproduction(
     /**
      * Runs the reproduction.
      *
-     * @param quick whether to use low resolution and fewer breaths; takes a few seconds, and the speeds are not
-     *     accurate
+     * @param quick whether to use coarse meshes in place of low resolution, and fewer breaths; takes a few seconds, and
+     *     the speeds are not accurate
      */
     public static Reproduction of(boolean quick, ProgressListener progress) {
         List<Resolution> resolutions = quick ? List.of(Resolution.LOW) : List.of(Resolution.values());
         List<Run> runs = quick ? List.of(Run.LIGHT, Run.PUBLISHED) : List.of(Run.values());
         int trials = quick ? QUICK_TRIALS : TRIALS;
         double trialS = quick ? QUICK_TRIAL_S : TRIAL_S;
+        String[] mesh = quick ? COARSE : AS_RESOLVED;
+        List<String> scheme = new ArrayList<>(SpeedTrials.SCHEME);
+        scheme.addAll(List.of(mesh));
         int total = resolutions.size() + runs.size() + 1;
         List<SpeedTable.Row> speed = new ArrayList<>();
         Map<Resolution, Thorax> bodies = new LinkedHashMap<>();
         for (Resolution resolution : resolutions) {
-            bodies.put(resolution, SimulationRun.loadThorax(PaperScenarios.defaultModel("quiet", resolution)));
-            speed.addAll(SpeedTrials.of(resolution, bodies.get(resolution), SpeedTrials.SCHEME, trials, trialS));
+            bodies.put(
+                    resolution,
+                    SimulationRun.loadThorax(
+                            PaperScenarios.defaultModel("quiet", resolution).with(mesh)));
+            speed.addAll(SpeedTrials.of(resolution, bodies.get(resolution), scheme, trials, trialS));
             progress.done(
                     speed.size() / SpeedCase.values().length, total, "speed, " + resolution.vertices() + " vertices");
         }
         Resolution finest = resolutions.get(resolutions.size() - 1);
-        double realTime = SpeedTrials.realTimeFactor(finest, bodies.get(finest), trialS);
-        ModelCounts own = ModelCounts.of(PaperScenarios.defaultModel("quiet", finest), bodies.get(finest));
-        ModelCounts asPublished = ModelCounts.of(PaperScenarios.publishedModel("quiet", finest), bodies.get(finest));
+        Scenario published = PaperScenarios.publishedModel("quiet", finest).with(mesh);
+        double realTime =
+                SpeedTrials.realTimeFactor(published.with("preset=deep", "threads=1"), bodies.get(finest), trialS);
+        ModelCounts own =
+                ModelCounts.of(PaperScenarios.defaultModel("quiet", finest).with(mesh), bodies.get(finest));
+        ModelCounts asPublished = ModelCounts.of(published, bodies.get(finest));
         progress.done(resolutions.size() + 1, total, "size of the model");
         Resolution breathing = quick ? Resolution.LOW : Resolution.MEDIUM;
         List<BatchRunner.Job<PaperBreath>> jobs = runs.stream()
                 .map(run -> new BatchRunner.Job<>(
-                        run.label(), () -> PaperBreath.of(run.scenario(breathing), bodies.get(breathing))))
+                        run.label(),
+                        () -> PaperBreath.of(run.scenario(breathing).with(mesh), bodies.get(breathing))))
                 .toList();
         Attempts<PaperBreath> breaths =
                 Attempts.of(jobs, THREADS, (count, of, what) -> progress.done(total - of + count, total, what));

@@ -130,12 +130,14 @@ public record ReproductionReport(
 
     private void addProvenance(ReportDocument report) {
         Resolution measured = reproduction.breathResolution();
-        String resolution = ReportNumbers.label(measured);
+        String meshed =
+                reproduction.quick() ? "on a coarse mesh" : "at " + ReportNumbers.label(measured) + " resolution";
+        String drawn = reproduction.quick() ? "on that mesh" : "at low resolution";
         String vertices = ReportNumbers.grouped(
                 reproduction.speed().row(measured, SpeedCase.HETEROGENEOUS).vertices());
         report.section("How this was made");
         report.points(provenance.toArray(String[]::new));
         report.paragraph(
-                PaperTexts.text("breaths", resolution, vertices) + " Speeds are of this machine at this moment.");
+                PaperTexts.text("breaths", meshed, vertices, drawn) + " Speeds are of this machine at this moment.");
     }
 }

@@ -61,10 +61,12 @@ public final class SpeedTrials {
         }
     }
 
-    /** Simulated time over processor time of the published model on one thread, with its scheme and time step. */
-    public static double realTimeFactor(Resolution resolution, Thorax thorax, double trialS) {
-        try (Simulation scene =
-                Simulation.of(PaperScenarios.publishedModel("deep", resolution).with("threads=1"), thorax)) {
+    /**
+     * Simulated time over processor time of a scenario, such as the published model with its scheme and time step on
+     * one thread.
+     */
+    public static double realTimeFactor(Scenario scenario, Thorax thorax, double trialS) {
+        try (Simulation scene = Simulation.of(scenario, thorax)) {
             StepTimer timer = timer(scene);
             timer.rateOver(trialS);
             return timer.rateOver(trialS) * scene.stepper().dt();
