@@ -13,7 +13,7 @@ import org.phrenic.document.OrderedValues;
  * @param breath number of the breath, starting at 1
  * @param position position in the breath, in [0, 1)
  * @param phase phase of the breath
- * @param depthMm depth of the tip below the skin, along the needle
+ * @param depthMm depth of the tip, or of the core that is thrown, below the skin, along the needle
  */
 public record AttemptEvent(
         Kind kind,

@@ -20,6 +20,8 @@ final class EditedScenario {
     private Scenario requested;
     /** The scenario that was loaded last, with its scheduled changes. */
     private Scenario loaded;
+    /** That of the scene that runs. */
+    private Scenario running;
     /** Changes made, undone or redone whose scene loads, the oldest first. */
     private final Map<UndoableEdit, Pending> loading = new LinkedHashMap<>();
     /** The values before these. */
@@ -41,6 +43,7 @@ final class EditedScenario {
     EditedScenario(Scenario first, LiveRun live, EditHistory edits, Supplier<Scenario> present, Runnable onHold) {
         requested = first;
         loaded = first;
+        running = first;
         before = first;
         this.live = live;
         this.edits = edits;
@@ -125,6 +128,7 @@ final class EditedScenario {
         boolean waits = loading.remove(edit) != null;
         if (waits && loading.isEmpty() && live.cancelLoading()) {
             requested = before;
+            loaded = running;
             return;
         }
         Scenario previous = present.get();
@@ -138,6 +142,7 @@ final class EditedScenario {
     void endLoading(long sceneId) {
         if (loading.values().removeIf(change -> change.sceneId <= sceneId)) {
             edits.endMerging();
+            running = loading.isEmpty() ? loaded : running;
             before =
                     loading.values().stream().findFirst().map(Pending::previous).orElse(before);
         }
@@ -149,5 +154,6 @@ final class EditedScenario {
         Collections.reverse(latestFirst);
         loading.clear();
         latestFirst.forEach(change -> change.takeBack.run());
+        loaded = running;
     }
 }

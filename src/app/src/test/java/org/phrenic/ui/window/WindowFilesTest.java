@@ -120,6 +120,8 @@ class WindowFilesTest {
                 assertThat(session.isScheduled())
                         .as("another scene, without them")
                         .isFalse();
+                session.edits().undo();
+                assertThat(session.isScheduled()).as("the scene that runs").isTrue();
             });
         } finally {
             WindowPreferences.ofUser().setFolder(before);
