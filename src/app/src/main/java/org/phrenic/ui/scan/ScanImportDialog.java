@@ -5,6 +5,7 @@ import java.awt.Window;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -23,6 +24,8 @@ import net.miginfocom.swing.MigLayout;
 import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.ExistingPath;
+import org.phrenic.file.FileNames;
+import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.patient.label.GeometryOverride;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.ui.widget.Controls;
@@ -96,6 +99,28 @@ final class ScanImportDialog {
                 .isPresent();
     }
 
+    /**
+     * What of a folder an import writes over, in words: a body, also one of meshes alone, and a table of labels.
+     *
+     * @param withTable whether the import writes its table of labels
+     */
+    static List<String> replaced(Path folder, boolean withTable) {
+        String[] listed = folder.toFile().list();
+        // Of a folder that cannot be listed what is looked for by name is still found.
+        boolean hasMesh = listed != null
+                && Stream.of(listed)
+                        .map(folder::resolve)
+                        .anyMatch(at -> MeshFiles.isMesh(at) && !FileNames.isHidden(at));
+        List<String> replaced = new ArrayList<>();
+        if (hasMesh || Files.exists(folder.resolve(ThoraxFolder.INDEX_FILE))) {
+            replaced.add("the body");
+        }
+        if (withTable && Files.exists(folder.resolve(ScanImporter.LABELS_FILE))) {
+            replaced.add(ScanImporter.LABELS_FILE);
+        }
+        return replaced;
+    }
+
     /** A folder that does not exist, beside the scan, or in the home folder where nothing can be written beside it. */
     static Path proposedFolder(Path file) {
         Path place = file.toAbsolutePath();
@@ -130,6 +155,11 @@ final class ScanImportDialog {
         dialog.setVisible(true);
     }
 
+    /** Begins the import; its text names what the import replaces. */
+    JButton start() {
+        return start;
+    }
+
     JPanel content() {
         JPanel content =
                 new JPanel(new MigLayout("insets 14, gap 8, fill", "[][grow, fill][]", "[][][grow, fill][][][][][]"));
@@ -153,7 +183,7 @@ final class ScanImportDialog {
         content.add(folder, "wmin 0");
         content.add(
                 Controls.button("Choose...", "Choose the folder that the body is written to", () -> FileDialogs.folder(
-                                content, "Thorax folder")
+                                content, "Thorax folder", "", List.of())
                         .ifPresent(chosen -> folder.setText(chosen.toString()))),
                 "wrap");
         refused.setForeground(Theme.WARNING_TEXT);
@@ -213,10 +243,10 @@ final class ScanImportDialog {
                 .findFirst();
         refused.setText(first.orElse(" "));
         refused.setToolTipText(first.orElse(null));
-        boolean replaces = folder(folder.getText())
-                .filter(to -> Files.exists(to.resolve(ThoraxFolder.INDEX_FILE)))
-                .isPresent();
-        start.setText(replaces ? "Import and replace the body" : "Import");
+        String replaced = folder(folder.getText())
+                .map(to -> String.join(" and ", replaced(to, labels.isEdited())))
+                .orElse("");
+        start.setText(replaced.isEmpty() ? "Import" : "Import and replace " + replaced);
         start.setEnabled(labels.recognised() > 0 && labels.unknown().isEmpty() && first.isEmpty());
     }
 

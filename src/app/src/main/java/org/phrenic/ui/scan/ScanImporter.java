@@ -39,7 +39,8 @@ public final class ScanImporter {
         boolean isAttemptUnderWay();
     }
 
-    private static final String LABELS_FILE = "labels.csv";
+    /** The table of labels in the thorax folder, if it was edited. */
+    static final String LABELS_FILE = "labels.csv";
 
     private final Window owner;
     private final Session session;

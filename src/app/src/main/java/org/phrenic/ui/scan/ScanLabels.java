@@ -143,6 +143,11 @@ final class ScanLabels extends AbstractTableModel {
         fireTableDataChanged();
     }
 
+    /** Whether the guess was changed, so that the import writes the table. */
+    boolean isEdited() {
+        return edited;
+    }
+
     /** Writes the table to a file if the guess was changed; empty if the import can guess it again. */
     Optional<Path> writeIfEdited(Path file) {
         if (!edited) {

@@ -47,13 +47,8 @@ public final class FileDialogs {
         return chosen(parent, chooser);
     }
 
-    /** A folder to write a report into; a report that is in it is confirmed. */
-    public static Optional<Path> folder(Component parent, String title) {
-        return folder(parent, title, "", List.of("report.json"));
-    }
-
     /**
-     * A folder to write a report into; one in the last folder is proposed, by this name unless it is empty.
+     * A folder to write into; one in the last folder is proposed, by this name unless it is empty.
      *
      * @param files names of files that are written, each of which is confirmed if it is there already
      */

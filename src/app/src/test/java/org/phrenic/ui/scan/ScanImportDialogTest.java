@@ -5,9 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.swing.JButton;
+import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -16,6 +19,8 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.patient.ScanSamples;
 import org.phrenic.ui.session.EventThread;
+import org.phrenic.ui.session.WindowPreferences;
+import org.phrenic.ui.window.ShownDialogs;
 import org.phrenic.ui.window.WindowHarness;
 
 class ScanImportDialogTest {
@@ -58,6 +63,75 @@ class ScanImportDialogTest {
             requireRefusal(content, "Voxel, mm", "2", "three sizes in mm, such as 1.75, 1.75, 1.25");
             requireRefusal(content, "Thorax folder", scan + "/body", "a folder that can be written");
         });
+    }
+
+    /** A body may be meshes alone, and a table of labels lies where a scan does. */
+    @Test
+    void whatAnImportWritesOverIsNamed(@TempDir Path folder) throws IOException {
+        assertThat(ScanImportDialog.replaced(folder.resolve("new"), true)).isEmpty();
+        Files.createFile(folder.resolve("scan.nii.gz"));
+        Files.createFile(folder.resolve("labels.csv"));
+        assertThat(ScanImportDialog.replaced(folder, false)).isEmpty();
+        assertThat(ScanImportDialog.replaced(folder, true)).containsExactly("labels.csv");
+        Path mesh = Files.createFile(folder.resolve("liver.VTP"));
+        assertThat(ScanImportDialog.replaced(folder, true)).containsExactly("the body", "labels.csv");
+        Files.delete(mesh);
+        Files.createFile(folder.resolve("thorax.yaml"));
+        assertThat(ScanImportDialog.replaced(folder, false)).containsExactly("the body");
+    }
+
+    /** The table is written only if it was edited, which the button tells before it is pressed. */
+    @Test
+    void theButtonNamesWhatIsReplaced(@TempDir Path folder) throws IOException {
+        Path scan = folder.resolve("scan.mha");
+        ScanSamples.writeMha(scan);
+        Path body = Files.createDirectory(folder.resolve("mueller"));
+        Files.createFile(body.resolve("rib_05_R.vtp"));
+        Files.createFile(body.resolve("labels.csv"));
+        ScanLabels labels = ScanLabels.read(scan, VirtualThorax.ofPreset("adult-male", Resolution.LOW));
+        EventThread.run(() -> {
+            ScanImportDialog dialog = new ScanImportDialog(scan, labels);
+            assertThat(dialog.start().getText()).isEqualTo("Import");
+            WindowHarness.find(dialog.content(), JTextField.class, "Thorax folder")
+                    .orElseThrow()
+                    .setText(body.toString());
+            assertThat(dialog.start().getText()).isEqualTo("Import and replace the body");
+            labels.setValueAt("liver", 0, ScanLabels.STRUCTURE_COLUMN);
+            assertThat(dialog.start().getText()).isEqualTo("Import and replace the body and labels.csv");
+        });
+    }
+
+    /** A report in the chosen folder stays as it is: it is no file of an import. */
+    @Test
+    void aFolderWithAReportIsChosenWithoutAQuestion(@TempDir Path folder) throws IOException {
+        WindowHarness.assumeDisplay();
+        Path scan = folder.resolve("scan.mha");
+        ScanSamples.writeMha(scan);
+        Path chosen = Files.createDirectory(folder.resolve("chosen"));
+        Files.createFile(chosen.resolve("report.json"));
+        ScanLabels labels = ScanLabels.read(scan, VirtualThorax.ofPreset("adult-male", Resolution.LOW));
+        Path before = WindowPreferences.ofUser().folder();
+        JPanel content = EventThread.get(() -> new ScanImportDialog(scan, labels).content());
+        JTextField field =
+                WindowHarness.find(content, JTextField.class, "Thorax folder").orElseThrow();
+        JButton choose = WindowHarness.find(content, JButton.class, "Choose").orElseThrow();
+        try {
+            EventThread.run(() -> SwingUtilities.invokeLater(choose::doClick));
+            EventThread.until("the dialog", () -> ShownDialogs.chooser().isPresent());
+            EventThread.run(() -> {
+                JFileChooser chooser = ShownDialogs.chooser().orElseThrow();
+                chooser.setSelectedFile(chosen.toFile());
+                chooser.approveSelection();
+            });
+            EventThread.until(
+                    "the folder or a question",
+                    () -> field.getText().equals(chosen.toString())
+                            || ShownDialogs.question().isPresent());
+            assertThat(EventThread.get(ShownDialogs::question)).isEmpty();
+        } finally {
+            EventThread.run(ShownDialogs::close);
+            WindowPreferences.ofUser().setFolder(before);
+        }
     }
 
     private static void requireRefusal(JPanel content, String name, String text, String expected) {

@@ -2,16 +2,11 @@ package org.phrenic.ui.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.Window;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import java.util.stream.Stream;
-import javax.swing.JDialog;
-import javax.swing.JFileChooser;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -68,11 +63,11 @@ class WindowFilesTest {
                 WindowFiles files = new WindowFiles(null, session, null, WindowPreferences.unsaved(), plan -> {}, null);
                 SwingUtilities.invokeLater(() -> files.saveScenario(done::add));
             });
-            EventThread.until("the dialog", () -> chooser().isPresent());
+            EventThread.until("the dialog", () -> ShownDialogs.chooser().isPresent());
             EventThread.run(() -> {
                 session.change("Depth", Assignment.read("test", "depth", "1.3"));
-                chooser().orElseThrow().setSelectedFile(saved.toFile());
-                chooser().orElseThrow().approveSelection();
+                ShownDialogs.chooser().orElseThrow().setSelectedFile(saved.toFile());
+                ShownDialogs.chooser().orElseThrow().approveSelection();
             });
             EventThread.until("the file", () -> !done.isEmpty());
             assertThat(Scenario.read(saved).get(Breathing.DEPTH)).isEqualTo(1.3);
@@ -102,10 +97,10 @@ class WindowFilesTest {
                 WindowFiles files = new WindowFiles(null, session, null, WindowPreferences.unsaved(), plan -> {}, null);
                 SwingUtilities.invokeLater(() -> files.saveScenario(done -> {}));
             });
-            EventThread.until("the dialog", () -> chooser().isPresent());
+            EventThread.until("the dialog", () -> ShownDialogs.chooser().isPresent());
             EventThread.run(() -> {
-                chooser().orElseThrow().setSelectedFile(saved.toFile());
-                chooser().orElseThrow().approveSelection();
+                ShownDialogs.chooser().orElseThrow().setSelectedFile(saved.toFile());
+                ShownDialogs.chooser().orElseThrow().approveSelection();
             });
             EventThread.until("the note", () -> !said.isEmpty());
             assertThat(said)
@@ -126,14 +121,5 @@ class WindowFilesTest {
         } finally {
             WindowPreferences.ofUser().setFolder(before);
         }
-    }
-
-    private static Optional<JFileChooser> chooser() {
-        return Stream.of(Window.getWindows())
-                .filter(window -> window.isShowing() && window instanceof JDialog)
-                .flatMap(window -> Stream.of(((JDialog) window).getContentPane().getComponents()))
-                .filter(JFileChooser.class::isInstance)
-                .map(JFileChooser.class::cast)
-                .findFirst();
     }
 }
