@@ -105,6 +105,9 @@ public final class FluoroscopyDock extends AccessPanel {
     private static final class View extends PaintedComponent {
         private static final Color TARGET = new Color(0xf2e05a);
         private static final Color TEXT = new Color(0xd5dade);
+        /** A radiograph is dark in a light window too. */
+        private static final Color BEHIND = Color.BLACK;
+
         private static final int MARGIN = 8;
 
         private transient Optional<FluoroscopyShot> shot = Optional.empty();
@@ -125,14 +128,15 @@ public final class FluoroscopyDock extends AccessPanel {
             int width = (int) Math.round(scale * arm.columns());
             int middle = (int) Math.round(scale * arm.rows() / 2);
             FontMetrics metrics = g.getFontMetrics();
-            SectionView.paintText(g, PatientOrientation.opposite(right), begin + MARGIN, middle);
-            SectionView.paintText(g, right, begin + width - MARGIN - metrics.stringWidth(right), middle);
-            SectionView.paintText(g, top, begin + (width - metrics.stringWidth(top)) / 2, MARGIN + metrics.getAscent());
+            SectionView.paintText(g, BEHIND, PatientOrientation.opposite(right), begin + MARGIN, middle);
+            SectionView.paintText(g, BEHIND, right, begin + width - MARGIN - metrics.stringWidth(right), middle);
+            SectionView.paintText(
+                    g, BEHIND, top, begin + (width - metrics.stringWidth(top)) / 2, MARGIN + metrics.getAscent());
         }
 
         @Override
         protected void paintContent(Graphics2D g) {
-            g.setColor(Color.BLACK);
+            g.setColor(BEHIND);
             g.fillRect(0, 0, getWidth(), getHeight());
             g.setColor(TEXT);
             if (shot.isEmpty()) {

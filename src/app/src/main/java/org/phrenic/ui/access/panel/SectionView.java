@@ -27,6 +27,9 @@ public final class SectionView extends JPanel {
     private static final int MARGIN = 8;
     private static final double CROSS_ARM_MM = 6;
     private static final double NEEDLE_BEYOND_SKIN = 60;
+    /** Opacity of the halo of letters, of 255. */
+    private static final int HALO_ALPHA = 170;
+
     private static final Color TARGET = new Color(0xf2c500);
     private static final Color NEEDLE = Theme.colour(0x1f4e79, 0x9cc9f2);
     private static final Color BACKGROUND = Theme.colour(0xf2f5f7, 0x1d2226);
@@ -192,9 +195,14 @@ public final class SectionView extends JPanel {
     }
 
     /** Text with a halo of the background. */
-    static void paintText(Graphics2D g, String words, int x, int y) {
+    private static void paintText(Graphics2D g, String words, int x, int y) {
+        paintText(g, BACKGROUND, words, x, y);
+    }
+
+    /** Text with a halo of the colour that lies behind it, or of another one that it can be read on. */
+    static void paintText(Graphics2D g, Color behind, String words, int x, int y) {
         Color ink = g.getColor();
-        g.setColor(Theme.withAlpha(BACKGROUND, 170));
+        g.setColor(Theme.withAlpha(behind, HALO_ALPHA));
         Shape outline =
                 g.getFont().createGlyphVector(g.getFontRenderContext(), words).getOutline(x, y);
         g.setStroke(new BasicStroke(3f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
