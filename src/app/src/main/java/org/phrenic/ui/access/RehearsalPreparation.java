@@ -11,6 +11,7 @@ import org.phrenic.access.CycleRecorder;
 import org.phrenic.access.ScannedLesion;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.path.TargetAccess;
+import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
@@ -30,6 +31,11 @@ final class RehearsalPreparation {
     private static final double DEPTH_BELOW_SURFACE_MM = 35;
     private static final double DEFAULT_DIAMETER_MM = 20;
     private static final long SEED = 1;
+    /** No scene has this number. */
+    private static final long NO_SCENE = -1;
+
+    /** What is rehearsed; an exercise has its own target. */
+    private record Rehearsed(Optional<RehearsalPlan> exercise, Aids aids, Optional<TargetLesion> target) {}
 
     private final Session session;
     private final BackgroundWorker worker;
@@ -37,6 +43,12 @@ final class RehearsalPreparation {
     private Scenario recorded = Scenario.defaults();
     private boolean setsRepetition;
     private List<BreathMoment> cycle = List.of();
+    private long sceneId = NO_SCENE;
+    /** What is rehearsed again if the scene of another exercise does not come; empty while none is waited for. */
+    private Optional<Rehearsed> former = Optional.empty();
+    /** The target that comes again with a scene that stays. */
+    private Optional<TargetLesion> keptTarget = Optional.empty();
+
     private double diameterMm = DEFAULT_DIAMETER_MM;
 
     RehearsalPreparation(Session session, BackgroundWorker worker, RehearsalController rehearsal) {
@@ -58,11 +70,20 @@ final class RehearsalPreparation {
         session.restoreSpeed();
     }
 
+    /** Begins on a scene; on one that stays, since no other has come, with what was rehearsed on it before. */
     void setBody(LiveScene scene) {
         enter(RehearsalStage.LOADING);
         rehearsal.body = Optional.empty();
         cycle = List.of();
+        Rehearsed before = former.orElseGet(this::rehearsed);
         clearTarget();
+        if (scene.id() == sceneId) {
+            rehearsal.exercise = before.exercise();
+            rehearsal.setAids(before.aids());
+            keptTarget = before.target();
+        }
+        former = Optional.empty();
+        sceneId = scene.id();
         rehearsal.fireState();
         worker.run(
                 () -> RehearsalBody.of(scene),
@@ -73,9 +94,16 @@ final class RehearsalPreparation {
                 this::onFailure);
     }
 
+    private Rehearsed rehearsed() {
+        Optional<TargetLesion> target =
+                rehearsal.study.map(TargetAccess::target).or(() -> keptTarget);
+        return new Rehearsed(rehearsal.exercise, rehearsal.pictures().aids(), target);
+    }
+
     /** Forgets the target, its access map and the entry, and takes the map off the skin. */
     private void clearTarget() {
         rehearsal.study = Optional.empty();
+        keptTarget = Optional.empty();
         rehearsal.colours = Optional.empty();
         rehearsal.entrySelection().clear();
         rehearsal.showBody();
@@ -171,7 +199,7 @@ final class RehearsalPreparation {
     private void computeMap() {
         RehearsalBody body = rehearsal.body.orElseThrow();
         Optional<RehearsalPlan> exercise = rehearsal.exercise;
-        Optional<TargetLesion> present = rehearsal.study.map(TargetAccess::target);
+        Optional<TargetLesion> present = rehearsed().target();
         double size = diameterMm;
         computeMap(() -> exercise.isPresent()
                 ? exercise.get().target(body.planningScene())
@@ -218,6 +246,7 @@ final class RehearsalPreparation {
     void startPractice() {
         if (rehearsal.exercise.isPresent()) {
             rehearsal.exercise = Optional.empty();
+            former = Optional.empty();
             clearTarget();
             if (rehearsal.stage != RehearsalStage.LOADING && !cycle.isEmpty()) {
                 computeMap();
@@ -226,6 +255,8 @@ final class RehearsalPreparation {
     }
 
     void open(RehearsalPlan exercise) {
+        Rehearsed before = former.orElseGet(this::rehearsed);
+        former = Optional.empty();
         rehearsal.exercise = Optional.of(exercise);
         rehearsal.pictures().setAids(exercise.aids());
         clearTarget();
@@ -233,6 +264,7 @@ final class RehearsalPreparation {
         if (loaded && breatheAlike(session.scenario(), exercise.scenario())) {
             recordBreath();
         } else {
+            former = Optional.of(before);
             awaitBody();
             session.open(EditName.of("Exercise " + exercise.title()), exercise.scenario());
         }

@@ -14,6 +14,8 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.access.ScannedLesion;
+import org.phrenic.access.TargetLesion;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.NeedleState;
@@ -186,6 +188,58 @@ class RehearsalExerciseTest {
         WindowHarness.doOnEdt(() -> rehearsal().setAids(Aids.SEE_THROUGH));
         assertThat(first.plan().aids()).isEqualTo(Aids.SEE_THROUGH);
         assertThat(second.plan().aids()).isEqualTo(Aids.PICTURES);
+    }
+
+    /** Another exercise may be chosen by mistake, and its body may take long to load. */
+    @Test
+    void whatIsRehearsedGoesOnWhenTheSceneOfAnotherExerciseIsCancelled() throws Exception {
+        Path other = Files.writeString(
+                folder.resolve("other.yaml"),
+                PLAN.replace("mesh_vertices: 2000", "mesh_vertices: 2100").replace("[%s]", "[-90, 0, 50]")
+                        + "aids: pictures\n");
+        openPlan("Kept", "steps: []\n");
+        requireKept(RehearsalPlan.read(other), "Kept");
+        WindowHarness.doOnEdt(() -> rehearsal().startPractice());
+        clinic.until("practice", () -> rehearsal().plan().orElseThrow().title().equals("Practice"));
+        clinic.ready();
+        double[] own = WindowHarness.onEdt(
+                () -> rehearsal().study().orElseThrow().target().restMm());
+        own[0] += 7;
+        WindowHarness.doOnEdt(() -> rehearsal().setTarget(new ScannedLesion("own", "own", new TargetLesion(own, 20))));
+        clinic.until("a target of one's own", () -> targetIs(own));
+        clinic.ready();
+        requireKept(RehearsalPlan.read(other), "Practice");
+        assertThat(targetIs(own)).isTrue();
+    }
+
+    private static boolean targetIs(double... rest) {
+        return rehearsal()
+                .study()
+                .filter(study -> Arrays.equals(study.target().restMm(), rest))
+                .isPresent();
+    }
+
+    /** Opens an exercise, cancels its scene, and requires that what was rehearsed is rehearsed. */
+    private static void requireKept(RehearsalPlan other, String title) throws InterruptedException {
+        Session session = clinic.window().session();
+        Session.Listener cancelling = new Session.Listener() {
+            @Override
+            public void onLoading(String what, double share) {
+                session.cancelLoading();
+            }
+        };
+        String before = WindowHarness.onEdt(RehearsalExerciseTest::target);
+        WindowHarness.doOnEdt(() -> {
+            session.addListener(cancelling);
+            rehearsal().open(other);
+        });
+        assertThat(rehearsal().pictures().aids()).isEqualTo(Aids.PICTURES);
+        clinic.until("the present scene again", () -> rehearsal().pictures().aids() == Aids.SEE_THROUGH);
+        WindowHarness.doOnEdt(() -> session.removeListener(cancelling));
+        clinic.ready();
+        assertThat(WindowHarness.onEdt(() -> rehearsal().plan().orElseThrow().title()))
+                .isEqualTo(title);
+        assertThat(WindowHarness.onEdt(RehearsalExerciseTest::target)).isEqualTo(before);
     }
 
     @Test
