@@ -49,6 +49,7 @@ final class RehearseCommand extends ReportingCommand {
     private Path planFile;
 
     private static final String REPORT = "report.json";
+    private static final String PAGE = "report.html";
 
     @Option(names = "--out", paramLabel = "DIR", required = true, description = "Folder for the report.")
     private Path out;
@@ -65,6 +66,8 @@ final class RehearseCommand extends ReportingCommand {
         progress.end();
         RehearsalReport report = new RehearsalReport(rehearsal);
         Map<String, Object> values = report.values();
+        // Those of an earlier attempt would describe other pictures.
+        AtomicFile.delete(out.resolve(PAGE));
         AtomicFile.delete(out.resolve(REPORT));
         List<Picture> needle = new ArrayList<>();
         List<Picture> map = new ArrayList<>();
@@ -73,7 +76,7 @@ final class RehearseCommand extends ReportingCommand {
         }
         report.images().forEach(image -> UltrasoundPicture.write(out.resolve(image.file()), image.image()));
         String html = HtmlPage.format(report.document(needle, map, RehearsalReport.dateNow()));
-        AtomicFile.write(out.resolve("report.html"), html);
+        AtomicFile.write(out.resolve(PAGE), html);
         JsonWriter.write(out.resolve(REPORT), values);
         print(values, () -> text(rehearsal));
         return rehearsal.goalsReached() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;

@@ -68,6 +68,17 @@ class RehearseCommandTest {
                 .containsPattern("Date: 20[0-9-]{8} [0-9:]{5}");
     }
 
+    /** Its page shows the pictures by their names alone, whosever they are. */
+    @Test
+    void aReportThatFailsOnTheWayLeavesNoPageOfAnEarlierAttempt() throws IOException {
+        Files.createDirectories(folder.resolve("again/ultrasound_0001.png/in the way"));
+        Path page = Files.writeString(folder.resolve("again/report.html"), "Hit");
+        CommandLineRun run = rehearse("again", BODY + TARGET + STEPS);
+        assertThat(run.exitCode()).isNotZero();
+        assertThat(run.err()).contains("ultrasound_0001.png");
+        assertThat(page).doesNotExist();
+    }
+
     @Test
     void anEntryOnTheCutEndOfTheBodyIsRefusedWithOneSentence() throws IOException {
         String steps = STEPS.replace("entry: best-at-end-expiration", "entry: [-60, 0, -135]");

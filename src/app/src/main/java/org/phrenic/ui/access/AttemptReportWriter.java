@@ -3,9 +3,9 @@ package org.phrenic.ui.access;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
-import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -27,47 +27,45 @@ import org.phrenic.ui.view.SceneViewport;
  * Writes the report of an attempt: the files of {@code phrenic rehearse}, and the plan that repeats the attempt.
  *
  * @param pictureSize width and height of its pictures, pixels
+ * @param waitMs longest time until the drawing of one kind of picture begins, ms
  */
-public record AttemptReportWriter(SceneViewport view, int pictureSize) {
+public record AttemptReportWriter(SceneViewport view, int pictureSize, long waitMs) {
     /** Names of the files that hold an attempt; one of another attempt, or of one's own, may have the same name. */
     public static final List<String> FILES = List.of("report.json", "report.html", "plan.yaml", "scenario.yaml");
 
     private static final String REPORT = "report.json";
-    /** Longest time for the pictures of one kind, s. */
-    private static final long PICTURES_S = 120;
+    private static final String PAGE = "report.html";
+    private static final long WAIT_MS = 120_000;
 
     /** With pictures as large as those of {@code phrenic rehearse}. */
     public AttemptReportWriter(SceneViewport view) {
         this(view, NeedlePictures.SIZE);
     }
 
+    public AttemptReportWriter(SceneViewport view, int pictureSize) {
+        this(view, pictureSize, WAIT_MS);
+    }
+
     /**
      * Writes the files in the background; pictures are drawn between the frames of the view.
      *
      * @param date when the attempt ended, as text
-     * @param done gets the reason of a failure, or an empty text, on the event dispatch thread
+     * @param saved gets why pictures are missing in the report, or an empty text, on the event dispatch thread
+     * @param failed gets why there is no report, on the event dispatch thread
      */
-    public void save(Rehearsal rehearsal, String date, Path folder, Consumer<String> done) {
-        FileWrites.execute(
-                "the report in " + folder, Executors.callable(() -> write(rehearsal, date, folder), ""), done, done);
+    public void save(Rehearsal rehearsal, String date, Path folder, Consumer<String> saved, Consumer<String> failed) {
+        FileWrites.execute("the report in " + folder, () -> write(rehearsal, date, folder), saved, failed);
     }
 
-    private void write(Rehearsal rehearsal, String date, Path folder) {
-        // That of an earlier attempt would describe other pictures.
+    private String write(Rehearsal rehearsal, String date, Path folder) {
+        // Those of an earlier attempt would describe other pictures.
         AtomicFile.delete(folder.resolve(REPORT));
+        AtomicFile.delete(folder.resolve(PAGE));
         List<Picture> needle = new ArrayList<>();
         List<Picture> map = new ArrayList<>();
-        String title = rehearsal.plan().title();
-        if (!view.isUnavailable()) {
-            for (NeedleSnapshot moment : rehearsal.needleViews()) {
-                for (String file : render(rehearsal, pictures -> pictures.writeNeedleViews(folder, moment, title))) {
-                    if (moment.name().startsWith("sample")) {
-                        needle.add(new Picture(file, "Needle and target in the body, " + file, ""));
-                    }
-                }
-            }
-            render(rehearsal, pictures -> pictures.writeAccessMap(folder, rehearsal.map(), title))
-                    .forEach(file -> map.add(new Picture(file, "Access map on the skin, " + file, "")));
+        String missing = view.unavailableReason();
+        if (missing.isEmpty() && !draw(rehearsal, folder, needle, map)) {
+            missing = "The view did not begin to draw them within " + TimeUnit.MILLISECONDS.toSeconds(waitMs) + " s.";
         }
         RehearsalReport report = new RehearsalReport(rehearsal);
         report.images().forEach(image -> UltrasoundPicture.write(folder.resolve(image.file()), image.image()));
@@ -75,13 +73,42 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize) {
         YamlWriter.write(folder.resolve("scenario.yaml"), plan.scenario().toMap());
         YamlWriter.write(folder.resolve("plan.yaml"), plan.toMap("scenario.yaml"));
         String html = HtmlPage.format(report.document(needle, map, date));
-        AtomicFile.write(folder.resolve("report.html"), html);
+        AtomicFile.write(folder.resolve(PAGE), html);
         JsonWriter.write(folder.resolve(REPORT), report.values());
+        return missing;
     }
 
-    private List<String> render(Rehearsal rehearsal, Function<NeedlePictures, List<String>> what) {
+    /** Draws the pictures and lists those that the report shows; false if not all were drawn. */
+    private boolean draw(Rehearsal rehearsal, Path folder, List<Picture> needle, List<Picture> map) {
+        String title = rehearsal.plan().title();
+        for (NeedleSnapshot moment : rehearsal.needleViews()) {
+            Optional<List<String>> files =
+                    render(rehearsal, pictures -> pictures.writeNeedleViews(folder, moment, title));
+            if (files.isEmpty()) {
+                return false;
+            }
+            if (moment.name().startsWith("sample")) {
+                files.get()
+                        .forEach(file -> needle.add(new Picture(file, "Needle and target in the body, " + file, "")));
+            }
+        }
+        Optional<List<String>> files =
+                render(rehearsal, pictures -> pictures.writeAccessMap(folder, rehearsal.map(), title));
+        files.stream()
+                .flatMap(List::stream)
+                .forEach(file -> map.add(new Picture(file, "Access map on the skin, " + file, "")));
+        return files.isPresent();
+    }
+
+    /** The files that a task writes between two frames of the view; empty if it does not begin in time. */
+    private Optional<List<String>> render(Rehearsal rehearsal, Function<NeedlePictures, List<String>> what) {
         CompletableFuture<List<String>> files = new CompletableFuture<>();
+        CompletableFuture<Boolean> begun = new CompletableFuture<>();
         view.runTask(gl -> {
+            if (!begun.complete(true)) {
+                // The report is written without these pictures.
+                return;
+            }
             try (NeedlePictures pictures = NeedlePictures.using(gl, rehearsal.surfaces(), pictureSize)) {
                 files.complete(what.apply(pictures));
             } catch (RuntimeException | Error e) {
@@ -89,9 +116,10 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize) {
             }
         });
         try {
-            // After the view has ended no task runs: the report is written without pictures.
-            return files.completeOnTimeout(List.of(), PICTURES_S, TimeUnit.SECONDS)
+            // After the view has ended no task runs.
+            boolean inTime = begun.completeOnTimeout(false, waitMs, TimeUnit.MILLISECONDS)
                     .join();
+            return inTime ? Optional.of(files.join()) : Optional.empty();
         } catch (CompletionException e) {
             throw e.getCause() instanceof RuntimeException cause
                     ? cause

@@ -227,14 +227,19 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
         chooser.get().ifPresent(folder -> {
             save.setEnabled(false);
             session.note("Writing the report into " + folder + ".");
-            writer.save(attempt, date, folder, problem -> {
-                save.setEnabled(true);
-                if (problem.isEmpty()) {
-                    session.note("Saved " + folder.resolve("report.html") + ".");
-                } else {
-                    session.refuse(problem);
-                }
-            });
+            writer.save(
+                    attempt,
+                    date,
+                    folder,
+                    missing -> {
+                        save.setEnabled(true);
+                        String saved = "Saved " + folder.resolve("report.html");
+                        session.note(saved + (missing.isEmpty() ? "." : " without all of its pictures: " + missing));
+                    },
+                    problem -> {
+                        save.setEnabled(true);
+                        session.refuse(problem);
+                    });
         });
     }
 
