@@ -64,8 +64,10 @@ final class BodyRegions {
     private final int[] thoracicFace;
     /** Closed surfaces, in the order in which they are filled. */
     private final int[] order;
-    /** The skin, by its place among the surfaces, with its holes closed, so that it has an inside. */
-    private final Map<Integer, CappedSurface> skins = new TreeMap<>();
+    /** Places of the skins among the surfaces. */
+    private final int[] skins;
+    /** Skins and closed surfaces, by their places, with their holes closed, so that all of them have an inside. */
+    private final Map<Integer, CappedSurface> capped = new TreeMap<>();
 
     BodyRegions(List<Surface> surfaces, Diaphragm sheet) {
         this.surfaces = surfaces;
@@ -92,14 +94,14 @@ final class BodyRegions {
                 .sorted(Comparator.comparing(i -> ORDER.indexOf(surfaces.get(i).kind())))
                 .mapToInt(Integer::intValue)
                 .toArray();
-        for (int i = 0; i < surfaces.size(); i++) {
-            if (surfaces.get(i).kind() == StructureKind.SKIN) {
-                skins.put(i, new CappedSurface(surfaces.get(i).rest()));
-            }
-        }
+        skins = IntStream.range(0, surfaces.size())
+                .filter(i -> surfaces.get(i).kind() == StructureKind.SKIN)
+                .toArray();
+        IntStream.concat(IntStream.of(skins), IntStream.of(order))
+                .forEach(i -> capped.put(i, new CappedSurface(surfaces.get(i).rest())));
     }
 
-    /** Whether a surface has an inside of its own: it is closed and neither skin nor pleura. */
+    /** Whether a surface has an inside of its own: it is closed, but for holes, and neither skin nor pleura. */
     boolean isRegion(int surface) {
         Surface s = surfaces.get(surface);
         return ORDER.contains(s.kind()) && MeshMeasure.hasInside(s.rest());
@@ -182,10 +184,12 @@ final class BodyRegions {
         double[] toVoxel = box.toVoxel();
         byte[] labels = new byte[size[0] * size[1] * size[2]];
         MeshVoxelizer voxelizer = new MeshVoxelizer(size[0], size[1], size[2], toVoxel, labels);
-        skins.forEach((skin, closed) -> voxelizer.fill(closed.at(positions.get(skin)), WALL));
+        for (int i : skins) {
+            voxelizer.fill(capped.get(i).at(positions.get(i)), WALL);
+        }
         fillAbdomen(box, positions.get(diaphragm), labels);
         for (int i : order) {
-            voxelizer.fill(surfaces.get(i).rest().withPositions(positions.get(i)), FIRST + i);
+            voxelizer.fill(capped.get(i).at(positions.get(i)), FIRST + i);
         }
         return labels;
     }

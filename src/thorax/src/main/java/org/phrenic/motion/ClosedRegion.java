@@ -3,12 +3,14 @@ package org.phrenic.motion;
 import java.util.Arrays;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.CappedSurface;
 import org.phrenic.mesh.voxel.MeshVoxelizer;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * The inside of a closed surface that deforms. Its displacement is the {@link HarmonicExtension} of that of its
- * vertices, or that of a {@link SlidingElasticSolid}, which takes only the shape of the moved surface.
+ * The inside of a closed surface that deforms; holes are closed ({@link CappedSurface}). Its displacement is the
+ * {@link HarmonicExtension} of that of its vertices, or that of a {@link SlidingElasticSolid}, which takes only the
+ * shape of the moved surface.
  */
 final class ClosedRegion {
     private static final double GREATEST_EDGE_MM = 6;
@@ -31,17 +33,18 @@ final class ClosedRegion {
     ClosedRegion(Surface surface, boolean elastic) {
         rest = surface.rest();
         this.elastic = elastic;
-        double volume = Math.abs(MeshMeasure.signedVolume(rest));
+        TriangleMesh capped = new CappedSurface(rest).at(rest.positions());
+        double volume = Math.abs(MeshMeasure.signedVolume(capped));
         double edge = Math.max(LEAST_EDGE_MM, Math.min(GREATEST_EDGE_MM, StrictMath.cbrt(volume) / EDGES));
         lattice = VectorLattice.covering(rest.bounds(), MARGIN_EDGES * edge, edge);
-        active = lattice.dilated(inside());
+        active = lattice.dilated(inside(capped));
         extension = new HarmonicExtension(lattice, active, rest.positions(), MeshMeasure.vertexAreas(rest), 0, 0);
         follower = new SurfaceFollower(rest, edge);
         now = rest.positions();
     }
 
-    /** Nodes inside the surface, and the corners of the cells that hold its vertices. */
-    private boolean[] inside() {
+    /** Nodes inside the surface without holes, and the corners of the cells that hold the vertices of the region's. */
+    private boolean[] inside(TriangleMesh capped) {
         byte[] labels = new byte[lattice.nodes()];
         new MeshVoxelizer(
                         lattice.size[0],
@@ -49,7 +52,7 @@ final class ClosedRegion {
                         lattice.size[2],
                         lattice.box().toVoxel(),
                         labels)
-                .fill(rest, 1);
+                .fill(capped, 1);
         boolean[] inside = new boolean[labels.length];
         for (int node = 0; node < labels.length; node++) {
             inside[node] = labels[node] == 1;

@@ -1,7 +1,9 @@
 package org.phrenic.motion;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -20,6 +22,9 @@ class BodyRegionsTest {
     private static final double EDGE_MM = 8;
     /** The skin farther from the midplane than this is cut off, relative to its half-breadth. */
     private static final double FLANKS = 0.85;
+
+    /** Radius of the hole in a lung. */
+    private static final double HOLE_MM = 30;
 
     private static Surface withRest(Surface s, TriangleMesh rest) {
         return new Surface(s.name(), s.kind(), s.level(), s.side(), rest, s.motion(), s.tendon());
@@ -45,6 +50,54 @@ class BodyRegionsTest {
         List<double[]> positions =
                 surfaces.stream().map(s -> s.rest().positions()).toList();
         return new BodyRegions(surfaces, sheet).label(box, positions);
+    }
+
+    /** The triangle of the lung's surface is in the hole: on its lateral side, near its middle. */
+    private static boolean isInHole(TriangleMesh lung, double[] bounds, int triangle) {
+        int[] t = lung.triangles();
+        return IntStream.range(3 * triangle, 3 * triangle + 3).allMatch(i -> {
+            double lateral = lung.x(t[i]) - 0.5 * (bounds[0] + bounds[3]);
+            double y = lung.y(t[i]) - 0.5 * (bounds[1] + bounds[4]);
+            double z = lung.z(t[i]) - 0.5 * (bounds[2] + bounds[5]);
+            return lateral < 0 && Math.hypot(y, z) < HOLE_MM;
+        });
+    }
+
+    /** A line along the columns that passes the hole would leave the lung without having entered it. */
+    @Test
+    void aLungWithAHoleHasTheVoxelsOfTheWholeLung() {
+        try (Simulation simulation = Runs.simulation(Runs.scenario())) {
+            List<Surface> whole = new SceneSurfaces(simulation).surfaces();
+            Diaphragm sheet = simulation.scene().diaphragm().diaphragm;
+            int place = IntStream.range(0, whole.size())
+                    .filter(i -> whole.get(i).name().equals("lung_R"))
+                    .findFirst()
+                    .orElseThrow();
+            TriangleMesh lung = whole.get(place).rest();
+            double[] b = lung.bounds();
+            int[] t = lung.triangles();
+            int[] kept = IntStream.range(0, t.length)
+                    .filter(i -> !isInHole(lung, b, i / 3))
+                    .map(i -> t[i])
+                    .toArray();
+            TriangleMesh open = new TriangleMesh(lung.positions(), kept);
+            assertThat(t.length - kept.length).isPositive();
+            assertThat(MeshMeasure.hasInside(open)).isTrue();
+            List<Surface> opened = new ArrayList<>(whole);
+            opened.set(place, withRest(whole.get(place), open));
+            VoxelBox box = VoxelBox.covering(new double[] {b[0], b[1], b[2]}, new double[] {b[3], b[4], b[5]}, EDGE_MM);
+            byte[] expected = labels(whole, sheet, box);
+            byte[] seen = labels(opened, sheet, box);
+            long voxels = count(expected, BodyRegions.FIRST + place);
+            assertThat(voxels).isGreaterThan(1000);
+            assertThat(count(seen, BodyRegions.FIRST + place)).isCloseTo(voxels, withinPercentage(1));
+        }
+    }
+
+    private static long count(byte[] labels, int region) {
+        return IntStream.range(0, labels.length)
+                .filter(v -> labels[v] == (byte) region)
+                .count();
     }
 
     /** Lines along the columns pass both openings, which lets no part of the trunk between them lie outside. */
