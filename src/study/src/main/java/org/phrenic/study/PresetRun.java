@@ -35,7 +35,8 @@ public final class PresetRun {
     public static BreathSeries of(Simulation simulation, double sampleS, Collection<String> wanted) {
         SceneSurfaces surfaces = new SceneSurfaces(simulation);
         Frame frame = surfaces.newFrame();
-        SceneObservables measures = new SceneObservables(surfaces, frame, wanted);
+        SceneObservables measures =
+                new SceneObservables(surfaces, simulation.scene().diaphragm().diaphragm, frame, wanted);
         List<String> columns = new ArrayList<>(Observation.COLUMNS);
         columns.addAll(measures.columns());
         List<double[]> rows = new ArrayList<>();

@@ -87,21 +87,25 @@ final class CentralTendon {
         int[] corner = sheet.triangles();
         double sum = 0;
         for (int t = 0; t < areas.length; t++) {
-            double a = field[corner[3 * t]];
-            double b = field[corner[3 * t + 1]];
-            double c = field[corner[3 * t + 2]];
-            double least = Math.min(a, Math.min(b, c));
-            double greatest = Math.max(a, Math.max(b, c));
-            if (greatest < 0) {
-                sum += areas[t];
-            } else if (least < 0) {
-                double middle = a + b + c - least - greatest;
-                sum += middle < 0
-                        ? areas[t] * (1 - greatest * greatest / ((greatest - least) * (greatest - middle)))
-                        : areas[t] * least * least / ((middle - least) * (greatest - least));
-            }
+            sum += areaWithin(areas[t], field[corner[3 * t]], field[corner[3 * t + 1]], field[corner[3 * t + 2]]);
         }
         return sum;
+    }
+
+    /** Area in which a field, linear in a triangle of a given area with the values a, b and c, is negative. */
+    static double areaWithin(double area, double a, double b, double c) {
+        double least = Math.min(a, Math.min(b, c));
+        double greatest = Math.max(a, Math.max(b, c));
+        if (greatest < 0) {
+            return area;
+        }
+        if (!(least < 0)) {
+            return 0;
+        }
+        double middle = a + b + c - least - greatest;
+        return middle < 0
+                ? area * (1 - greatest * greatest / ((greatest - least) * (greatest - middle)))
+                : area * least * least / ((middle - least) * (greatest - least));
     }
 
     private static double leafletLevel(double u, double v) {

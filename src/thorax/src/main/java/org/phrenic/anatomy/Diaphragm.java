@@ -187,6 +187,17 @@ public final class Diaphragm {
         return inside / (inside - outside);
     }
 
+    /**
+     * Part of a triangle's area that lies within the border of the tendon.
+     *
+     * @param area that of the triangle, as it is deformed
+     */
+    public double tendonArea(int triangle, double area) {
+        int[] t = sheet.triangles();
+        return CentralTendon.areaWithin(
+                area, tendonField[t[3 * triangle]], tendonField[t[3 * triangle + 1]], tendonField[t[3 * triangle + 2]]);
+    }
+
     /** Distance along edges of the sheet from the insertion, mm. */
     public double distanceFromInsertion(int vertex) {
         return distance[vertex];

@@ -7,9 +7,9 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
 /**
- * Areas of the diaphragm's thoracic face and of its tendon, and the volume swept downward by the face since rest. The
- * volume is -∫ u·n dA, where u is the displacement and n dA the mean of the area vectors at rest and in the current
- * position.
+ * Areas of the diaphragm's thoracic face and of its tendon, whose border crosses triangles, and the volume swept
+ * downward by the face since rest. The volume is -∫ u·n dA, where u is the displacement and n dA the mean of the area
+ * vectors at rest and in the current position.
  */
 final class DiaphragmAreaMeasure implements SceneMeasure {
     static final List<String> NAMES =
@@ -29,7 +29,6 @@ final class DiaphragmAreaMeasure implements SceneMeasure {
         int[] t = s.rest().triangles();
         double[] rest = s.rest().positions();
         double[] now = view.positions(sheet);
-        boolean[] tendon = s.tendon();
         double area = 0;
         double ofTendon = 0;
         double swept = 0;
@@ -39,14 +38,10 @@ final class DiaphragmAreaMeasure implements SceneMeasure {
             if (!thoracic[i / 3]) {
                 continue;
             }
-            int inTendon = 0;
-            for (int c = 0; c < 3; c++) {
-                inTendon += tendon[t[i + c]] ? 1 : 0;
-            }
             Triangles.cross(rest, 3 * t[i], 3 * t[i + 1], 3 * t[i + 2], then);
             double size = 0.5 * Triangles.cross(now, 3 * t[i], 3 * t[i + 1], 3 * t[i + 2], normal);
             area += size;
-            ofTendon += inTendon == 3 ? size : 0;
+            ofTendon += view.sheet().tendonArea(i / 3, size);
             for (int axis = 0; axis < 3; axis++) {
                 double moved = 0;
                 for (int c = 0; c < 3; c++) {

@@ -3,6 +3,7 @@ package org.phrenic.study.measure;
 import java.util.List;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
+import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.DiaphragmFaces;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.MeshTopology;
@@ -13,10 +14,13 @@ import org.phrenic.simulation.observe.Surface;
 /** The surfaces of a scene and the positions of their points at one time. */
 final class SceneGeometry {
     private final List<Surface> surfaces;
+    private final Diaphragm sheet;
     private final double[][] positions;
 
-    SceneGeometry(List<Surface> surfaces) {
+    /** @param sheet the diaphragm that one of the surfaces shows */
+    SceneGeometry(List<Surface> surfaces, Diaphragm sheet) {
         this.surfaces = surfaces;
+        this.sheet = sheet;
         positions = new double[surfaces.size()][];
     }
 
@@ -56,6 +60,11 @@ final class SceneGeometry {
     /** Index of the diaphragm surface. */
     int diaphragm() {
         return indicesOf(StructureKind.DIAPHRAGM)[0];
+    }
+
+    /** The diaphragm at rest, with the border of its tendon. */
+    Diaphragm sheet() {
+        return sheet;
     }
 
     /** Marks the triangles of the diaphragm that have at least two corners on the thoracic face. */

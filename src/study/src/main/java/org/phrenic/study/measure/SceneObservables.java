@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.observe.Frame;
 
@@ -34,10 +35,11 @@ public final class SceneObservables {
      * Prepares the measures of the requested observables.
      *
      * @param surfaces of the scene at rest
+     * @param sheet the diaphragm of the scene
      * @param wanted names of observables; unknown names are ignored
      */
-    public SceneObservables(SceneSurfaces surfaces, Frame rest, Collection<String> wanted) {
-        view = new SceneGeometry(surfaces.surfaces());
+    public SceneObservables(SceneSurfaces surfaces, Diaphragm sheet, Frame rest, Collection<String> wanted) {
+        view = new SceneGeometry(surfaces.surfaces(), sheet);
         view.update(rest);
         for (Group group : GROUPS) {
             if (group.names.stream().anyMatch(wanted::contains)) {

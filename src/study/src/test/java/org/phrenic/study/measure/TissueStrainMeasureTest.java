@@ -8,6 +8,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.anatomy.DomeSheet;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
@@ -47,7 +49,8 @@ class TissueStrainMeasureTest {
             System.arraycopy(motion.apply(new double[] {now[i], now[i + 1], now[i + 2]}), 0, now, i, 3);
         }
         Map<String, Double> values = new LinkedHashMap<>();
-        new TissueStrainMeasure(new SceneGeometry(List.of(rest))).measureSheet(rest, now, values);
+        new TissueStrainMeasure(new SceneGeometry(List.of(rest), Diaphragm.withTrefoilTendon(DomeSheet.adult(4))))
+                .measureSheet(rest, now, values);
         assertThat(values).containsOnlyKeys(TissueStrainMeasure.NAMES);
         return values;
     }
