@@ -1,5 +1,7 @@
 package org.phrenic.simulation;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import org.phrenic.anatomy.DiaphragmSide;
@@ -41,7 +43,7 @@ final class SceneCarriers {
     private final int ofLiver;
     private final double[] sheet;
     private double[] liverNow = new double[0];
-    private SkinMotion skin;
+    private final List<SkinMotion> skins = new ArrayList<>();
     private boolean inUse;
 
     /**
@@ -115,13 +117,13 @@ final class SceneCarriers {
     }
 
     private boolean bindSkin(SkinningWeights bones) {
-        if (skin == null) {
-            scene.thorax().structuresOf(StructureKind.SKIN).stream().findFirst().ifPresent(s -> {
-                skin = new SkinMotion(scene, s, bones, pose);
+        if (skins.isEmpty()) {
+            for (Structure s : scene.thorax().structuresOf(StructureKind.SKIN)) {
+                skins.add(new SkinMotion(scene, s, bones, pose));
                 wall.addMoving(s.mesh().positions(), v -> true);
-            });
+            }
         }
-        return skin != null;
+        return !skins.isEmpty();
     }
 
     /**
@@ -139,8 +141,8 @@ final class SceneCarriers {
             around.update(ofLiver, liverNow);
             liver.update(0, liverNow);
         }
-        if (skin != null) {
-            wall.update(0, skin.at(time, nodes));
+        for (int i = 0; i < skins.size(); i++) {
+            wall.update(i, skins.get(i).at(time, nodes));
         }
     }
 }

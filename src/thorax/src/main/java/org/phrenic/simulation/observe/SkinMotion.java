@@ -1,6 +1,7 @@
 package org.phrenic.simulation.observe;
 
 import java.util.Arrays;
+import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.cage.LinearBlendSkinning;
@@ -24,8 +25,9 @@ import org.phrenic.model.assembly.Scene;
  * incompressible (De Troyer and Boriek 2011, doi 10.1002/cphy.c100009). {@code V} is the volume swept by the abdominal
  * face of the diaphragm minus the part due to the motion of the apposed rib cage. Each point of the anterior and
  * lateral wall between costal margin and pubis moves along its normal by {@code V w / Σ w A}, where {@code w} is a
- * smooth weight and {@code A} the area of a vertex. A skin surface that ends above the pubis takes the corresponding
- * share of the volume.
+ * smooth weight and {@code A} the area of a vertex. The sum is over all skins of the body, so that one in several
+ * pieces moves as a whole one. Skin that ends above the pubis takes the corresponding share of the volume. Front, sides
+ * and heights are those of the body's frame.
  */
 public final class SkinMotion {
     private static final double WITH_BONE_MM = 45;
@@ -70,37 +72,64 @@ public final class SkinMotion {
         Arrays.setAll(boneShare, i -> FallOff.at(Math.max(0, blend.distance()[i] - WITH_BONE_MM), FADE_MM));
         abdominal = scene.diaphragm().abdominalTriangles();
         nodesAtRest = scene.restPositions();
-        abdominalDisplacement = abdominalDisplacement(scene, mesh, blend.distance());
+        double[] weights = abdominalWeights(scene, mesh, blend.distance());
+        double whole = sum(weights, mesh);
+        double lowest = lowest(scene, mesh);
+        for (Structure other : scene.thorax().structuresOf(StructureKind.SKIN)) {
+            if (!other.name().equals(skin.name())) {
+                TriangleMesh piece = other.mesh();
+                whole += sum(abdominalWeights(scene, piece, bones.distances(piece.positions())), piece);
+                lowest = Math.min(lowest, lowest(scene, piece));
+            }
+        }
+        whole /= weightAbove((top(scene) - lowest) / WALL_MM);
+        abdominalDisplacement = MeshMeasure.vertexNormals(mesh);
+        for (int c = 0; c < rest.length; c++) {
+            abdominalDisplacement[c] = whole > 0 ? weights[c / 3] * abdominalDisplacement[c] / whole : 0;
+        }
         position = new double[rest.length];
         velocity = new double[rest.length];
     }
 
-    /** Displacement of each vertex for a volume of 1 mm³, mm. */
-    private static double[] abdominalDisplacement(Scene scene, TriangleMesh mesh, double[] toBone) {
-        double[] box = scene.diaphragm().diaphragm.sheet().bounds();
-        double middle = 0.5 * (box[0] + box[3]);
-        double half = 0.5 * (box[3] - box[0]);
-        double top = scene.thorax().structuresOf(StructureKind.STERNUM).stream()
-                .mapToDouble(s -> s.mesh().bounds()[2])
+    /** Height of the lower end of the sternum in the body's frame, mm. */
+    private static double top(Scene scene) {
+        MedianFrame frame = scene.diaphragm().diaphragm.frame();
+        double[] box = scene.diaphragm().diaphragm.upright().bounds();
+        return scene.thorax().structuresOf(StructureKind.STERNUM).stream()
+                .mapToDouble(s -> frame.toFrame(s.mesh()).bounds()[2])
                 .min()
                 .orElse(0.5 * (box[2] + box[5]));
-        double[] normals = MeshMeasure.vertexNormals(mesh);
+    }
+
+    private static double lowest(Scene scene, TriangleMesh mesh) {
+        return scene.diaphragm().diaphragm.frame().toFrame(mesh).bounds()[2];
+    }
+
+    private static double sum(double[] weights, TriangleMesh mesh) {
         double[] areas = MeshMeasure.vertexAreas(mesh);
-        double[] out = new double[3 * areas.length];
         double sum = 0;
         for (int i = 0; i < areas.length; i++) {
-            double w = SmoothBlends.smoothstep((SIDE - normals[3 * i + 1]) / (1 + SIDE))
+            sum += weights[i] * areas[i];
+        }
+        return sum;
+    }
+
+    /** Weight of each vertex in the abdominal wall. */
+    private static double[] abdominalWeights(Scene scene, TriangleMesh skin, double[] toBone) {
+        TriangleMesh mesh = scene.diaphragm().diaphragm.frame().toFrame(skin);
+        double[] box = scene.diaphragm().diaphragm.upright().bounds();
+        double middle = 0.5 * (box[0] + box[3]);
+        double half = 0.5 * (box[3] - box[0]);
+        double top = top(scene);
+        double[] normals = MeshMeasure.vertexNormals(mesh);
+        double[] weights = new double[mesh.vertexCount()];
+        for (int i = 0; i < weights.length; i++) {
+            weights[i] = SmoothBlends.smoothstep((SIDE - normals[3 * i + 1]) / (1 + SIDE))
                     * SmoothBlends.smoothstep((toBone[i] - FREE_MM) / FREE_OVER_MM)
                     * wallWeight((top - mesh.z(i)) / WALL_MM)
                     * SmoothBlends.smoothstep((half + BESIDE_MM - Math.abs(mesh.x(i) - middle)) / BESIDE_MM);
-            sum += w * areas[i];
-            for (int c = 3 * i; c < 3 * i + 3; c++) {
-                out[c] = w * normals[c];
-            }
         }
-        double whole = sum / weightAbove((top - mesh.bounds()[2]) / WALL_MM);
-        Arrays.setAll(out, c -> whole > 0 ? out[c] / whole : 0);
-        return out;
+        return weights;
     }
 
     /** Weight at relative position {@code u} along the wall, from the sternum (0) to the pubis (1); 0 at both ends. */
