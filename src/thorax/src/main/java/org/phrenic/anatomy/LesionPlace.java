@@ -17,10 +17,18 @@ public final class LesionPlace {
 
     private static final Pattern LUNG = Pattern.compile(".*(lung|bronch).*");
     private static final Pattern MEDIASTINUM =
-            holding("pulmonary|pleural?|mediastin(um|al)|heart|cardiac|pericardi(um|al)|trachea");
+            holding("pulmonary|pleural?|mediastin(um|al)|heart|cardiac|pericardi(um|al)|trachea(l)?|thym(us|ic)");
     private static final Pattern OTHER_ORGAN = holding("o?esophag(us|eal)|thyroid|renal|splenic|adrenals?|gallbladder"
             + "|stomach|gastric|duoden(um|al)|bowel|intestine|colon|colonic|rect(um|al)|bladder|prostate"
-            + "|uter(us|ine)|ovar(y|ian)|breast|brain|cord|muscles?|skin|nodes?");
+            + "|uter(us|ine)|ovar(y|ian)|breast|brain|cord|muscles?|skin|nodes?|lymph(nodes?)?|wall|psoas|aortic"
+            + "|ureter(al|ic)?|periton(eum|eal)|oment(um|al)|mesenter(y|ic)|append(ix|iceal)");
+    /** Names of organs that a breath does not move, and what a lesion of these is called after. */
+    private static final Pattern STILL =
+            holding("aort(a|ic)|o?esophag(us|eal)|thyroid|brachiocephalic_[a-z]+|subclavian_[a-z]+"
+                    + "|common_carotid_[a-z]+|iliac_[a-z]+|superior_vena_cava|autochthon|(ilio)?psoas"
+                    + "|gluteus|intercostal_muscles|abdominal_wall");
+
+    private static final Pattern KNOWN = holding(String.join("|", OrganNames.outsideLiver()));
     /** Parts of the names of other organs that no other word holds. */
     private static final Pattern OTHER_STEM = Pattern.compile(".*(kidney|spleen|pancrea|gland).*");
 
@@ -53,6 +61,15 @@ public final class LesionPlace {
         return isInBone(name) && MOVING_BONE.matcher(name).matches();
     }
 
+    /** Whether it is a lesion of an organ that a breath does not move. */
+    public static boolean standsStill(String name) {
+        return isLesion(name)
+                && !LIVER.matcher(name).matches()
+                && !isOfChest(name)
+                && !BONE.matcher(name).matches()
+                && STILL.matcher(name).matches();
+    }
+
     private static boolean isLesion(String name) {
         return LESION.matcher(name).matches();
     }
@@ -64,6 +81,7 @@ public final class LesionPlace {
     private static boolean isElsewhere(String name) {
         return isOfChest(name)
                 || BONE.matcher(name).matches()
+                || KNOWN.matcher(name).matches()
                 || OTHER_ORGAN.matcher(name).matches()
                 || OTHER_STEM.matcher(name).matches();
     }

@@ -2,6 +2,7 @@ package org.phrenic.anatomy;
 
 import java.text.Normalizer;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -71,6 +72,18 @@ public final class OrganNames {
             }
         }
         return Optional.ofNullable(kind).map(k -> new StructureName(k, 0, side));
+    }
+
+    /**
+     * Known names, without the side, of what lies neither in the liver nor, as its portal vein, at it, and is no bone.
+     */
+    static List<String> outsideLiver() {
+        return KNOWN.entrySet().stream()
+                .filter(known -> known.getValue() != StructureKind.LESION && known.getValue() != StructureKind.BONE)
+                .map(Map.Entry::getKey)
+                .filter(name -> !isVesselInLiver(name) && !name.equals("portal_vein"))
+                .sorted()
+                .toList();
     }
 
     /** Whether a vessel, by its name in lower case, is one of those that branch in the liver. */

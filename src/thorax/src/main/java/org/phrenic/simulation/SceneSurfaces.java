@@ -199,7 +199,7 @@ public final class SceneSurfaces {
     /** Adds an organ or vessel without nodes, which follows what lies about it. */
     private void addFollowing(Structure s) {
         String name = s.name().toLowerCase(Locale.ROOT);
-        if (STILL.matcher(name).matches()) {
+        if (STILL.matcher(name).matches() || LesionPlace.standsStill(name)) {
             addRigid(s, RibCage.TRUNK);
         } else if (name.startsWith("internal_mammary") || LesionPlace.isInBone(name)) {
             addBlended(s);

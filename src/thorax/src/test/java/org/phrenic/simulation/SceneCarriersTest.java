@@ -19,6 +19,8 @@ class SceneCarriersTest {
                 "lesion_gtv",
                 "lesion_igtv_ctv",
                 "lesion_hcc",
+                "lesion_lymphoma",
+                "lesion_portal_vein",
                 "lesion_colon_liver_metastasis",
                 "hepatic_vein",
                 "vessel_hepatic_vein_middle",
@@ -45,6 +47,20 @@ class SceneCarriersTest {
                 "lesion_heart_tumor",
                 "lesion_skin_lesion",
                 "lesion_oesophagus_gtv",
+                "lesion_aorta",
+                "lesion_iliopsoas_l",
+                "lesion_autochthon_r",
+                "lesion_abdominal_wall",
+                "lesion_chest_wall",
+                "lesion_thymus",
+                "lesion_tracheal",
+                "lesion_ureter",
+                "lesion_lymphnode",
+                "lesion_peritoneum",
+                "lesion_appendix",
+                "lesion_inferior_vena_cava",
+                "lesion_gluteus_maximus_l",
+                "lesion_splenic_vein",
                 "portal_vein",
                 "kidney_cyst_r",
             })
@@ -65,5 +81,36 @@ class SceneCarriersTest {
     void aLesionOfABoneGoesWithTheBones(String name) {
         assertThat(SceneCarriers.isInLiver(name)).isFalse();
         assertThat(LesionPlace.isInBone(name)).isTrue();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "lesion_aorta",
+                "lesion_aortic_tumor",
+                "lesion_oesophagus_gtv",
+                "lesion_iliopsoas_l",
+                "lesion_iliac_artery_r",
+                "lesion_autochthon_r",
+                "lesion_abdominal_wall",
+            })
+    void aLesionOfWhatABreathDoesNotMoveStandsStill(String name) {
+        assertThat(LesionPlace.standsStill(name)).isTrue();
+        assertThat(SceneCarriers.isInLiver(name)).isFalse();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "lesion_liver_tumor",
+                "lesion_kidney_tumor_r",
+                "lesion_lung_aorta",
+                "lesion_pulmonary_nodule",
+                "lesion_rib_5_metastasis_l",
+                "lesion_inferior_vena_cava",
+                "aorta",
+            })
+    void aLesionOfWhatMovesDoesNotStandStill(String name) {
+        assertThat(LesionPlace.standsStill(name)).isFalse();
     }
 }
