@@ -5,9 +5,9 @@ import java.util.Map;
 import org.phrenic.simulation.observe.Frame;
 
 /**
- * Length of the diaphragm in coronal and sagittal sections. The planes are fixed in space, as in a scanner. At rest
- * they pass through the points of dome measurement, half way out to the side and a third of the way back. The length is
- * half of the sheet's section, which contains both faces.
+ * Length of the diaphragm in coronal and sagittal sections. The planes are fixed in the frame of the body, as in a
+ * scanner in which it lies straight. At rest they pass through the points of dome measurement, half way out to the side
+ * and a third of the way back. The length is half of the sheet's section, which contains both faces.
  */
 final class DiaphragmSectionMeasure implements SceneMeasure {
     static final List<String> NAMES =

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
+import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.cage.RibEnds;
@@ -15,7 +16,7 @@ import org.phrenic.simulation.observe.Surface;
  * Displacement and rotation of ribs and costal cartilages since rest, mean of both sides. Ribs are measured at the
  * anterior end and the most lateral point, and by their rotation vector. Pump handle rotation is about -x (raises the
  * front). Bucket handle rotation is about +y on the right (raises the side). A cartilage is measured at the mean of its
- * points.
+ * points. All is along the axes of the body's frame.
  */
 final class RibMeasure implements SceneMeasure {
     private static final int LEVELS = 12;
@@ -29,14 +30,20 @@ final class RibMeasure implements SceneMeasure {
     private static final class Rib {
         int surface;
         int sign;
-        /** Anterior end, then most lateral point, mm. */
+        /** Anterior end, then most lateral point, in the axes of the scan, mm. */
         double[] points;
     }
+
+    private final MedianFrame body;
+    /** Axes of the body's frame, three numbers each. */
+    private final double[] axes;
 
     private final Map<Integer, List<Rib>> ribs = new TreeMap<>();
     private final Map<Integer, List<Integer>> cartilages = new TreeMap<>();
 
     RibMeasure(SceneGeometry view) {
+        body = view.sheet().frame();
+        axes = body.axes();
         for (int i : view.indicesOf(StructureKind.RIB)) {
             Surface s = view.surface(i);
             if (s.motion() == Surface.Motion.RIGID && s.side() != Side.MIDLINE) {
@@ -50,14 +57,15 @@ final class RibMeasure implements SceneMeasure {
         }
     }
 
-    private static Rib rib(int index, Surface s) {
+    private Rib rib(int index, Surface s) {
         Rib rib = new Rib();
         rib.surface = index;
         rib.sign = s.side().sign();
         double[] p = s.rest().positions();
         int lateral = SceneGeometry.mostLateral(p, rib.sign);
-        double[] end = RibEnds.find(s.rest(), s.side()).anterior();
-        rib.points = new double[] {end[0], end[1], end[2], p[lateral], p[lateral + 1], p[lateral + 2]};
+        double[] end = body.toScan(RibEnds.find(s.rest(), s.side()).anterior());
+        double[] side = body.toScan(new double[] {p[lateral], p[lateral + 1], p[lateral + 2]});
+        rib.points = new double[] {end[0], end[1], end[2], side[0], side[1], side[2]};
         return rib;
     }
 
@@ -93,16 +101,24 @@ final class RibMeasure implements SceneMeasure {
         });
     }
 
-    private static void add(float[] pose, Rib rib, double weight, double[] mean) {
+    private void add(float[] pose, Rib rib, double weight, double[] mean) {
         double[] moved = new double[6];
         Frame.transform(pose, rib.points, moved);
+        for (int k = 0; k < moved.length; k++) {
+            moved[k] -= rib.points[k];
+        }
         double[] turn = rotationVector(pose);
-        mean[0] += weight * (moved[2] - rib.points[2]);
-        mean[1] += weight * (rib.points[1] - moved[1]);
-        mean[2] += weight * rib.sign * (moved[3] - rib.points[3]);
+        mean[0] += weight * along(2, moved, 0);
+        mean[1] -= weight * along(1, moved, 0);
+        mean[2] += weight * rib.sign * along(0, moved, 3);
         mean[3] += weight * Math.sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2]);
-        mean[4] -= weight * turn[0];
-        mean[5] -= weight * rib.sign * turn[1];
+        mean[4] -= weight * along(0, turn, 0);
+        mean[5] -= weight * rib.sign * along(1, turn, 0);
+    }
+
+    /** Component of a vector in an array along an axis of the body's frame. */
+    private double along(int axis, double[] v, int at) {
+        return axes[3 * axis] * v[at] + axes[3 * axis + 1] * v[at + 1] + axes[3 * axis + 2] * v[at + 2];
     }
 
     private static void add(SceneGeometry view, int surface, double weight, double[] mean) {

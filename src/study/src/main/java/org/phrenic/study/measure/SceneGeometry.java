@@ -11,17 +11,26 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
-/** The surfaces of a scene and the positions of their points at one time. */
+/** The surfaces of a scene and the positions of their points at one time, in the frame of the body. */
 final class SceneGeometry {
+    /** The surfaces in the axes of the scan. */
+    private final List<Surface> scanned;
+
     private final List<Surface> surfaces;
     private final Diaphragm sheet;
     private final double[][] positions;
 
     /** @param sheet the diaphragm that one of the surfaces shows */
     SceneGeometry(List<Surface> surfaces, Diaphragm sheet) {
-        this.surfaces = surfaces;
+        scanned = surfaces;
+        this.surfaces = surfaces.stream().map(s -> upright(s, sheet)).toList();
         this.sheet = sheet;
         positions = new double[surfaces.size()][];
+    }
+
+    private static Surface upright(Surface s, Diaphragm sheet) {
+        TriangleMesh rest = sheet.frame().toFrame(s.rest());
+        return new Surface(s.name(), s.kind(), s.level(), s.side(), rest, s.motion(), s.tendon());
     }
 
     /** Updates all positions from a frame. */
@@ -33,15 +42,21 @@ final class SceneGeometry {
                 continue;
             }
             positions[i] = positions[i] == null ? new double[s.rest().positions().length] : positions[i];
-            frame.writePositions(s, i, positions[i]);
+            frame.writePositions(scanned.get(i), i, positions[i]);
+            if (!sheet.frame().isStraight()) {
+                positions[i] = sheet.frame()
+                        .toFrame(s.rest().withPositions(positions[i]))
+                        .positions();
+            }
         }
     }
 
+    /** A surface, at rest in the frame of the body. */
     Surface surface(int index) {
         return surfaces.get(index);
     }
 
-    /** Points of a surface, mm; valid until the next {@link #update}. */
+    /** Points of a surface in the frame of the body, mm; valid until the next {@link #update}. */
     double[] positions(int index) {
         return positions[index];
     }

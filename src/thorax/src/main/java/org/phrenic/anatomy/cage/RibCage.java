@@ -75,6 +75,11 @@ public final class RibCage {
         return new RibCage(frame, bodies);
     }
 
+    /** Frame of the body. */
+    public MedianFrame frame() {
+        return frame;
+    }
+
     private static boolean leadsSternum(Body body) {
         return body.ends().isPresent() && body.level() <= LAST_TRUE_RIB;
     }

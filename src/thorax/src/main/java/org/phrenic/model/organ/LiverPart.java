@@ -87,9 +87,10 @@ public final class LiverPart {
         }
         double[] normals = MeshMeasure.vertexNormals(sheet);
         double[] box = mesh.bounds();
-        double middle = 0.5 * (box[1] + box[4]);
+        double[] uprightBox = d.frame().toFrame(mesh).bounds();
+        double middle = 0.5 * (uprightBox[1] + uprightBox[4]);
         int[] near = roofNodes(d, normals, distance, ATTACHED_MM);
-        long behind = IntStream.of(near).filter(i -> sheet.y(i) > middle).count();
+        long behind = IntStream.of(near).filter(i -> d.upright().y(i) > middle).count();
         int[] vertices = behind >= MIN_BARE_AREA_VERTICES ? near : roofNodes(d, normals, distance, 3 * ATTACHED_MM);
         double[] areas = MeshMeasure.vertexAreas(sheet);
         area = IntStream.of(vertices).mapToDouble(i -> areas[i]).toArray();
@@ -97,7 +98,7 @@ public final class LiverPart {
         inBareArea = new boolean[roofNodes.length];
         double all = 0;
         for (int k = 0; k < roofNodes.length; k++) {
-            inBareArea[k] = sheet.y(vertices[k]) > middle;
+            inBareArea[k] = d.upright().y(vertices[k]) > middle;
             all += inBareArea[k] ? area[k] : 0;
         }
         bareArea = all;

@@ -1,5 +1,6 @@
 package org.phrenic.simulation.observe;
 
+import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -7,12 +8,16 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.cage.RibCage;
 import org.phrenic.anatomy.cage.RibCagePose;
 import org.phrenic.engine.kinematics.HelicalBody;
+import org.phrenic.mesh.TriangleMesh;
 
-/** Diameters of the rib cage and motion of the sternum. */
+/** Diameters of the rib cage and motion of the sternum, along the axes of the body's frame. */
 public final class CageMeasure {
     private static final int[] WIDE_LEVELS = {5, 6, 7, 8, 9, 10};
 
     private final RibCagePose pose;
+    /** Axes of the body's frame, three numbers each. */
+    private final double[] axes;
+
     private final double[][] right = new double[WIDE_LEVELS.length][];
     private final double[][] left = new double[WIDE_LEVELS.length][];
     private final double[] sternumPoint;
@@ -21,12 +26,13 @@ public final class CageMeasure {
 
     public CageMeasure(Thorax thorax, RibCagePose pose) {
         this.pose = pose;
+        axes = pose.cage().frame().axes();
         for (int i = 0; i < WIDE_LEVELS.length; i++) {
             right[i] = points(thorax, WIDE_LEVELS[i], Side.RIGHT);
             left[i] = points(thorax, WIDE_LEVELS[i], Side.LEFT);
             scratch = new double[Math.max(scratch.length, Math.max(right[i].length, left[i].length))];
         }
-        sternumPoint = sternumPoint(thorax);
+        sternumPoint = sternumPoint(thorax, pose.cage().frame());
         restWidth = width(true);
     }
 
@@ -37,7 +43,7 @@ public final class CageMeasure {
     }
 
     /** Centre of the lower end of the sternal body; null without a sternum. */
-    private static double[] sternumPoint(Thorax thorax) {
+    private static double[] sternumPoint(Thorax thorax, MedianFrame frame) {
         Structure body = thorax.find("sternum_body")
                 .orElse(thorax.structuresOf(StructureKind.STERNUM).stream()
                         .findFirst()
@@ -45,12 +51,13 @@ public final class CageMeasure {
         if (body == null) {
             return null;
         }
-        double[] box = body.mesh().bounds();
+        TriangleMesh upright = frame.toFrame(body.mesh());
+        double[] box = upright.bounds();
         double limit = box[2] + 0.2 * (box[5] - box[2]);
         double[] sum = new double[3];
         int count = 0;
         for (int i = 0; i < body.mesh().vertexCount(); i++) {
-            if (body.mesh().z(i) <= limit) {
+            if (upright.z(i) <= limit) {
                 sum[0] += body.mesh().x(i);
                 sum[1] += body.mesh().y(i);
                 sum[2] += body.mesh().z(i);
@@ -83,7 +90,7 @@ public final class CageMeasure {
         }
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < points.length; i += 3) {
-            most = Math.max(most, side.sign() * p[i]);
+            most = Math.max(most, side.sign() * along(0, p[i], p[i + 1], p[i + 2]));
         }
         return most;
     }
@@ -103,6 +110,15 @@ public final class CageMeasure {
         for (int axis = 0; axis < 3; axis++) {
             moved[axis] -= sternumPoint[axis];
         }
-        return moved;
+        return new double[] {
+            along(0, moved[0], moved[1], moved[2]),
+            along(1, moved[0], moved[1], moved[2]),
+            along(2, moved[0], moved[1], moved[2])
+        };
+    }
+
+    /** Component of a vector along an axis of the body's frame. */
+    private double along(int axis, double x, double y, double z) {
+        return axes[3 * axis] * x + axes[3 * axis + 1] * y + axes[3 * axis + 2] * z;
     }
 }

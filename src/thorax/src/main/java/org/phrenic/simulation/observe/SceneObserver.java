@@ -5,7 +5,7 @@ import org.phrenic.breathing.BreathState;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.LiverPart;
 
-/** Computes the observables of a scene. */
+/** Computes the observables of a scene, along the axes of the body's frame. */
 public final class SceneObserver {
     /**
      * Positions in the plan view of the sheet ({@link SheetPatch}). The dome is measured at its posterior third, as in
@@ -111,8 +111,13 @@ public final class SceneObserver {
         Arrays.fill(liver, 0);
         double[] start = part.structure.mesh().positions();
         double[] moved = part.positions(rest, now);
+        double[] mean = new double[3];
         for (int i = 0; i < start.length; i++) {
-            liver[i % 3] += 3 * (moved[i] - start[i]) / start.length;
+            mean[i % 3] += 3 * (moved[i] - start[i]) / start.length;
+        }
+        double[] axes = scene.diaphragm().diaphragm.frame().axes();
+        for (int i = 0; i < axes.length; i++) {
+            liver[i / 3] += axes[i] * mean[i % 3];
         }
     }
 
