@@ -34,8 +34,8 @@ import org.phrenic.simulation.observe.Surface;
  * <p>Not thread-safe. The same state gives the same bits on any number of threads.
  */
 public final class BodyMotion implements AutoCloseable {
-    /** Distance outside the skin at which nothing moves, mm. */
-    public static final int OUTSIDE_MM = 72;
+    /** Distance outside the skin from which on nothing moves, mm. */
+    public static final int OUTSIDE_MM = 84;
     /** Points nearer to a surface than this belong to it, mm. */
     private static final double ON_SURFACE_MM = 1e-6;
 

@@ -24,10 +24,13 @@ import org.phrenic.simulation.observe.Surface;
 final class SoftTissue {
     /** Edge of the lattice, mm. */
     static final double EDGE_MM = 6;
-    /** Distance over which the displacement of the wall fades outside the body, mm, after three edges. */
+    /**
+     * Edges over which the displacement of the wall fades outside the body, after three edges. At the next node it is
+     * 0. As its own nodes reach up to one edge beyond the skin, these are 14 edges ({@link BodyMotion#OUTSIDE_MM}).
+     */
     private static final int FADED_LAYERS = 9;
 
-    private static final double MARGIN_MM = 14 * EDGE_MM;
+    private static final double MARGIN_MM = BodyMotion.OUTSIDE_MM;
     /** Nodes of the abdomen at the wall stay beside it where the diaphragm is farther away than this, mm. */
     private static final double BELOW_DIAPHRAGM_MM = 2 * EDGE_MM;
 

@@ -65,6 +65,23 @@ class BodyMotionTest {
         return Math.sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
     }
 
+    @Test
+    void beyondItsReachOutsideTheBodyNothingMoves() {
+        double[] b = motion.bounds();
+        RegionField outside = motion.field(BodyRegions.OUTSIDE);
+        double[] u = new double[3];
+        boolean moves = false;
+        for (double z = b[2]; z < b[5]; z += EDGE_MM) {
+            for (double x = b[0]; x < b[3]; x += EDGE_MM) {
+                outside.at(x, b[1] - BodyMotion.OUTSIDE_MM, z, u);
+                assertThat(u).containsOnly(0);
+                outside.at(x, b[1] - 0.5 * BodyMotion.OUTSIDE_MM, z, u);
+                moves |= u[1] != 0;
+            }
+        }
+        assertThat(moves).isTrue();
+    }
+
     /** The skin of an inspired body lies before that of the body at rest. */
     @Test
     void theGridOfAnExportCoversTheInspiredBody() {
