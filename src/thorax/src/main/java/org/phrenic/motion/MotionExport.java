@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
@@ -79,6 +80,11 @@ public final class MotionExport {
         this.progress = progress;
         image = Optional.ofNullable(request.image()).map(file -> new MovingImage(file, request.labels(), motion));
         image.ifPresent(i -> i.notes().forEach(progress::note));
+        if (motion.surfaces().stream().noneMatch(s -> s.kind() == StructureKind.SKIN)) {
+            progress.note("The body has no skin, so that its soft tissue counts as outside.");
+        }
+        long ofImage = image.map(i -> i.sampler().box().voxels()).orElse(0);
+        long memory = Runtime.getRuntime().maxMemory();
         if (request.gridMm() > 0) {
             double[][] corners = corners(motion.bounds());
             double[] low = corners[0];
@@ -88,9 +94,10 @@ public final class MotionExport {
             for (int axis = 0; axis < 3; axis++) {
                 voxels *= (long) ((high[axis] - low[axis]) / edge) + 2;
             }
-            checkMemory(voxels, image.map(i -> i.sampler().box().voxels()).orElse(0));
+            checkMemory(voxels, ofImage, memory);
             grid = Optional.of(new MotionSampler(motion, VoxelBox.covering(low, high, edge)));
         } else {
+            checkMemory(0, ofImage, memory);
             grid = Optional.empty();
         }
         points = Optional.ofNullable(request.points()).map(file -> new MotionPoints(file, motion));
@@ -104,23 +111,39 @@ public final class MotionExport {
         };
     }
 
-    private static void checkMemory(long voxels, int ofImage) {
-        long memory = Runtime.getRuntime().maxMemory();
+    /**
+     * Refuses voxels for which there is no room.
+     *
+     * @param voxels of the grid; 0 without one
+     * @param ofImage voxels of the image; 0 without one
+     * @param memory what Java may use, bytes
+     */
+    static void checkMemory(long voxels, long ofImage, long memory) {
         if (voxels > MOST_VOXELS) {
             throw new BadInputException("--grid: found " + voxels + " voxels, expected at most " + MOST_VOXELS);
         }
         if (voxels * BYTES_A_VOXEL + ofImage * BYTES_AN_IMAGE_VOXEL > SHARE_OF_MEMORY * memory) {
-            throw new BadInputException(
-                    "--grid: found " + voxels + " voxels, expected no more than fit into Java's memory of "
-                            + (memory >> 20) + " MB (java -Xmx8g gives it 8 GB)");
+            throw new BadInputException((voxels > 0 ? "--grid: found " + voxels : "--warp: found " + ofImage)
+                    + " voxels, expected no more than fit into Java's memory of " + (memory >> 20)
+                    + " MB (java -Xmx8g gives it 8 GB)");
         }
+    }
+
+    /** Bytes of all files of one time that are not packed: fields, warped image, Jacobian, ventilation, regions. */
+    static long bytesATime(MotionRequest request, long ofGrid, long ofImage, int bytesAnImageVoxel) {
+        long jacobian = request.jacobian() ? 2L * Float.BYTES : 0;
+        long regions = request.regions() ? 1 : 0;
+        return ofGrid * (6L * Float.BYTES + jacobian + regions)
+                + ofImage * (bytesAnImageVoxel + (ofGrid == 0 ? jacobian : 0));
     }
 
     /** Refuses to begin what the disk has no room for. */
     private void checkSpace(int times) {
-        long voxels = grid.map(g -> 6L * Float.BYTES * g.box().voxels()).orElse(0L)
-                + image.map(i -> 2L * i.sampler().box().voxels()).orElse(0L);
-        double needed = voxels
+        double needed = (double) bytesATime(
+                        request,
+                        grid.map(g -> g.box().voxels()).orElse(0),
+                        image.map(i -> i.sampler().box().voxels()).orElse(0),
+                        image.map(MovingImage::bytesAVoxel).orElse(0))
                 * times
                 * (request.format().equals("nii") || request.format().equals("mha") ? 1 : PACKED);
         try {

@@ -67,6 +67,11 @@ final class MovingImage {
         return sampler;
     }
 
+    /** Bytes of a voxel in a file that is not packed. */
+    int bytesAVoxel() {
+        return type.size();
+    }
+
     /** The image as it is now. */
     float[] warped() {
         return labels ? sampler.warpNearest(values) : sampler.warpLinear(values, beyond);
