@@ -57,6 +57,11 @@ public final class BModeImage {
         return raster.pixel(p[0], p[1]);
     }
 
+    /** Whether a point is within half of the beam's thickness of the image plane, sector and depth. */
+    public boolean isInBeam(double[] world) {
+        return SonatedNeedle.isInBeam(world, probe(), pose, settings.depthMm());
+    }
+
     /**
      * Intensity before compensation and compression, relative to a perfect mirror in front of the face, at the sample
      * nearest to a depth.

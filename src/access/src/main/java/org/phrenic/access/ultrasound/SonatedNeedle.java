@@ -37,7 +37,8 @@ public record SonatedNeedle(double[] entry, double[] tip, Needle needle) {
         return isInBeam(tip, probe, pose, depthMm);
     }
 
-    private static boolean isInBeam(double[] point, CurvilinearProbe probe, ProbePose pose, double depthMm) {
+    /** Whether a point is within half of the beam's thickness of the image plane, sector and depth. */
+    static boolean isInBeam(double[] point, CurvilinearProbe probe, ProbePose pose, double depthMm) {
         double[] p = pose.toProbe(point);
         double z = p[1] + probe.radiusMm();
         double depth = Math.sqrt(p[0] * p[0] + z * z) - probe.radiusMm();

@@ -132,7 +132,7 @@ public final class UltrasoundView extends PaintedComponent {
         g.fill(new Ellipse2D.Double(top[0] - 4, MARGIN - 4, 8, 8));
     }
 
-    /** The guide line: strong where the needle's line is within the beam's thickness, faint elsewhere. */
+    /** The guide line: strong where the needle's line is in the beam, faint elsewhere. */
     private static void paintGuide(Graphics2D g, UltrasoundShot shot, AffineTransform place) {
         NeedleState state = shot.state();
         BModeImage image = shot.image();
@@ -146,8 +146,8 @@ public final class UltrasoundView extends PaintedComponent {
         int steps = (int) Math.ceil(length / GUIDE_STEP_MM);
         int from = 0;
         for (int i = 0; i < steps; i++) {
-            boolean here = isInBeam(image, Vectors.addScaled(entry, along, (i + 0.5) * GUIDE_STEP_MM));
-            boolean next = i + 1 < steps && isInBeam(image, Vectors.addScaled(entry, along, (i + 1.5) * GUIDE_STEP_MM));
+            boolean here = image.isInBeam(Vectors.addScaled(entry, along, (i + 0.5) * GUIDE_STEP_MM));
+            boolean next = i + 1 < steps && image.isInBeam(Vectors.addScaled(entry, along, (i + 1.5) * GUIDE_STEP_MM));
             if (here != next || i == steps - 1) {
                 double[] a = at(place, image.pixelOf(Vectors.addScaled(entry, along, from * GUIDE_STEP_MM)));
                 double[] b = at(place, image.pixelOf(Vectors.addScaled(entry, along, (i + 1) * GUIDE_STEP_MM)));
@@ -156,13 +156,6 @@ public final class UltrasoundView extends PaintedComponent {
                 from = i + 1;
             }
         }
-    }
-
-    private static boolean isInBeam(BModeImage image, double[] point) {
-        double[] p = image.pose().toProbe(point);
-        double z = p[1] + image.probe().radiusMm();
-        double depth = Math.hypot(p[0], z) - image.probe().radiusMm();
-        return Math.abs(p[2]) <= 0.5 * image.probe().elevationWidthMm(depth);
     }
 
     /** The circle in which the image plane cuts the target. */
