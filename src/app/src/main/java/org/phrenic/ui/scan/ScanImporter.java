@@ -46,14 +46,19 @@ public final class ScanImporter {
     private final Session session;
     private final Display display;
     private final Consumer<Path> open;
+    private final Consumer<Path> read;
     private Optional<CancellableProgress> running = Optional.empty();
 
-    /** @param open opens the thorax folder of the body */
-    public ScanImporter(Window owner, Session session, Display display, Consumer<Path> open) {
+    /**
+     * @param open opens the thorax folder of the body
+     * @param read gets each scan whose labels were read
+     */
+    public ScanImporter(Window owner, Session session, Display display, Consumer<Path> open, Consumer<Path> read) {
         this.owner = owner;
         this.session = session;
         this.display = display;
         this.open = open;
+        this.read = read;
     }
 
     /** Reads the labels of a volume and asks for the options; one import runs at a time. */
@@ -71,6 +76,7 @@ public final class ScanImporter {
                     if (isRunning(progress)) {
                         running = Optional.empty();
                         display.showProgress("", 1);
+                        read.accept(file);
                         ask(file, new ScanImportDialog(file, labels));
                     }
                 },

@@ -1,7 +1,9 @@
 package org.phrenic.ui.window;
 
 import java.awt.image.BufferedImage;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
@@ -13,6 +15,7 @@ import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.export.PngFile;
+import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.ui.scan.ScanImporter;
 import org.phrenic.ui.session.FileOpener;
 import org.phrenic.ui.session.FileWrites;
@@ -50,7 +53,29 @@ public final class WindowFiles {
         this.view = view;
         this.preferences = preferences;
         this.openPlan = openPlan;
-        scans = new ScanImporter(frame, session, display, this::open);
+        scans = new ScanImporter(frame, session, display, this::open, preferences::addRecent);
+        session.addListener(new OpenedFiles());
+    }
+
+    /** Lists files that were opened, a folder once its body is there. */
+    private final class OpenedFiles implements Session.Listener {
+        private Optional<Path> folder = Optional.empty();
+        private String body = "";
+
+        @Override
+        public void onOpened(Path file, Scenario scenario) {
+            folder = Optional.of(file).filter(Files::isDirectory);
+            body = scenario.anatomy();
+            if (folder.isEmpty()) {
+                preferences.addRecent(file);
+            }
+        }
+
+        @Override
+        public void onScene(LiveScene scene) {
+            folder.filter(loaded -> session.scenario().anatomy().equals(body)).ifPresent(preferences::addRecent);
+            folder = Optional.empty();
+        }
     }
 
     /**
@@ -72,12 +97,16 @@ public final class WindowFiles {
     }
 
     private void openOther(Path file) {
-        preferences.addRecent(file);
         session.opening()
                 .execute(
                         () -> FileOpener.readPlan(file),
-                        plan -> plan.ifPresentOrElse(openPlan, () -> session.openFile(file)),
+                        plan -> plan.ifPresentOrElse(read -> openPlan(file, read), () -> session.openFile(file)),
                         session::refuse);
+    }
+
+    private void openPlan(Path file, RehearsalPlan plan) {
+        preferences.addRecent(file);
+        openPlan.accept(plan);
     }
 
     void chooseAndOpen() {

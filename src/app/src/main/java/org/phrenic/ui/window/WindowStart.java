@@ -66,7 +66,7 @@ public final class WindowStart {
         try {
             SwingUtilities.invokeAndWait(() -> {
                 WindowPreferences preferences = WindowPreferences.ofUser();
-                file.ifPresent(preferences::addRecent);
+                file.filter(path -> content.scan().isEmpty()).ifPresent(preferences::addRecent);
                 PhrenicWindow window = new PhrenicWindow(preferences, session);
                 window.docks()
                         .keepAttempts(AttemptHistory.in(ScenarioStore.ofUser().dataFolder()));

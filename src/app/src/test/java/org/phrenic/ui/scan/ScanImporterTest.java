@@ -68,7 +68,7 @@ class ScanImporterTest {
     /** Ends an import beside a session, and presses Rehearse in its summary. */
     private void rehearse(Session session) {
         EventThread.run(() -> {
-            new ScanImporter(null, session, new Shown(), opened::add).finish(folder, result());
+            new ScanImporter(null, session, new Shown(), opened::add, read -> {}).finish(folder, result());
             WindowHarness.find(
                             WindowHarness.dialog("import.summary").orElseThrow().getRootPane(),
                             JButton.class,
@@ -120,7 +120,7 @@ class ScanImporterTest {
         ScanLabels labels = ScanLabels.read(scan, VirtualThorax.ofPreset("adult-male", Resolution.LOW));
         try (Session session = EventThread.get(() -> new Session(SMALL))) {
             EventThread.run(() -> {
-                ScanImporter importer = new ScanImporter(null, session, new Shown(), opened::add);
+                ScanImporter importer = new ScanImporter(null, session, new Shown(), opened::add, read -> {});
                 importer.begin(scan);
                 importer.run(scan, new ScanImportDialog(scan, labels), null);
                 importer.cancel();

@@ -49,6 +49,38 @@ class WindowFilesTest {
         }
     }
 
+    /** Each that is listed pushes out another one, which is of use. */
+    @Test
+    void whatIsRefusedIsNotListedAsOpened() throws IOException {
+        Path picture = Files.createFile(folder.resolve("scan.png"));
+        Path broken = Files.writeString(folder.resolve("broken.yaml"), "preset: unknown\n");
+        Path empty = Files.createDirectory(folder.resolve("empty"));
+        Path scenario = Files.writeString(folder.resolve("good.yaml"), "name: good\nresolution: low\n");
+        WindowPreferences preferences = WindowPreferences.unsaved();
+        List<String> refused = new ArrayList<>();
+        try (Session session =
+                EventThread.get(() -> new Session(Scenario.defaults().with("resolution=low", "threads=1")))) {
+            EventThread.until("a scene", () -> session.scene().isPresent());
+            WindowFiles files = EventThread.get(() -> {
+                session.addListener(new Session.Listener() {
+                    @Override
+                    public void onMessage(SessionMessage message) {
+                        refused.add(message.text());
+                    }
+                });
+                return new WindowFiles(null, session, null, preferences, plan -> {}, null);
+            });
+            for (Path file : List.of(picture, broken, empty)) {
+                int before = refused.size();
+                EventThread.run(() -> files.open(file));
+                EventThread.until("the refusal of " + file, () -> refused.size() > before);
+            }
+            EventThread.run(() -> files.open(scenario));
+            EventThread.until("the scenario", () -> session.scenario().name().equals("good"));
+            assertThat(preferences.recent()).containsExactly(scenario);
+        }
+    }
+
     /** A number that is still being typed is taken when the dialog gets the focus. */
     @Test
     void whatIsChangedWhileTheFileIsChosenIsSaved() throws IOException {
