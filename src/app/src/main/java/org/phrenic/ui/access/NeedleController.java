@@ -40,10 +40,19 @@ public final class NeedleController {
         rehearsal.attempt.takeOver();
         rehearsal.usableNeedle().ifPresent(needle -> {
             what.accept(needle);
-            if (!session.live().isPlaying()) {
-                session.live().play();
-            }
+            resume();
         });
+    }
+
+    private void resume() {
+        if (!session.live().isPlaying()) {
+            session.live().play();
+        }
+    }
+
+    /** Resumes the simulation of an attempt, of whose steps pictures are taken. */
+    public void resumeForPictures() {
+        rehearsal.attempt.rehearsal().ifPresent(needle -> resume());
     }
 
     void setEntry(EntrySelection.Entry entry) {

@@ -66,6 +66,14 @@ public final class FluoroscopyDock extends AccessPanel {
 
     private void switchBeam() {
         rehearsal.pictures().setXrayOn(beam.isSelected());
+        resume();
+    }
+
+    /** No picture would come of a simulation that is paused. */
+    private void resume() {
+        if (beam.isSelected()) {
+            rehearsal.needle().resumeForPictures();
+        }
     }
 
     private void turn() {
@@ -76,6 +84,7 @@ public final class FluoroscopyDock extends AccessPanel {
                 "%s %d\u00b0", cranial.getValue() < 0 ? "caudal" : "cranial", Math.abs(cranial.getValue())));
         Controls.tellValue(oblique, obliqueText.getText());
         Controls.tellValue(cranial, cranialText.getText());
+        resume();
     }
 
     /** The picture that is shown. */

@@ -9,6 +9,9 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import javax.swing.JComboBox;
+import javax.swing.JSlider;
+import javax.swing.JToggleButton;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -240,6 +243,32 @@ class RehearsalExerciseTest {
         assertThat(WindowHarness.onEdt(() -> rehearsal().plan().orElseThrow().title()))
                 .isEqualTo(title);
         assertThat(WindowHarness.onEdt(RehearsalExerciseTest::target)).isEqualTo(before);
+    }
+
+    /** A switch that does nothing looks broken, and a picture of other angles than the slider's misleads. */
+    @Test
+    void theXrayLetsAPausedSimulationGoOn() throws Exception {
+        clinic.begin();
+        JToggleButton beam = clinic.window().control(JToggleButton.class, "X-ray on");
+        JSlider arm = clinic.window().control(JSlider.class, "C-arm to the left");
+        FluoroscopyDock dock = (FluoroscopyDock) SwingUtilities.getAncestorOfClass(FluoroscopyDock.class, beam);
+        clinic.rest();
+        WindowHarness.doOnEdt(() -> arm.setValue(10));
+        assertThat(clinic.window().session().live().isPlaying())
+                .as("turned without X-rays")
+                .isFalse();
+        WindowHarness.doOnEdt(beam::doClick);
+        clinic.until("a picture", () -> dock.shot().isPresent());
+        clinic.rest();
+        WindowHarness.doOnEdt(() -> arm.setValue(30));
+        clinic.until("the angle", () -> dock.shot().orElseThrow().arm().leftObliqueDeg() == 30);
+        clinic.rest();
+        WindowHarness.doOnEdt(beam::doClick);
+        assertThat(clinic.window().session().live().isPlaying())
+                .as("switched off")
+                .isFalse();
+        WindowHarness.doOnEdt(() -> arm.setValue(0));
+        clinic.goOn();
     }
 
     @Test
