@@ -11,7 +11,7 @@ public final class LesionPlace {
     private static final Pattern LIVER = holding("liver");
     private static final Pattern BONE =
             holding("bones?|skelet(on|al)|ribs?|costal|stern(um|al)|vertebra[el]?|spin(e|al)"
-                    + "|sacr(um|al)|scapula|clavicle|humerus|femur|hip|pelvis|skull");
+                    + "|sacr(um|al)|scapula|clavicle|humerus|femur|hip|pelvis|skull|chest_wall");
     /** Bones that a breath moves, and bones of which the name does not say which. */
     private static final Pattern MOVING_BONE = holding("bones?|skelet(on|al)|ribs?|costal|stern(um|al)");
 
@@ -26,7 +26,7 @@ public final class LesionPlace {
     private static final Pattern STILL =
             holding("aort(a|ic)|o?esophag(us|eal)|thyroid|brachiocephalic_[a-z]+|subclavian_[a-z]+"
                     + "|common_carotid_[a-z]+|iliac_[a-z]+|superior_vena_cava|autochthon|(ilio)?psoas"
-                    + "|gluteus|intercostal_muscles|abdominal_wall");
+                    + "|glute(us|al)|muscles?|abdominal_wall");
 
     private static final Pattern KNOWN = holding(String.join("|", OrganNames.outsideLiver()));
     /** Parts of the names of other organs that no other word holds. */
@@ -49,7 +49,7 @@ public final class LesionPlace {
         return isLesion(name) && !LIVER.matcher(name).matches() && isOfChest(name);
     }
 
-    /** Whether it is a lesion of a bone or a costal cartilage. */
+    /** Whether it is a lesion of a bone, a costal cartilage or the chest wall between them. */
     public static boolean isInBone(String name) {
         return isLesion(name)
                 && !LIVER.matcher(name).matches()

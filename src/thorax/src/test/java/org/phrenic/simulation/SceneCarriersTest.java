@@ -51,7 +51,6 @@ class SceneCarriersTest {
                 "lesion_iliopsoas_l",
                 "lesion_autochthon_r",
                 "lesion_abdominal_wall",
-                "lesion_chest_wall",
                 "lesion_thymus",
                 "lesion_tracheal",
                 "lesion_ureter",
@@ -73,6 +72,7 @@ class SceneCarriersTest {
     @ValueSource(
             strings = {
                 "lesion_bone_lesion",
+                "lesion_chest_wall",
                 "lesion_sternum_metastasis",
                 "lesion_rib_5_metastasis_l",
                 "lesion_vertebra_t12_tumor",
@@ -90,6 +90,9 @@ class SceneCarriersTest {
                 "lesion_aortic_tumor",
                 "lesion_oesophagus_gtv",
                 "lesion_iliopsoas_l",
+                "lesion_muscle",
+                "lesion_paraspinal_muscle_r",
+                "lesion_gluteal_muscles_l",
                 "lesion_iliac_artery_r",
                 "lesion_autochthon_r",
                 "lesion_abdominal_wall",
