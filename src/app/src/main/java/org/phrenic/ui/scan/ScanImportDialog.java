@@ -2,6 +2,8 @@ package org.phrenic.ui.scan;
 
 import java.awt.Dimension;
 import java.awt.Window;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -105,20 +107,23 @@ final class ScanImportDialog {
      * @param withTable whether the import writes its table of labels
      */
     static List<String> replaced(Path folder, boolean withTable) {
-        String[] listed = folder.toFile().list();
-        // Of a folder that cannot be listed what is looked for by name is still found.
-        boolean hasMesh = listed != null
-                && Stream.of(listed)
-                        .map(folder::resolve)
-                        .anyMatch(at -> MeshFiles.isMesh(at) && !FileNames.isHidden(at));
         List<String> replaced = new ArrayList<>();
-        if (hasMesh || Files.exists(folder.resolve(ThoraxFolder.INDEX_FILE))) {
+        if (hasMesh(folder) || Files.exists(folder.resolve(ThoraxFolder.INDEX_FILE))) {
             replaced.add("the body");
         }
         if (withTable && Files.exists(folder.resolve(ScanImporter.LABELS_FILE))) {
             replaced.add(ScanImporter.LABELS_FILE);
         }
         return replaced;
+    }
+
+    private static boolean hasMesh(Path folder) {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.anyMatch(at -> MeshFiles.isMesh(at) && !FileNames.isHidden(at));
+        } catch (IOException | UncheckedIOException unlisted) {
+            // What is looked for by name is still found.
+            return false;
+        }
     }
 
     /** A folder that does not exist, beside the scan, or in the home folder where nothing can be written beside it. */

@@ -31,10 +31,11 @@ final class EditedScenario {
      * What is known of a change whose scene loads.
      *
      * @param previous the values before it
+     * @param scenario what was loaded for it, with its scheduled changes
      * @param takeBack takes it back in the history
      * @param sceneId of the scene that was loaded for it
      */
-    private record Pending(Scenario previous, Runnable takeBack, long sceneId) {}
+    private record Pending(Scenario previous, Scenario scenario, Runnable takeBack, long sceneId) {}
 
     /**
      * @param present gives the present values
@@ -120,7 +121,7 @@ final class EditedScenario {
 
     private void awaitScene(UndoableEdit edit, Scenario previous, Runnable takeBack) {
         before = loading.isEmpty() ? previous : before;
-        loading.putIfAbsent(edit, new Pending(previous, takeBack, live.newestSceneId()));
+        loading.putIfAbsent(edit, new Pending(previous, loaded, takeBack, live.newestSceneId()));
     }
 
     /** Undoes or redoes a change; where its own scene still loads, the scene that runs goes on. */
@@ -140,9 +141,11 @@ final class EditedScenario {
 
     /** A scene runs: of the changes, those for which it was loaded, and those before. The scene of others may load. */
     void endLoading(long sceneId) {
+        for (Pending change : loading.values()) {
+            running = change.sceneId <= sceneId ? change.scenario : running;
+        }
         if (loading.values().removeIf(change -> change.sceneId <= sceneId)) {
             edits.endMerging();
-            running = loading.isEmpty() ? loaded : running;
             before =
                     loading.values().stream().findFirst().map(Pending::previous).orElse(before);
         }

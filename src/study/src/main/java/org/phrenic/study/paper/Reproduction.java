@@ -138,7 +138,9 @@ public record Reproduction(
                             PaperScenarios.defaultModel("quiet", resolution).with(mesh)));
             speed.addAll(SpeedTrials.of(resolution, bodies.get(resolution), scheme, trials, trialS));
             progress.done(
-                    speed.size() / SpeedCase.values().length, total, "speed, " + resolution.vertices() + " vertices");
+                    speed.size() / SpeedCase.values().length,
+                    total,
+                    "speed, " + speed.get(speed.size() - 1).vertices() + " vertices");
         }
         Resolution finest = resolutions.get(resolutions.size() - 1);
         Scenario published = PaperScenarios.publishedModel("quiet", finest).with(mesh);

@@ -235,8 +235,8 @@ class RehearsalExerciseTest {
         WindowHarness.doOnEdt(() -> {
             session.addListener(cancelling);
             rehearsal().open(other);
+            assertThat(rehearsal().pictures().aids()).isEqualTo(Aids.PICTURES);
         });
-        assertThat(rehearsal().pictures().aids()).isEqualTo(Aids.PICTURES);
         clinic.until("the present scene again", () -> rehearsal().pictures().aids() == Aids.SEE_THROUGH);
         WindowHarness.doOnEdt(() -> session.removeListener(cancelling));
         clinic.ready();
