@@ -1,5 +1,6 @@
 package org.phrenic.access.plan;
 
+import java.nio.file.Path;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
@@ -32,6 +33,7 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.document.report.ReportDocument.Picture;
+import org.phrenic.file.FileNames;
 import org.phrenic.file.Numbers;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Surface;
@@ -157,9 +159,10 @@ public final class RehearsalReport {
         RehearsalPlan plan = rehearsal.plan();
         ReportDocument document = new ReportDocument(plan.title(), plan.description());
         document.remark(headline());
-        document.paragraph("Date: " + date + ". Body: "
-                + plan.scenario().anatomy() + ". Breathing: " + breathing(plan.scenario()) + ". Help: "
-                + plan.aids().label().toLowerCase(Locale.ROOT) + ".");
+        String anatomy = plan.scenario().anatomy();
+        String body = plan.scenario().isVirtual() ? anatomy : FileNames.ofBody(Path.of(anatomy));
+        document.paragraph("Date: " + date + ". Body: " + body + ". Breathing: " + breathing(plan.scenario())
+                + ". Help: " + plan.aids().label().toLowerCase(Locale.ROOT) + ".");
         goals(document);
         attempt(document);
         figure(document, "The needle (blue) and the target (yellow) at the sample.", needlePictures);

@@ -20,6 +20,7 @@ import org.phrenic.document.report.HtmlPage;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 
 class RehearsalReportTest {
@@ -74,6 +75,19 @@ class RehearsalReportTest {
         Assignment recording = Assignment.of("test", Breathing.TRACE, Optional.of(Path.of("some", "patient 7.csv")));
         assertThat(report(Scenario.defaults().with("preset=deep").with(List.of(recording)), Needle.standard()))
                 .contains("Breathing: recorded, patient 7.csv. Help: ");
+    }
+
+    /** A page is printed and handed on, and folders may have the names of users and patients. */
+    @Test
+    void theReportNamesTheFolderOfTheBodyAndNoneAboveIt() {
+        Path body = Path.of("patients", "MUELLER 1951", "scan-body").toAbsolutePath();
+        Scenario ofFolder =
+                Scenario.defaults().with(List.of(Assignment.of("test", RunSettings.ANATOMY, body.toString())));
+        assertThat(report(ofFolder, Needle.standard()))
+                .contains("Body: scan-body. Breathing: ")
+                .doesNotContain("MUELLER");
+        assertThat(report(Scenario.defaults(), Needle.standard()))
+                .contains("Body: " + RunSettings.VIRTUAL_MAN + ". Breathing: ");
     }
 
     @Test
