@@ -93,6 +93,7 @@ final class LiveTuning {
             scene.drive().pattern().change(pattern, newPattern, step, now);
         }
         scene.drive().invalidate();
+        scene.pose().invalidate();
         tissueRamps = !values.hasTissueArrived(now);
         sceneRamps = true;
         settingsBefore = before;

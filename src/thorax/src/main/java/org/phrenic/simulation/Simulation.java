@@ -283,8 +283,7 @@ public final class Simulation implements AutoCloseable {
 
     private void restartFrom() {
         restarts++;
-        // The rib cage caches the pose of the last time; a time that never occurs invalidates it.
-        scene.pose().update(-1);
+        scene.pose().invalidate();
         scene.tuning().restart(start, system());
         scene.drive().restart(new LiveBreathing(start));
         double[] rest = system().layout().toInternal(scene.restPositions());

@@ -169,6 +169,33 @@ class LiveChangeTest {
         }
     }
 
+    /**
+     * The second change finds the ramp of the first on its way, at a step whose time has other bits than the end of the
+     * step before. Who looks at that step, as a row of observables or a picture does, computes the ribs for its time.
+     */
+    @ParameterizedTest
+    @CsvSource({"rib_rotation, 1.5, 0.7", "upper_rib_rotation, 1.5, 0.7", "ribs, false, true"})
+    void lookingAtARunBeforeAChangeChangesNoBits(String key, String firstValue, String secondValue) {
+        int first = 520;
+        int second = 544;
+        Scenario start = Runs.scenario("preset=deep", "lungs=embedded", SMALL, "threads=2");
+        assertThat((second - 1) * start.timeStepS() + start.timeStepS()).isNotEqualTo(second * start.timeStepS());
+        try (Simulation unseen = Runs.simulation(start);
+                Simulation seen = Runs.simulation(start)) {
+            for (Simulation simulation : List.of(unseen, seen)) {
+                steps(simulation, first);
+                simulation.change(Assignment.parse(key + "=" + firstValue));
+                steps(simulation, second - first);
+            }
+            new SceneObserver(seen.scene()).observe(seen.time());
+            for (Simulation simulation : List.of(unseen, seen)) {
+                simulation.change(Assignment.parse(key + "=" + secondValue));
+                steps(simulation, BETWEEN);
+            }
+            assertThat(seen.stateHash()).isEqualTo(unseen.stateHash());
+        }
+    }
+
     private String firstOf(ScheduledChange change) throws IOException {
         return values().get(change.assignment().key()).get(0);
     }

@@ -93,6 +93,11 @@ public final class RibCagePose {
         }
     }
 
+    /** Lets the next update compute the bodies anew, after a change of what drives them at the time of the last. */
+    public void invalidate() {
+        time = Double.NaN;
+    }
+
     public RibCage cage() {
         return cage;
     }
