@@ -57,13 +57,12 @@ public final class SceneSurfaces {
     private final List<VertexSource> places = new ArrayList<>();
     private final List<Integer> bodies = new ArrayList<>();
     private final List<Integer> lungSurfaces = new ArrayList<>();
-    /** Copy of the state: node positions in the caller's order, bones, time, step, restarts and observables. */
+    /** Copy of the state: node positions in the caller's order, bones, time, step and observables. */
     private final double[] positions;
 
     private final RibCagePose pose;
     private double time;
     private long step;
-    private int restarts;
     private double[] values;
     private final Object token = new Object();
     private final SheetContact contact;
@@ -288,14 +287,12 @@ public final class SceneSurfaces {
     /** Copies the current node positions and bone poses. */
     private void copyState() {
         time = simulation.time();
-        restarts = simulation.restarts();
         scene.system().layout().toCaller(scene.system().positions(), positions);
         scene.pose().update(time);
         pose.copyFrom(scene.pose());
     }
 
     private void moveCarriers() {
-        contact.beginRun(restarts);
         contact.update(positions);
         carriers.update(time, positions);
     }

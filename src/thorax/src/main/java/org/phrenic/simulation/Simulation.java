@@ -43,7 +43,6 @@ public final class Simulation implements AutoCloseable {
     private LiveTuning tuning;
     private BreathRepetition repetition;
     private int nextScheduled;
-    private int restarts;
 
     private Simulation(
             Scenario scenario,
@@ -276,13 +275,7 @@ public final class Simulation implements AutoCloseable {
         restartFrom();
     }
 
-    /** How often time has begun at 0 again. */
-    public int restarts() {
-        return restarts;
-    }
-
     private void restartFrom() {
-        restarts++;
         scene.pose().invalidate();
         scene.tuning().restart(start, system());
         scene.drive().restart(new LiveBreathing(start));

@@ -42,8 +42,6 @@ public final class SheetContact {
     private final double[] positions;
     /** Sum of the largest distances that a vertex has moved from update to update, mm. */
     private double travelMm;
-    /** Number of the run whose frames the organs' searches may follow. */
-    private int run = -1;
 
     private final double[] normal = new double[3];
     private final MeshTopology topology;
@@ -70,15 +68,6 @@ public final class SheetContact {
         sheet.refit(positions);
     }
 
-    /**
-     * Begins a run. All points are searched anew at its first frame: where the sheet passes through itself, a search
-     * that follows earlier frames finds other points beyond a face than a new one, and what is shown of a run may not
-     * depend on the runs before.
-     */
-    public void beginRun(int number) {
-        run = number;
-    }
-
     /** Largest distance from a vertex of the sheet to where it is now. */
     private double farthestMm(double[] nodes) {
         double most = 0;
@@ -94,9 +83,12 @@ public final class SheetContact {
     /**
      * An organ on one side of the sheet. Its points are searched in clusters: no sheet lies between the first of a
      * cluster and a point that is nearer to it than the sheet is. Such a point lies on the same side, and is searched
-     * only if a fold of the sheet may be as near to it as {@value #FOLD_REACH_MM} mm. The same holds from frame to
-     * frame: a point that lay on its side when it was last searched, and since then has moved together with the sheet
-     * by less than it was away from it, less {@value #FOLD_REACH_MM} mm, still does and is not searched again.
+     * only if a fold of the sheet may be as near to it as {@value #FOLD_REACH_MM} mm.
+     *
+     * <p>What yields is a function of where the organ and the sheet are. Of earlier frames only what changes no answer
+     * is kept: the triangle at which a search begins, and a distance that spares the search of points out of reach.
+     * Sides are not: where the sheet passes through itself, points followed from frame to frame would lie on other
+     * sides than points searched in one frame alone.
      */
     public final class Organ {
         private final boolean above;
@@ -107,12 +99,14 @@ public final class SheetContact {
         private final double[] searchedAt;
         /** Least distance of each point from the sheet when last searched, plus the sheet's travel until then, mm. */
         private final double[] leastMm;
-        /** Whether each point certainly lay on the organ's side when last searched. */
-        private final boolean[] onSide;
+        /** Search in which each point last lay certainly on the organ's side, and its distance from the sheet there. */
+        private final int[] onSideIn;
+
+        private final double[] onSideMm;
+        /** Number of searches of this organ that were begun. */
+        private int search;
         /** Whether the point that was last searched lay beyond the face of the organ's side. */
         private boolean beyond;
-
-        private int searchedIn = run;
 
         private Organ(double[] rest, boolean above) {
             this.above = above;
@@ -120,23 +114,24 @@ public final class SheetContact {
             nearest = new int[rest.length / 3];
             searchedAt = rest.clone();
             leastMm = new double[nearest.length];
-            onSide = new boolean[nearest.length];
-            forget();
-        }
-
-        /** Lets every point be searched anew. */
-        private void forget() {
+            onSideIn = new int[nearest.length];
+            onSideMm = new double[nearest.length];
             Arrays.fill(nearest, -1);
             Arrays.fill(leastMm, Double.NEGATIVE_INFINITY);
-            Arrays.fill(onSide, false);
-            searchedIn = run;
         }
 
         /** Moves the points that lie beyond the face of the organ's side; three numbers a point, changed in place. */
         public void pushBack(double[] points) {
-            if (searchedIn != run) {
-                forget();
-            }
+            search++;
+            pushBackAgain(points);
+        }
+
+        /**
+         * As {@link #pushBack}, for points that were moved since then, while the sheet stands still: one that lay on
+         * its side, and has moved by less than it was away from the sheet, less {@value #FOLD_REACH_MM} mm, still does
+         * and is not searched again.
+         */
+        public void pushBackAgain(double[] points) {
             int[] order = clusters.order();
             for (int c = 0; c < clusters.count(); c++) {
                 int k = 3 * order[clusters.start(c)];
@@ -179,9 +174,10 @@ public final class SheetContact {
             return free > 0 && squaredDistance(points, k, searchedAt, k) < free * free;
         }
 
-        /** Whether a point cannot have crossed the sheet, nor come near to a fold of it, since it was last searched. */
+        /** Whether a point cannot have crossed the sheet, nor come near to a fold of it, since this search began. */
         private boolean isStillOnSide(double[] points, int k) {
-            return onSide[k / 3] && isBeyondReach(points, k, FOLD_REACH_MM);
+            double free = onSideMm[k / 3] - FOLD_REACH_MM - ROUNDING_MM;
+            return onSideIn[k / 3] == search && free > 0 && squaredDistance(points, k, searchedAt, k) < free * free;
         }
 
         /**
@@ -199,7 +195,7 @@ public final class SheetContact {
         /** Moves a point if it lies beyond; returns up to which distance all points lie on the organ's side, mm. */
         private double freeDistance(double[] points, int k) {
             if (isStillOnSide(points, k)) {
-                return leastMm[k / 3] - travelMm - Math.sqrt(squaredDistance(points, k, searchedAt, k));
+                return onSideMm[k / 3] - Math.sqrt(squaredDistance(points, k, searchedAt, k));
             }
             if (!pushBack(points, k, CLUSTER_REACH_MM)) {
                 return CLUSTER_REACH_MM;
@@ -222,10 +218,10 @@ public final class SheetContact {
             System.arraycopy(points, k, searchedAt, k, 3);
             leastMm[k / 3] = travelMm + (found ? Math.sqrt(hit.distanceSquared) : reachMm + AHEAD_MM);
             beyond = near && isBeyond(points, k, above);
-            onSide[k / 3] = near && !beyond && !faces.isOnBorder(hit);
-            if (beyond
-                    && hit.distanceSquared <= REACH_MM * REACH_MM
-                    && sheet.closest(x, y, z, REACH_MM, -1, faces.face(above), onFace)) {
+            boolean inReach = near && hit.distanceSquared <= REACH_MM * REACH_MM;
+            onSideIn[k / 3] = inReach && !beyond && !faces.isOnBorder(hit) ? search : 0;
+            onSideMm[k / 3] = Math.sqrt(hit.distanceSquared);
+            if (beyond && inReach && sheet.closest(x, y, z, REACH_MM, -1, faces.face(above), onFace)) {
                 yieldTo(points, k);
             }
             return near;

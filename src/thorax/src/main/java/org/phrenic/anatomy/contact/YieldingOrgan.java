@@ -31,7 +31,7 @@ public final class YieldingOrgan {
         System.arraycopy(free, 0, positions, 0, positions.length);
         contact.pushBack(positions);
         if (!Arrays.equals(free, positions) && spread().spread(free, positions)) {
-            contact.pushBack(positions);
+            contact.pushBackAgain(positions);
         }
         return positions;
     }
