@@ -71,6 +71,17 @@ public final class RampedValue {
         return target;
     }
 
+    /** Target before the changes of a step. */
+    double targetBefore(long step) {
+        return step == changedAtStep ? previousTarget : target;
+    }
+
+    /** Whether the ramp before the changes of a step had ended at a time. */
+    boolean hadArrived(long step, double timeS) {
+        Ramp before = step == changedAtStep ? previousRamp : ramp;
+        return before == null || before.isDone(timeS);
+    }
+
     /** Whether the ramp has ended. */
     public boolean hasArrived(double timeS) {
         return ramp == null || ramp.isDone(timeS);

@@ -39,9 +39,14 @@ public final class RampedValues {
         return value;
     }
 
-    /** Whether springs, masses or damping in given settings differ from the current targets. */
-    public boolean differsInTissue(SettingValues settings) {
-        return tissue.stream().anyMatch(value -> Double.compare(value.in(settings), value.target()) != 0);
+    /** Whether springs, masses or damping in given settings differ from the targets before the changes of a step. */
+    public boolean differsInTissue(SettingValues settings, long step) {
+        return tissue.stream().anyMatch(value -> Double.compare(value.in(settings), value.targetBefore(step)) != 0);
+    }
+
+    /** Whether all ramps of springs, masses and damping before the changes of a step had ended at a time. */
+    public boolean hadTissueArrived(long step, double timeS) {
+        return tissue.stream().allMatch(value -> value.hadArrived(step, timeS));
     }
 
     /** Starts ramps of all values to those in given settings. */

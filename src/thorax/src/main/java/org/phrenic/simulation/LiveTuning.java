@@ -113,17 +113,18 @@ final class LiveTuning {
         return changes.keySet().stream().anyMatch(setting -> setting.effect() == effect);
     }
 
-    /** Sets integrator and substeps for the tissue before and after the change. */
+    /** Sets integrator and substeps for the tissue before and after the changes of this step. */
     private void setUpSteps(Scenario after, Map<Setting<?>, Assignment> changes, double now) {
-        Integrator integrator = stepper.integrator();
+        long step = stepper.steps();
+        Integrator integrator = stepper.integratorBeforeChange();
         boolean other = after.integrator() != integrator.kind();
         if (other) {
             integrator = after.integrator().create(system);
         }
         boolean measure = other
-                || after.timeStepS() != stepper.dt()
-                || !values.hasTissueArrived(now - stepper.dt())
-                || values.differsInTissue(after)
+                || after.timeStepS() != stepper.dtBeforeChange()
+                || !values.hadTissueArrived(step, now - stepper.dtBeforeChange())
+                || values.differsInTissue(after, step)
                 || changes.keySet().stream()
                         .anyMatch(setting -> setting.effect().affectsStability());
         if (measure) {

@@ -17,9 +17,6 @@ public final class Stepper {
      */
     public static final double SAFETY = 0.9;
 
-    /** Maximum number of substeps a step. With more, the program would appear to hang. */
-    public static final int MAX_SUBSTEPS = 10_000;
-
     /**
      * Simulated time after {@link #checkpoint} in which no later state replaces it, s. Within it a change shows what it
      * does to tissue: 0.2 s of its ramp, and ten times as much.
@@ -43,6 +40,8 @@ public final class Stepper {
     private String substepRefinementReason = "";
     /** Substeps at the last {@link #checkpoint}. */
     private Splitting atCheckpoint = Splitting.NONE;
+    /** What was set before the last change; null before the first. */
+    private Setup before;
 
     private long steps;
     /** Start of the segment with the current dt: its first step, and the simulated time there, s. */
@@ -54,6 +53,15 @@ public final class Stepper {
     private record Splitting(long step, int substeps, int apart, int refinement, String reason) {
         static final Splitting NONE = new Splitting(-1, 1, 1, 1, "");
     }
+
+    /** What a change at the step of the splitting may replace. */
+    private record Setup(
+            Integrator integrator,
+            double dt,
+            long segmentStep,
+            double segmentTime,
+            StabilityLimit limit,
+            Splitting splitting) {}
 
     /**
      * @param integrator the scheme, on its system
@@ -86,7 +94,7 @@ public final class Stepper {
 
     /**
      * Changes scheme and time step. The number of substeps satisfies both limits. The current state becomes the
-     * checkpoint, as by {@link #checkpoint}.
+     * checkpoint, as by {@link #checkpoint}. Earlier changes at the same step leave no trace.
      *
      * @param next the scheme, on the same system
      * @param nextDt time step, s, more than 0
@@ -95,9 +103,10 @@ public final class Stepper {
      * @throws IllegalArgumentException as the constructor; nothing has changed then
      */
     public void switchTo(Integrator next, double nextDt, StabilityLimit here, StabilityLimit ahead) {
-        int most = Math.max(split(next.kind(), nextDt, here), split(next.kind(), nextDt, ahead));
+        int most = Math.max(policy.substeps(next.kind(), nextDt, here), policy.substeps(next.kind(), nextDt, ahead));
         double h = nextDt / most;
-        int apart = Math.max(splitApart(next.kind(), h, here), splitApart(next.kind(), h, ahead));
+        int apart = Math.max(policy.stepsApart(next.kind(), h, here), policy.stepsApart(next.kind(), h, ahead));
+        takeBackChanges();
         if (nextDt != dt) {
             segmentTime = time();
             segmentStep = steps;
@@ -108,7 +117,35 @@ public final class Stepper {
         limit = ahead.largestStep(next.kind()) < here.largestStep(next.kind()) ? ahead : here;
         substeps = most;
         stepApart(apart);
-        checkpoint();
+        saveCheckpoint();
+    }
+
+    /** The scheme before the changes of the current step. */
+    public Integrator integratorBeforeChange() {
+        return isChanged() ? before.integrator : integrator;
+    }
+
+    /** The time step before the changes of the current step, s. */
+    public double dtBeforeChange() {
+        return isChanged() ? before.dt : dt;
+    }
+
+    private boolean isChanged() {
+        return before != null && before.splitting.step == steps;
+    }
+
+    /** Restores what was set before the changes of the current step; without any, notes what is set. */
+    private void takeBackChanges() {
+        if (isChanged()) {
+            integrator = before.integrator;
+            dt = before.dt;
+            segmentStep = before.segmentStep;
+            segmentTime = before.segmentTime;
+            limit = before.limit;
+            restore(before.splitting);
+        } else {
+            before = new Setup(integrator, dt, segmentStep, segmentTime, limit, splitting());
+        }
     }
 
     /**
@@ -141,43 +178,27 @@ public final class Stepper {
     }
 
     /**
-     * Saves the current state as checkpoint, before a change. For 2 s of simulated time no later state replaces it, so
-     * that a divergence is followed by a state that the change has not deformed.
+     * Saves the current state as checkpoint, before a change of neither scheme nor time step. For 2 s of simulated time
+     * no later state replaces it, so that a divergence is followed by a state that the change has not deformed. Earlier
+     * changes at the same step leave no trace.
      */
     public void checkpoint() {
+        takeBackChanges();
+        watch.reset();
+        saveCheckpoint();
+    }
+
+    private void saveCheckpoint() {
         guard.checkpoint(steps, trialSteps());
-        atCheckpoint = new Splitting(steps, substeps, stepsApart, refinement, substepRefinementReason);
+        atCheckpoint = splitting();
+    }
+
+    private Splitting splitting() {
+        return new Splitting(steps, substeps, stepsApart, refinement, substepRefinementReason);
     }
 
     private long trialSteps() {
         return (long) Math.ceil(TRIAL_S / dt);
-    }
-
-    /** Number of substeps under a limit; throws if the step is refused. */
-    private int split(IntegratorKind kind, double step, StabilityLimit measured) {
-        boolean apart = measured.apart()
-                .map(limitApart -> limitApart.isStable(kind, step))
-                .orElse(true);
-        if (policy == StepPolicy.REFUSE && !(apart && measured.isStable(kind, step))) {
-            throw new IllegalArgumentException(measured.describe(kind, step) + ": refused");
-        }
-        int parts = policy == StepPolicy.REFUSE ? 1 : measured.substeps(kind, step, SAFETY);
-        return requireFew(parts, kind, step, measured);
-    }
-
-    private static int requireFew(int parts, IntegratorKind kind, double step, StabilityLimit measured) {
-        if (parts > MAX_SUBSTEPS) {
-            throw new IllegalArgumentException(measured.describe(kind, step) + ": it would take " + parts
-                    + " substeps, expected at most " + MAX_SUBSTEPS
-                    + " (choose verlet or backward-euler, or a shorter time step)");
-        }
-        return parts;
-    }
-
-    /** Number of steps of nodes apart in a substep of the others. */
-    private int splitApart(IntegratorKind kind, double h, StabilityLimit measured) {
-        int parts = policy == StepPolicy.REFUSE ? 1 : measured.stepsApart(kind, h, SAFETY);
-        return requireFew(parts, kind, h, measured.apart().orElse(measured));
     }
 
     private void stepApart(int steps) {
@@ -201,13 +222,14 @@ public final class Stepper {
         integrator = first;
         apply(measured);
         atCheckpoint = Splitting.NONE;
+        before = null;
         guard.restart();
     }
 
     private void apply(StabilityLimit measured) {
         limit = measured;
-        substeps = split(integrator.kind(), dt, measured);
-        stepApart(splitApart(integrator.kind(), dt / substeps, measured));
+        substeps = policy.substeps(integrator.kind(), dt, measured);
+        stepApart(policy.stepsApart(integrator.kind(), dt / substeps, measured));
         begin();
     }
 
@@ -237,7 +259,10 @@ public final class Stepper {
             long failed = steps;
             steps = guard.restore();
             integrator.system().invalidate();
-            restoreSplitting();
+            if (atCheckpoint.step == steps) {
+                // The run goes on as one that never left the checkpoint of a change.
+                restore(atCheckpoint);
+            }
             integrator.reset();
             watch.reset();
             throw new DivergenceException(segmentTime + (failed - segmentStep) * dt, time(), cause);
@@ -255,23 +280,17 @@ public final class Stepper {
         watch.reset();
     }
 
-    /**
-     * After a return to the checkpoint of a change, restores the substeps there: the run goes on as one that never left
-     * it.
-     */
-    private void restoreSplitting() {
-        if (atCheckpoint.step == steps) {
-            substeps = atCheckpoint.substeps;
-            stepApart(atCheckpoint.apart);
-            refinement = atCheckpoint.refinement;
-            substepRefinementReason = atCheckpoint.reason;
-        }
+    private void restore(Splitting splitting) {
+        substeps = splitting.substeps;
+        stepApart(splitting.apart);
+        refinement = splitting.refinement;
+        substepRefinementReason = splitting.reason;
     }
 
     /** Doubles the number of substeps; returns the cause of chatter if a limit prevents this, else null. */
     private String refine(int node) {
         String cause = "node " + node + " turns round in every substep";
-        if (policy == StepPolicy.REFUSE || refinement >= MAX_REFINEMENT || 2L * substeps > MAX_SUBSTEPS) {
+        if (policy == StepPolicy.REFUSE || refinement >= MAX_REFINEMENT || 2L * substeps > StepPolicy.MAX_SUBSTEPS) {
             return cause;
         }
         refinement *= 2;
