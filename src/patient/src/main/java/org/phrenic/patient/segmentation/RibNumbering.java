@@ -1,12 +1,10 @@
 package org.phrenic.patient.segmentation;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
@@ -14,16 +12,16 @@ import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.file.BadInputException;
-import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
 
 /**
  * Numbers of ribs. Where a label holds parts of two ribs or names a rib of the other side, or all ribs share one label,
- * the connected ribs are numbered from top to bottom on each side. Without vertebrae they are counted from the first or
- * the last ({@link CutRibCount}). The numbers are otherwise those of least cost: the height of a rib's vertebral end
- * above or below the vertebra of its number, the share of its voxels that carry another number, and numbers left out.
- * Of a rib whose vertebral end is cut off the vertebra lies higher than what is left.
+ * the connected ribs are numbered from top to bottom on each side. Without thoracic vertebrae they are counted from the
+ * first or the last ({@link CutRibCount}). The numbers are otherwise those of least cost: the height of a rib's
+ * vertebral end above or below the vertebra of its number, the share of its voxels that carry another number, and
+ * numbers left out. Of a rib whose vertebral end is cut off the vertebra lies higher than what is left. Where no
+ * vertebra above the twelfth is shown, the height of the lowest rib alone tells its number.
  */
 final class RibNumbering {
     static final int RIBS = 12;
@@ -31,14 +29,12 @@ final class RibNumbering {
     static final double VERTEBRA_MM = 25;
     /** Weight of the labels' numbers where vertebrae are known. */
     private static final double VOTE = 0.5;
-    /** Share of a rib's voxels nearest to the spine that make its vertebral end. */
-    private static final double END_SHARE = 0.03;
     /** Cost of a number without a rib between two ribs. */
     private static final double GAP = 0.3;
-    /** Greatest distance of a vertebral end from the median plane, mm. */
-    private static final double HEAD_MM = 60;
     /** Weight of the height above what is left of a rib whose vertebral end is cut off. */
     private static final double ABOVE_CUT = 0.2;
+
+    private static final String BY_VERTEBRAE = "by their vertebrae";
 
     private final Segmentation s;
     /** Whether ribs share a label. */
@@ -46,15 +42,14 @@ final class RibNumbering {
 
     private final RibComponents components;
     private final RibSides sides;
-    /** Height of the body of each thoracic vertebra by number, mm; NaN if none is known. */
-    private final double[] vertebraZ;
+    private final VertebraHeights vertebrae;
 
     private RibNumbering(Segmentation s, RibComponents components) {
         this.s = s;
         this.components = components;
         isCommon = s.names().stream().anyMatch(LabelTable::isRibs);
         sides = new RibSides(s, components.ribs());
-        vertebraZ = VertebraHeights.of(s);
+        vertebrae = new VertebraHeights(s);
     }
 
     /**
@@ -146,7 +141,9 @@ final class RibNumbering {
                         .map(onSide ->
                                 onSide.stream().mapToDouble(i -> ends[i].z()).toArray())
                         .toList());
+        List<String> ways = new ArrayList<>();
         for (int n = 0; n < both.size(); n++) {
+            ways.add(way(onSides.get(n).size(), first[n]));
             int[] numbers = numbers(onSides.get(n), ends, first[n], both.get(n), found);
             for (int i = 0; i < numbers.length; i++) {
                 String name = name(numbers[i], both.get(n));
@@ -156,7 +153,7 @@ final class RibNumbering {
         }
         apply(ribs, nameOf);
         return found + ": the " + numbered.size() + " connected ribs are numbered from top to bottom"
-                + (hasVertebrae() ? " by their vertebrae" : countedFrom(numbered))
+                + told(ways)
                 + (stray > 0 ? "; " + stray + " parts of ribs away from their label's rib are left out" : "");
     }
 
@@ -204,54 +201,42 @@ final class RibNumbering {
         return String.format(Locale.ROOT, "rib_%02d_%s", number, side == Side.RIGHT ? "R" : "L");
     }
 
-    private String countedFrom(List<String> numbered) {
-        boolean all = !isCommon || numbered.size() == 2 * RIBS;
-        return all
-                ? ""
-                : numbered.contains(name(1, Side.RIGHT)) ? ", counted from the first" : ", counted from the last";
+    /** The end of the note: what tells the numbers on the right and on the left. */
+    private static String told(List<String> ways) {
+        List<String> different =
+                ways.stream().filter(way -> !way.isEmpty()).distinct().toList();
+        return switch (different.size()) {
+            case 0 -> "";
+            case 1 -> (different.get(0).equals(BY_VERTEBRAE) ? " " : ", ") + different.get(0);
+            default -> ", " + ways.get(0) + " on the right and " + ways.get(1) + " on the left";
+        };
     }
 
-    private boolean hasVertebrae() {
-        return Arrays.stream(vertebraZ).anyMatch(z -> !Double.isNaN(z));
+    /**
+     * What tells the numbers of the ribs of a side; empty if their labels or their count do.
+     *
+     * @param ribs number of ribs
+     * @param first number of the highest one as counted without vertebrae; empty if that is unknown
+     */
+    private String way(int ribs, OptionalInt first) {
+        if (isUnknown(ribs) && first.isPresent() && !vertebrae.showThorax()) {
+            return first.getAsInt() == 1 ? "counted from the first" : "counted from the last";
+        }
+        boolean byVertebrae = ribs > 0 && (vertebrae.showThorax() || (isUnknown(ribs) && vertebrae.areShown()));
+        return byVertebrae ? BY_VERTEBRAE : "";
+    }
+
+    /** Whether neither labels tell the numbers of so many ribs of a side nor that they are all. */
+    private boolean isUnknown(int ribs) {
+        return isCommon && ribs > 0 && ribs < RIBS;
     }
 
     /** The vertebral end of a rib: the part of its posterior half that is nearest to the median plane. */
     private VertebralEnd vertebralEnd(RibComponents.Rib rib, double middle) {
-        List<double[]> posterior = posterior(s, rib.voxels, rib.centre[1], middle);
+        List<double[]> posterior = VertebraHeights.posterior(s, rib.voxels, rib.centre[1], middle);
         return new VertebralEnd(
-                endHeight(posterior, rib.voxels.size()).orElse(rib.centre[2]),
-                rib.ends != 0 && isFarFromSpine(posterior));
-    }
-
-    /** Distance from the median plane and height of each voxel of a rib behind its centre, mm. */
-    static List<double[]> posterior(Segmentation s, IntList voxels, double centreY, double middle) {
-        List<double[]> posterior = new ArrayList<>();
-        for (int i = 0; i < voxels.size(); i++) {
-            double[] p = s.point(voxels.get(i));
-            if (p[1] >= centreY) {
-                posterior.add(new double[] {Math.abs(p[0] - middle), p[2]});
-            }
-        }
-        return posterior;
-    }
-
-    /** Whether the posterior half of a rib ends far from the spine. */
-    static boolean isFarFromSpine(List<double[]> posterior) {
-        return !posterior.isEmpty() && posterior.stream().allMatch(p -> p[0] > HEAD_MM);
-    }
-
-    /**
-     * Mean height of the vertebral end of a rib: of the voxels nearest to the spine.
-     *
-     * @param posterior distance from the spine and height of each posterior voxel, mm
-     * @param voxels number of voxels of the rib
-     */
-    static OptionalDouble endHeight(List<double[]> posterior, int voxels) {
-        return posterior.stream()
-                .sorted(Comparator.comparingDouble((double[] p) -> p[0]).thenComparingDouble(p -> p[1]))
-                .limit(Math.max(1, (int) (END_SHARE * voxels)))
-                .mapToDouble(p -> p[1])
-                .average();
+                VertebraHeights.endHeight(posterior, rib.voxels.size()).orElse(rib.centre[2]),
+                rib.ends != 0 && VertebraHeights.isFarFromSpine(posterior));
     }
 
     /**
@@ -261,11 +246,11 @@ final class RibNumbering {
      */
     private int[] numbers(List<Integer> ribs, VertebralEnd[] ends, OptionalInt first, Side side, String found) {
         int n = ribs.size();
-        boolean unknown = n > 0 && n < RIBS && isCommon && !hasVertebrae();
-        if (unknown && first.isPresent()) {
-            return IntStream.range(0, n).map(i -> first.getAsInt() + i).toArray();
+        if (isUnknown(n) && !vertebrae.showAboveLast() && (first.isPresent() || vertebrae.areShown())) {
+            int highest = vertebrae.showThorax() || first.isEmpty() ? byLowest(ribs, ends, side) : first.getAsInt();
+            return IntStream.range(0, n).map(i -> highest + i).toArray();
         }
-        if (n > RIBS || unknown) {
+        if (n > RIBS || (isUnknown(n) && !vertebrae.areShown())) {
             throw new BadInputException(found + ", which cannot be told apart: found " + n + " connected ribs on the "
                     + side.name().toLowerCase(Locale.ROOT)
                     + (n > RIBS ? ", expected at most 12" : " and no vertebrae, expected 12, or labelled vertebrae"));
@@ -292,6 +277,22 @@ final class RibNumbering {
         return numbers;
     }
 
+    /**
+     * The number of the highest of ribs that follow each other, from the lowest one whose vertebral end the scan shows:
+     * how far vertebrae lie from each other above the twelfth is then unknown.
+     */
+    private int byLowest(List<Integer> ribs, VertebralEnd[] ends, Side side) {
+        int n = ribs.size();
+        int lowest = IntStream.iterate(n - 1, i -> i >= 0, i -> i - 1)
+                .filter(i -> !ends[ribs.get(i)].isCut())
+                .findFirst()
+                .orElse(n - 1);
+        return IntStream.rangeClosed(1, RIBS - n + 1)
+                .boxed()
+                .min(Comparator.comparingDouble(first -> cost(ribs.get(lowest), ends, first + lowest, side)))
+                .orElseThrow();
+    }
+
     /** The number of least cost of the lowest of n ribs. */
     private static int lowest(double[] least, int n) {
         return IntStream.rangeClosed(n, RIBS)
@@ -303,10 +304,10 @@ final class RibNumbering {
     private double cost(int rib, VertebralEnd[] ends, int number, Side side) {
         int segment = s.find(name(number, side));
         double vote = 1 - (segment > 0 ? components.ribs().get(rib).share(segment) : 0);
-        if (!hasVertebrae()) {
+        if (!vertebrae.showThorax() && !(isCommon && vertebrae.areShown())) {
             return vote;
         }
-        double above = (vertebraZ[number] - ends[rib].z()) / VERTEBRA_MM;
+        double above = (vertebrae.at(number) - ends[rib].z()) / VERTEBRA_MM;
         return Math.abs(above) * (ends[rib].isCut() && above > 0 ? ABOVE_CUT : 1) + VOTE * vote;
     }
 

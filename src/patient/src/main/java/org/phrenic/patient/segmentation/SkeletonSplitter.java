@@ -275,7 +275,7 @@ final class SkeletonSplitter {
                 posterior.add(new double[] {spine.beside(p), p[2]});
             }
         }
-        double endZ = RibNumbering.endHeight(posterior, n).orElse(Double.NaN);
+        double endZ = VertebraHeights.endHeight(posterior, n).orElse(Double.NaN);
         double beside = posterior.stream().mapToDouble(p -> p[0]).min().orElse(Double.POSITIVE_INFINITY);
         double[] extent = {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
         return new Part(voxels, centre, extent, low[1], beside, endZ, ends);

@@ -1,26 +1,57 @@
 package org.phrenic.patient.segmentation;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
+import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
 
-/** Heights of the thoracic vertebrae of a volume, by those and the lumbar ones. */
+/** Heights of the vertebrae of a volume, and of the vertebral ends of its ribs. */
 final class VertebraHeights {
     /** Level of the fifth lumbar vertebra. */
     private static final int LAST = StructureName.FIRST_LUMBAR + 4;
+    /** Below all levels: no vertebra. */
+    private static final int NONE = LAST + 1;
 
-    private VertebraHeights() {}
+    /** Usual distance of lumbar vertebrae from each other and from the twelfth thoracic one, mm. */
+    private static final double LUMBAR_MM = 30;
+
+    /** Share of a rib's voxels nearest to the spine that make its vertebral end. */
+    private static final double END_SHARE = 0.03;
+    /** Greatest distance of a vertebral end from the median plane, mm. */
+    private static final double HEAD_MM = 60;
+
+    /** By level, mm; NaN if the volume shows none. */
+    private final double[] vertebraZ = new double[LAST + 1];
+    /** Level of the highest vertebra that the volume shows, {@link #NONE} if there is none. */
+    private final int highest;
 
     /**
      * Heights of vertebral bodies: means over the anterior halves of the vertebrae. Those that the scan does not show
      * are taken to follow at the usual distance.
-     *
-     * @return mm, by level; NaN if the volume shows none
      */
-    static double[] of(Segmentation s) {
-        double[] vertebraZ = new double[LAST + 1];
+    VertebraHeights(Segmentation s) {
         Arrays.fill(vertebraZ, Double.NaN);
+        readShown(s);
+        highest = IntStream.rangeClosed(1, LAST)
+                .filter(level -> !Double.isNaN(vertebraZ[level]))
+                .findFirst()
+                .orElse(NONE);
+        for (int level = LAST - 1; level > 0; level--) {
+            vertebraZ[level] = Double.isNaN(vertebraZ[level]) ? vertebraZ[level + 1] + toNext(level) : vertebraZ[level];
+        }
+        for (int level = 2; level <= LAST; level++) {
+            vertebraZ[level] =
+                    Double.isNaN(vertebraZ[level]) ? vertebraZ[level - 1] - toNext(level - 1) : vertebraZ[level];
+        }
+    }
+
+    private void readShown(Segmentation s) {
         double[][] sums = new double[LabelGrid.MAX_BYTE_LABEL + 1][3];
         int[] levels = new int[sums.length];
         for (String name : s.names()) {
@@ -52,14 +83,61 @@ final class VertebraHeights {
                 }
             }
         }
-        for (int level = LAST - 1; level > 0; level--) {
-            vertebraZ[level] =
-                    Double.isNaN(vertebraZ[level]) ? vertebraZ[level + 1] + RibNumbering.VERTEBRA_MM : vertebraZ[level];
+    }
+
+    /** Usual distance of a vertebra from the next one below, mm. */
+    private static double toNext(int level) {
+        return level < RibNumbering.RIBS ? RibNumbering.VERTEBRA_MM : LUMBAR_MM;
+    }
+
+    /** Height of the vertebra of a level, mm; NaN if the volume shows none at all. */
+    double at(int level) {
+        return vertebraZ[level];
+    }
+
+    /** Whether the volume shows a vertebra. */
+    boolean areShown() {
+        return highest != NONE;
+    }
+
+    /** Whether the volume shows a thoracic vertebra. */
+    boolean showThorax() {
+        return highest <= RibNumbering.RIBS;
+    }
+
+    /** Whether the volume shows a vertebra above the last thoracic one. */
+    boolean showAboveLast() {
+        return highest < RibNumbering.RIBS;
+    }
+
+    /** Distance from the median plane and height of each voxel of a rib behind its centre, mm. */
+    static List<double[]> posterior(Segmentation s, IntList voxels, double centreY, double middle) {
+        List<double[]> posterior = new ArrayList<>();
+        for (int i = 0; i < voxels.size(); i++) {
+            double[] p = s.point(voxels.get(i));
+            if (p[1] >= centreY) {
+                posterior.add(new double[] {Math.abs(p[0] - middle), p[2]});
+            }
         }
-        for (int level = 2; level <= LAST; level++) {
-            vertebraZ[level] =
-                    Double.isNaN(vertebraZ[level]) ? vertebraZ[level - 1] - RibNumbering.VERTEBRA_MM : vertebraZ[level];
-        }
-        return vertebraZ;
+        return posterior;
+    }
+
+    /** Whether the posterior half of a rib ends far from the spine. */
+    static boolean isFarFromSpine(List<double[]> posterior) {
+        return !posterior.isEmpty() && posterior.stream().allMatch(p -> p[0] > HEAD_MM);
+    }
+
+    /**
+     * Mean height of the vertebral end of a rib: of the voxels nearest to the spine.
+     *
+     * @param posterior distance from the spine and height of each posterior voxel, mm
+     * @param voxels number of voxels of the rib
+     */
+    static OptionalDouble endHeight(List<double[]> posterior, int voxels) {
+        return posterior.stream()
+                .sorted(Comparator.comparingDouble((double[] p) -> p[0]).thenComparingDouble(p -> p[1]))
+                .limit(Math.max(1, (int) (END_SHARE * voxels)))
+                .mapToDouble(p -> p[1])
+                .average();
     }
 }

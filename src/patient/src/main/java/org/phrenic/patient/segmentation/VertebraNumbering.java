@@ -102,14 +102,14 @@ final class VertebraNumbering {
 
     /** 1 if the vertebrae lie one above the ribs of their numbers, -1 if one below, otherwise 0. */
     private int slip(double middle) {
-        double[] height = VertebraHeights.of(s);
-        double spacing = (height[FIRST] - height[RibNumbering.RIBS]) / (RibNumbering.RIBS - FIRST);
+        VertebraHeights height = new VertebraHeights(s);
+        double spacing = (height.at(FIRST) - height.at(RibNumbering.RIBS)) / (RibNumbering.RIBS - FIRST);
         double[] deviation = ribs.entrySet().stream()
                 .filter(rib -> names[rib.getKey()].level() >= FIRST && ends.get(rib.getKey()) == 0)
                 .flatMapToDouble(rib -> {
                     int number = names[rib.getKey()].level();
                     OptionalDouble end = vertebralEnd(rib.getValue(), middle);
-                    return end.stream().map(z -> (height[number] - z) / spacing - USUAL[number - FIRST]);
+                    return end.stream().map(z -> (height.at(number) - z) / spacing - USUAL[number - FIRST]);
                 })
                 .sorted()
                 .toArray();
@@ -130,10 +130,10 @@ final class VertebraNumbering {
         for (int i = 0; i < voxels.size(); i++) {
             y += s.coordinate(voxels.get(i), 1) / voxels.size();
         }
-        List<double[]> posterior = RibNumbering.posterior(s, voxels, y, middle);
-        return RibNumbering.isFarFromSpine(posterior)
+        List<double[]> posterior = VertebraHeights.posterior(s, voxels, y, middle);
+        return VertebraHeights.isFarFromSpine(posterior)
                 ? OptionalDouble.empty()
-                : RibNumbering.endHeight(posterior, voxels.size());
+                : VertebraHeights.endHeight(posterior, voxels.size());
     }
 
     private boolean ribsAreRight() {

@@ -96,9 +96,15 @@ public final class CageVoxels {
 
     /** Whole slices of voxels of this size in LPS, the first one at the origin. */
     static LabelVolume volume(byte[] labels) {
+        return volume(labels, SPACING_MM);
+    }
+
+    /** The same, of slices at a distance in mm: ribs are eight slices apart. */
+    static LabelVolume volume(byte[] labels, double apart) {
         double s = SPACING_MM;
         int slices = labels.length / (COLUMNS * ROWS);
-        LabelGrid grid = LabelGrid.of(COLUMNS, ROWS, slices, labels, new double[] {s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0});
+        LabelGrid grid =
+                LabelGrid.of(COLUMNS, ROWS, slices, labels, new double[] {s, 0, 0, 0, 0, s, 0, 0, 0, 0, apart, 0});
         return new LabelVolume(grid, Map.of(), java.util.List.of());
     }
 

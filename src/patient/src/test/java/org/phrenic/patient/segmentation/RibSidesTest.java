@@ -98,17 +98,4 @@ class RibSidesTest {
         both.addAll(ribs(false, 10));
         assertThat(named(cage, LabelTable.RIBS)).isEqualTo(both);
     }
-
-    /** Of the spine beside ribs 7 to 12 the first lumbar vertebra has a label. */
-    @Test
-    void lumbarVertebraeNumberRibsUnderOneLabel() {
-        CageVoxels cage = new CageVoxels().withRibs(7);
-        cage.ball(44.5, 50, 123 - 8 * 13, 3.2, CageVoxels.vertebra(12));
-        TreeMap<Integer, String> table = new TreeMap<>(CageVoxels.table(true).structures());
-        table.put(CageVoxels.vertebra(12), "vertebra_L01");
-        Segmentation s = cage.segmentation(new LabelTable(table));
-        assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
-                .contains("by their vertebrae"));
-        assertThat(s.names()).containsAll(ribs(true, 7)).containsAll(ribs(false, 7));
-    }
 }
