@@ -137,7 +137,7 @@ final class RibComponents {
                     .orElse(0);
         }
         ribs.forEach(rib -> findAngles(rib, middle));
-        joinPieces(middle[0]);
+        joinPieces(new RibSides(s, ribs).middle().orElse(middle[0]));
     }
 
     private void findAngles(Rib rib, double[] middle) {
@@ -153,7 +153,7 @@ final class RibComponents {
     /**
      * Joins parts of one label alone that lie end to end: in different directions about the body's axis, and near to
      * each other or at one end of the volume; or near with their ends alone, as parts of a first rib, which curves
-     * about the axis itself.
+     * about the axis itself. Those on the two sides of the median plane, whose x is given in mm, are never one rib.
      */
     private void joinPieces(double middle) {
         while (joinTwo(middle)) {

@@ -26,6 +26,17 @@ class RibSidesTest {
         return cage;
     }
 
+    /** Divides a rib at two fifths of its length from the spine. */
+    private static CageVoxels withBroken(CageVoxels cage, int number, boolean right) {
+        for (int v = 0; v < cage.labels.length; v++) {
+            int row = v / CageVoxels.COLUMNS % CageVoxels.ROWS;
+            boolean gap = row >= 36 && row <= 38;
+            boolean broken = (cage.labels[v] & LabelGrid.MAX_BYTE_LABEL) == CageVoxels.rib(number, right);
+            cage.labels[v] = gap && broken ? 0 : cage.labels[v];
+        }
+        return cage;
+    }
+
     /** Names of the structures after ribs are numbered, with all ribs of the cage under one name. */
     private static Set<String> named(CageVoxels cage, String ribs) {
         TreeMap<Integer, String> table = new TreeMap<>(CageVoxels.table(true).structures());
@@ -72,6 +83,27 @@ class RibSidesTest {
             cage.ball(44.5, 8, 90, 4, STERNUM_LABEL);
             assertThat(named(cage, LabelTable.RIBS)).isEqualTo(ribs(right, 1));
         }
+    }
+
+    /**
+     * Half of a broken rib lies farther from the median plane than the middle of its side's ribs, half of it nearer.
+     */
+    @Test
+    void aBrokenRibIsOneWhereAScanShowsRibsOfOneSide() {
+        for (boolean right : new boolean[] {true, false}) {
+            CageVoxels cage = withBroken(oneSide(CageVoxels.withFloatingRibs(), right), 6, right);
+            assertThat(named(cage, right ? LabelTable.RIGHT_RIBS : LabelTable.LEFT_RIBS))
+                    .isEqualTo(ribs(right, 1));
+            assertThat(named(cage.withVertebrae(1), LabelTable.RIBS)).isEqualTo(ribs(right, 1));
+        }
+    }
+
+    /** Their labels number them: no rib is numbered anew. */
+    @Test
+    void aBrokenRibOfOneSideKeepsTheNumberOfItsLabel() {
+        CageVoxels cage = withBroken(oneSide(CageVoxels.withFloatingRibs(), true), 6, true);
+        Segmentation s = cage.segmentation(CageVoxels.table(false));
+        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
     }
 
     /** A wrong side is worse than none. */
