@@ -13,7 +13,7 @@ public final class LesionPlace {
             holding("bones?|skelet(on|al)|ribs?|costal|stern(um|al)|vertebra[el]?|spin(e|al)"
                     + "|sacr(um|al)|scapula|clavicle|humerus|femur|hip|pelvis|skull|chest_wall");
     /** Bones that a breath moves, and bones of which the name does not say which. */
-    private static final Pattern MOVING_BONE = holding("bones?|skelet(on|al)|ribs?|costal|stern(um|al)");
+    private static final Pattern MOVING_BONE = holding("bones?|skelet(on|al)|ribs?|costal|stern(um|al)|chest_wall");
 
     private static final Pattern LUNG = Pattern.compile(".*(lung|bronch).*");
     private static final Pattern MEDIASTINUM =

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.phrenic.anatomy.cage.MovingChestWall;
 import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.integrator.DivergenceException;
@@ -94,6 +95,7 @@ final class LiveTuning {
         }
         scene.drive().invalidate();
         scene.pose().invalidate();
+        scene.wall().ifPresent(MovingChestWall::invalidate);
         tissueRamps = !values.hasTissueArrived(now);
         sceneRamps = true;
         settingsBefore = before;

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.cage.MovingChestWall;
 import org.phrenic.anatomy.cage.RibAxisTable;
 import org.phrenic.anatomy.cage.RibCage;
 import org.phrenic.breathing.RespiratoryPhase;
@@ -277,6 +278,7 @@ public final class Simulation implements AutoCloseable {
 
     private void restartFrom() {
         scene.pose().invalidate();
+        scene.wall().ifPresent(MovingChestWall::invalidate);
         scene.tuning().restart(start, system());
         scene.drive().restart(new LiveBreathing(start));
         double[] rest = system().layout().toInternal(scene.restPositions());

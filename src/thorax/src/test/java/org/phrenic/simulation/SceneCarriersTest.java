@@ -81,6 +81,7 @@ class SceneCarriersTest {
     void aLesionOfABoneGoesWithTheBones(String name) {
         assertThat(SceneCarriers.isInLiver(name)).isFalse();
         assertThat(LesionPlace.isInBone(name)).isTrue();
+        assertThat(LesionPlace.mayBeInCage(name)).as("of what the ribs carry").isEqualTo(!name.contains("vertebra"));
     }
 
     @ParameterizedTest

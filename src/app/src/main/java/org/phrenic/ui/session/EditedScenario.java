@@ -146,6 +146,7 @@ final class EditedScenario {
         }
         if (loading.values().removeIf(change -> change.sceneId <= sceneId)) {
             edits.endMerging();
+            running = loading.isEmpty() ? loaded : running;
             before =
                     loading.values().stream().findFirst().map(Pending::previous).orElse(before);
         }

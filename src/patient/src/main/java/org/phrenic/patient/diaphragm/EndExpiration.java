@@ -2,11 +2,13 @@ package org.phrenic.patient.diaphragm;
 
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.phrenic.anatomy.LesionPlace;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -198,7 +200,9 @@ public final class EndExpiration {
         if (LesionBones.isOfBone(s)) {
             return lesionBones.of(s).map(bone -> turned(s, bone)).orElse(s);
         }
-        return SOFT.contains(s.kind()) && !STILL.contains(s.name()) ? raised(s) : s;
+        boolean still =
+                STILL.contains(s.name()) || LesionPlace.standsStill(s.name().toLowerCase(Locale.ROOT));
+        return SOFT.contains(s.kind()) && !still ? raised(s) : s;
     }
 
     /** A structure that goes with a bone, or is one. */

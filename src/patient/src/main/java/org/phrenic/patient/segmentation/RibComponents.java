@@ -129,15 +129,13 @@ final class RibComponents {
             boolean whole = rib.voxels.size() >= Math.max(MIN_VOXELS, FRAGMENT * large);
             (whole ? ribs : fragments).add(rib);
         }
-        for (int axis = 0; axis < 2; axis++) {
-            int direction = axis;
-            middle[axis] = ribs.stream()
-                    .mapToDouble(rib -> rib.centre[direction])
-                    .average()
-                    .orElse(0);
-        }
+        double acrossRibs =
+                ribs.stream().mapToDouble(rib -> rib.centre[0]).average().orElse(0);
+        // Of the ribs of one side, the mean lies beside the axis about which they curve.
+        middle[0] = new RibSides(s, ribs).middle().orElse(acrossRibs);
+        middle[1] = ribs.stream().mapToDouble(rib -> rib.centre[1]).average().orElse(0);
         ribs.forEach(rib -> findAngles(rib, middle));
-        joinPieces(new RibSides(s, ribs).middle().orElse(middle[0]));
+        joinPieces(middle[0]);
     }
 
     private void findAngles(Rib rib, double[] middle) {

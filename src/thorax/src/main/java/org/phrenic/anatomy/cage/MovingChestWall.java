@@ -257,6 +257,11 @@ public final class MovingChestWall {
         return bilinearRadius(layer, above, (int) round, round - (int) round);
     }
 
+    /** Lets the wall be moved anew when it is next asked for, also at the same time: its bones may move otherwise. */
+    public void invalidate() {
+        time = Double.NaN;
+    }
+
     private void moveTo(double now) {
         if (now == time) {
             return;
