@@ -562,7 +562,7 @@ class WindowTest {
         asAtFirst();
         SceneViewport view = window.window().view();
         WindowHarness.doOnEdt(() -> view.pick(view.getWidth() / 2, view.getHeight() / 2, false));
-        JLabel pointed = window.control(JLabel.class, "Structure and place pointed at");
+        JLabel pointed = window.control(JLabel.class, "Structure and place clicked last");
         WindowHarness.await(
                 "a name", () -> !WindowHarness.onEdt(pointed::getText).isBlank());
         assertThat(WindowHarness.onEdt(pointed::getText)).matches("[A-Z][a-z].* [LR] \\d+ [AP] \\d+ [SI] \\d+ mm");
