@@ -18,6 +18,7 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.mesh.io.PlyWriter;
@@ -119,9 +120,8 @@ final class CompareCommand extends ReportingCommand {
     }
 
     private static void requireOwn(String option, Path file, Path... others) {
-        Path place = file.toAbsolutePath().normalize();
         for (Path other : others) {
-            if (other != null && other.toAbsolutePath().normalize().equals(place)) {
+            if (other != null && FileNames.isSamePlace(file, other)) {
                 throw new BadInputException(option + " " + file + ": found it for another output too, expected a file"
                         + " of its own for each");
             }

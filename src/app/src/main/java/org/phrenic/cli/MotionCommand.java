@@ -16,6 +16,7 @@ import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
 import org.phrenic.file.Numbers;
 import org.phrenic.file.UserCache;
 import org.phrenic.mesh.io.raster.VolumeSource;
@@ -104,7 +105,9 @@ final class MotionCommand extends ReportingCommand {
     private void requireSimulatedTimes(Scenario scenario) {
         Path times = options.timesFile();
         if (times != null
-                && scenario.trace().filter(trace -> isSame(trace, times)).isPresent()
+                && scenario.trace()
+                        .filter(trace -> FileNames.isSamePlace(trace, times))
+                        .isPresent()
                 && Breathing.patternOf(scenario) instanceof TracePattern trace
                 && trace.startS() != 0) {
             throw new BadInputException(Numbers.format(
@@ -112,10 +115,6 @@ final class MotionCommand extends ReportingCommand {
                             + " %.3f s of the recording",
                     times, trace.startS()));
         }
-    }
-
-    private static boolean isSame(Path one, Path other) {
-        return one.toAbsolutePath().normalize().equals(other.toAbsolutePath().normalize());
     }
 
     private static String table(OrderedValues report) {

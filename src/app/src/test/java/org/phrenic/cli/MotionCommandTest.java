@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.phrenic.breathing.pattern.TraceSamples;
 import org.phrenic.file.ScalarType;
 import org.phrenic.mesh.io.image.VoxelFiles;
 import org.phrenic.mesh.io.image.VoxelSeries;
@@ -149,14 +150,8 @@ class MotionCommandTest {
     /** Breaths of 4 s, the first of which begins after 1 s of the recording. */
     @Test
     void refusesTheTimesOfTheRecordingWhichAreNotThoseOfTheSimulation() throws IOException {
-        StringBuilder csv = new StringBuilder("time_s,amplitude\n");
-        for (int i = 0; i <= 90; i++) {
-            csv.append(i / 10.0)
-                    .append(',')
-                    .append(-Math.cos(Math.PI * (i - 10) / 20))
-                    .append('\n');
-        }
-        String trace = Files.writeString(folder.resolve("trace.csv"), csv).toString();
+        String trace = Files.writeString(folder.resolve("trace.csv"), TraceSamples.fromOneSecondOn())
+                .toString();
         CommandLineRun run = motion("--grid", "50", "--times", trace, "--set", "trace=" + trace);
         assertThat(run.exitCode()).isEqualTo(2);
         assertThat(run.err()).contains("--times " + trace + ": found the recording", "0 is at 1.000 s");

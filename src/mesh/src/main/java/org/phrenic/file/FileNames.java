@@ -93,4 +93,9 @@ public final class FileNames {
     public static boolean isHidden(Path file) {
         return String.valueOf(file.getFileName()).startsWith(".");
     }
+
+    /** Whether two paths name one place; links are not followed. */
+    public static boolean isSamePlace(Path one, Path other) {
+        return one.toAbsolutePath().normalize().equals(other.toAbsolutePath().normalize());
+    }
 }

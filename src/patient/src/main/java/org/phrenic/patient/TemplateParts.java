@@ -21,14 +21,20 @@ public final class TemplateParts {
     public static List<Structure> of(List<Structure> template, PatientBody body) {
         List<Structure> all = new ArrayList<>();
         for (Structure s : template) {
-            boolean ofOnePerson = s.kind() == StructureKind.LESION || s.name().startsWith(OrganNames.OTHER_PREFIX);
             boolean cutLung = s.kind() == StructureKind.LUNG && body.firstCut(s).isPresent();
             boolean known = cutLung && all.stream().anyMatch(s::isSameAs);
-            if (!ofOnePerson && !known) {
+            if (!isOfOnePerson(s) && !known) {
                 all.add(cutLung ? whole(template, s) : s);
             }
         }
         return all;
+    }
+
+    /**
+     * Whether a structure is a lesion or unknown, which other bodies do not have, and which may lie outside its own.
+     */
+    static boolean isOfOnePerson(Structure s) {
+        return s.kind() == StructureKind.LESION || s.name().startsWith(OrganNames.OTHER_PREFIX);
     }
 
     /** A lung of one part as it is, one of lobes as their outline. */

@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.Set;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Structure;
-import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.LevelClip;
 import org.phrenic.mesh.query.TriangleTree;
@@ -51,9 +50,6 @@ final class TrunkParts {
     /** Words of a name that tell a side. */
     private static final Set<String> SIDES = Set.of("left", "right");
 
-    /** How the names of structures begin that are not known. */
-    private static final String UNKNOWN = "other_";
-
     private static final String ALL_BONES = OrganNames.words(LabelTable.ALL_BONES);
 
     private TrunkParts() {}
@@ -61,7 +57,7 @@ final class TrunkParts {
     /** The structures of the trunk and the roots of the limbs. */
     static List<Structure> of(List<Structure> body) {
         List<Structure> trunk = body.stream()
-                .filter(s -> s.kind() != StructureKind.LESION && !s.name().startsWith(UNKNOWN))
+                .filter(s -> !TemplateParts.isOfOnePerson(s))
                 .filter(s -> !CARRIERS.containsKey(firstWord(s)) && !OUTSIDE.contains(firstWord(s)) && !isAllBones(s))
                 .toList();
         List<Structure> parts = new ArrayList<>(trunk);

@@ -3,7 +3,7 @@ package org.phrenic.patient;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
+import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
@@ -28,8 +28,6 @@ record TrunkSection(double z, double x, double y, double a, double b) {
     private static final double ABDOMEN_MM = 200;
     /** How far below the costal margin bowel or skin reaches that fills the abdomen, mm. */
     private static final double BELOW_CAGE_MM = 50;
-    /** The structures that fill an abdomen. */
-    private static final Set<String> BOWEL = Set.of("colon", "small_bowel", "organ_bowel");
     /** Half the breadth and depth of the neck without skin and muscle, and its height above T1, mm. */
     private static final double NECK_A_MM = 45;
 
@@ -63,7 +61,7 @@ record TrunkSection(double z, double x, double y, double a, double b) {
         }
         double[] c = cage.get();
         boolean filled = body.stream()
-                .filter(s -> s.kind() == StructureKind.SKIN || BOWEL.contains(s.name()))
+                .filter(s -> s.kind() == StructureKind.SKIN || OrganNames.BOWEL.contains(s.name()))
                 .anyMatch(s -> s.mesh().bounds()[2] < c[2] - BELOW_CAGE_MM);
         if (filled) {
             return;

@@ -148,6 +148,11 @@ public final class MedianFrame {
         return axes;
     }
 
+    /** Component of a vector of the scan along an axis of a frame, of which {@link #axes} gives all three. */
+    public static double along(double[] axes, int axis, double x, double y, double z) {
+        return axes[3 * axis] * x + axes[3 * axis + 1] * y + axes[3 * axis + 2] * z;
+    }
+
     private static TriangleMesh moved(TriangleMesh mesh, RigidMotion motion) {
         double[] p = mesh.positions().clone();
         motion.apply(p);

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Pattern;
 import org.phrenic.file.FileNames;
 
@@ -18,6 +19,8 @@ import org.phrenic.file.FileNames;
 public final class OrganNames {
     /** Begins the names that {@link #other} makes. */
     public static final String OTHER_PREFIX = "other_";
+    /** Names of the bowel that fills the abdomen. */
+    public static final Set<String> BOWEL = Set.of("colon", "small_bowel", "organ_bowel");
 
     private static final Map<String, StructureKind> KNOWN = known();
 

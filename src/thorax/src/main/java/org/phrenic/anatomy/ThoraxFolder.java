@@ -1,6 +1,7 @@
 package org.phrenic.anatomy;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -268,11 +269,23 @@ public final class ThoraxFolder {
         }
     }
 
+    private static boolean isPart(Path file) {
+        return MeshFiles.isMesh(file) && !FileNames.isHidden(file);
+    }
+
+    /** Whether a folder has the index of a body or a mesh that would be part of one. */
+    public static boolean isBody(Path folder) {
+        try (Stream<Path> files = Files.list(folder)) {
+            return Files.exists(folder.resolve(INDEX_FILE)) || files.anyMatch(ThoraxFolder::isPart);
+        } catch (IOException | UncheckedIOException unlisted) {
+            return Files.exists(folder.resolve(INDEX_FILE));
+        }
+    }
+
     private static Map<String, Path> filesByName(Path folder) {
         Map<String, Path> files = new TreeMap<>();
         try (Stream<Path> list = Files.list(folder)) {
-            for (Path file :
-                    FileNames.sorted(list.filter(file -> MeshFiles.isMesh(file) && !FileNames.isHidden(file)))) {
+            for (Path file : FileNames.sorted(list.filter(ThoraxFolder::isPart))) {
                 String name = FileNames.withoutExtension(file);
                 Path twin = files.putIfAbsent(name, file);
                 if (twin != null) {

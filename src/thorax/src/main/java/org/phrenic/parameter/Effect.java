@@ -32,6 +32,11 @@ public enum Effect {
         return live;
     }
 
+    /** Whether the breathing pattern is made anew from the settings. */
+    public boolean isOfPattern() {
+        return this == PATTERN || this == NEW_PATTERN;
+    }
+
     /** Whether the setting affects the assembled or settled scene. */
     public boolean isAssembled() {
         return assembled;

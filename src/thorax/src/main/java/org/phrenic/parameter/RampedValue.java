@@ -78,12 +78,15 @@ public final class RampedValue {
 
     /** Whether the ramp before the changes of a step had ended at a time. */
     boolean hadArrived(long step, double timeS) {
-        Ramp before = step == changedAtStep ? previousRamp : ramp;
-        return before == null || before.isDone(timeS);
+        return isDone(step == changedAtStep ? previousRamp : ramp, timeS);
     }
 
     /** Whether the ramp has ended. */
     public boolean hasArrived(double timeS) {
+        return isDone(ramp, timeS);
+    }
+
+    private static boolean isDone(Ramp ramp, double timeS) {
         return ramp == null || ramp.isDone(timeS);
     }
 }

@@ -82,7 +82,9 @@ final class LiveTuning {
 
         // Invalid breathing settings are refused before anything changes.
         boolean newPattern = hasEffect(changes, Effect.NEW_PATTERN);
-        BreathingPattern pattern = newPattern || hasEffect(changes, Effect.PATTERN) ? Breathing.patternOf(after) : null;
+        boolean breathes =
+                changes.keySet().stream().anyMatch(setting -> setting.effect().isOfPattern());
+        BreathingPattern pattern = breathes ? Breathing.patternOf(after) : null;
         scene.drive().invalidate();
         scene.drive().prepare(now);
         setUpSteps(after, changes, now);

@@ -5,7 +5,6 @@ import java.util.Optional;
 import org.phrenic.file.BadInputException;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.assembly.LiveBreathing;
-import org.phrenic.parameter.Effect;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
@@ -49,8 +48,7 @@ public final class ScheduleCheck {
         for (int i = 0; i < changes.size(); i++) {
             Assignment change = changes.get(i).assignment();
             now = now.with(List.of(change));
-            Effect effect = change.setting().effect();
-            breath = effect == Effect.PATTERN || effect == Effect.NEW_PATTERN ? Optional.of(change) : breath;
+            breath = change.setting().effect().isOfPattern() ? Optional.of(change) : breath;
             boolean lastOfStep = i + 1 == changes.size()
                     || changes.get(i + 1).step() != changes.get(i).step();
             if (lastOfStep && breath.isPresent()) {

@@ -2,6 +2,7 @@ package org.phrenic.access.attempt;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import org.phrenic.access.LiverTissue;
 import org.phrenic.access.MovingAnatomy;
@@ -271,9 +272,10 @@ public final class NeedleInsertion {
             throw new BadInputException("sample: found the needle outside of the body, expected it advanced first");
         }
         log.event(AttemptEvent.Kind.SAMPLE, shaft.isTipAnchored() ? "liver" : "", shaft.depth());
-        TargetingError error = targetingError();
+        OptionalDouble core = ahead.coreMm();
+        TargetingError error = TargetingError.of(shaft, targetNow(), target, core);
         log.sampled(error);
-        ahead.coreMm().ifPresent(this::recordThrow);
+        core.ifPresent(this::recordThrow);
         return error;
     }
 

@@ -39,9 +39,9 @@ final class WayAhead {
                 .min(Comparator.comparingDouble(Crossing::fromMm));
     }
 
-    /** The bone that ends the throw of a core, if any. */
+    /** The bone that ends the throw of a core of a core needle, if any. */
     Optional<Crossing> boneInThrow() {
-        return needle.coreMm() > 0 ? boneBefore(shaft.depth() + needle.coreMm()) : Optional.empty();
+        return boneBefore(shaft.depth() + needle.coreMm());
     }
 
     /** Length of the core that a core needle cuts when it fires, which bone ends, mm; empty for another needle. */

@@ -30,11 +30,15 @@ import org.phrenic.ui.view.SceneViewport;
  * @param waitMs longest time until the drawing of one kind of picture begins, ms
  */
 public record AttemptReportWriter(SceneViewport view, int pictureSize, long waitMs) {
-    /** Names of the files that hold an attempt; one of another attempt, or of one's own, may have the same name. */
-    public static final List<String> FILES = List.of("report.json", "report.html", "plan.yaml", "scenario.yaml");
+    /** Name of the report for readers. */
+    public static final String PAGE = "report.html";
 
     private static final String REPORT = "report.json";
-    private static final String PAGE = "report.html";
+    private static final String PLAN = "plan.yaml";
+    private static final String SCENARIO = "scenario.yaml";
+    /** Names of the files that hold an attempt; one of another attempt, or of one's own, may have the same name. */
+    public static final List<String> FILES = List.of(REPORT, PAGE, PLAN, SCENARIO);
+
     private static final long WAIT_MS = 120_000;
 
     /** With pictures as large as those of {@code phrenic rehearse}. */
@@ -70,8 +74,8 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
         RehearsalReport report = new RehearsalReport(rehearsal);
         report.images().forEach(image -> UltrasoundPicture.write(folder.resolve(image.file()), image.image()));
         RehearsalPlan plan = rehearsal.plan();
-        YamlWriter.write(folder.resolve("scenario.yaml"), plan.scenario().toMap());
-        YamlWriter.write(folder.resolve("plan.yaml"), plan.toMap("scenario.yaml"));
+        YamlWriter.write(folder.resolve(SCENARIO), plan.scenario().toMap());
+        YamlWriter.write(folder.resolve(PLAN), plan.toMap(SCENARIO));
         String html = HtmlPage.format(report.document(needle, map, date));
         AtomicFile.write(folder.resolve(PAGE), html);
         JsonWriter.write(folder.resolve(REPORT), report.values());

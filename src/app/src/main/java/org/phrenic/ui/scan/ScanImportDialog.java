@@ -2,8 +2,6 @@ package org.phrenic.ui.scan;
 
 import java.awt.Dimension;
 import java.awt.Window;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -26,8 +24,6 @@ import net.miginfocom.swing.MigLayout;
 import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.ExistingPath;
-import org.phrenic.file.FileNames;
-import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.patient.label.GeometryOverride;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.ui.widget.Controls;
@@ -108,22 +104,13 @@ final class ScanImportDialog {
      */
     static List<String> replaced(Path folder, boolean withTable) {
         List<String> replaced = new ArrayList<>();
-        if (hasMesh(folder) || Files.exists(folder.resolve(ThoraxFolder.INDEX_FILE))) {
+        if (ThoraxFolder.isBody(folder)) {
             replaced.add("the body");
         }
         if (withTable && Files.exists(folder.resolve(ScanImporter.LABELS_FILE))) {
             replaced.add(ScanImporter.LABELS_FILE);
         }
         return replaced;
-    }
-
-    private static boolean hasMesh(Path folder) {
-        try (Stream<Path> files = Files.list(folder)) {
-            return files.anyMatch(at -> MeshFiles.isMesh(at) && !FileNames.isHidden(at));
-        } catch (IOException | UncheckedIOException unlisted) {
-            // What is looked for by name is still found.
-            return false;
-        }
     }
 
     /** A folder that does not exist, beside the scan, or in the home folder where nothing can be written beside it. */

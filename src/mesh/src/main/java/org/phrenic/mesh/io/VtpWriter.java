@@ -81,9 +81,10 @@ public final class VtpWriter {
                 .replace("\"", "&quot;");
     }
 
-    /** The text that {@link #escape} was given. */
-    static String unescape(String escaped) {
-        return escaped.replace("&quot;", "\"")
+    /** The text of XML without its five entities, such as {@link #escape} was given. */
+    public static String unescape(String escaped) {
+        return escaped.replace("&apos;", "'")
+                .replace("&quot;", "\"")
                 .replace("&gt;", ">")
                 .replace("&lt;", "<")
                 .replace("&amp;", "&");

@@ -97,6 +97,22 @@ public final class LabelGrid {
         return toMm.clone();
     }
 
+    /** Affine matrix of the part of this grid that begins at a voxel. */
+    public double[] toMm(int i, int j, int k) {
+        double[] origin = new double[3];
+        voxelToMm(i, j, k, origin);
+        double[] part = new double[12];
+        double[] along = new double[3];
+        for (int direction = 0; direction < 3; direction++) {
+            voxelToMm(i + (direction == 0 ? 1 : 0), j + (direction == 1 ? 1 : 0), k + (direction == 2 ? 1 : 0), along);
+            for (int row = 0; row < 3; row++) {
+                part[4 * row + direction] = along[row] - origin[row];
+                part[4 * row + 3] = origin[row];
+            }
+        }
+        return part;
+    }
+
     /** Converts voxel coordinates to a position in mm, written to {@code out}. */
     public void voxelToMm(double i, double j, double k, double[] out) {
         VoxelBox.apply(toMm, i, j, k, out);

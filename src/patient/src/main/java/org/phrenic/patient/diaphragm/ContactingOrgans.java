@@ -3,6 +3,7 @@ package org.phrenic.patient.diaphragm;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -12,8 +13,6 @@ final class ContactingOrgans {
     private static final Set<String> ABOVE = Set.of("heart");
     private static final Set<String> BELOW = Set.of("spleen", "stomach", "kidney_r", "kidney_l");
 
-    /** Bowel, which lies below the diaphragm where it is between a lung and the liver. */
-    private static final Set<String> BOWEL = Set.of("colon", "small_bowel", "organ_bowel");
     /** Word in the names of labels of fluid below the diaphragm. */
     private static final String ASCITES = "ascites";
 
@@ -43,7 +42,7 @@ final class ContactingOrgans {
     /** Bowel and ascites, as far as the body has them: they may lie between the diaphragm and the organs below. */
     static List<Structure> between(Thorax body) {
         return body.structures().stream()
-                .filter(s -> (BOWEL.contains(lower(s)) || lower(s).contains(ASCITES))
+                .filter(s -> (OrganNames.BOWEL.contains(lower(s)) || lower(s).contains(ASCITES))
                         && s.mesh().triangleCount() > 0)
                 .toList();
     }

@@ -84,20 +84,32 @@ public final class Segmentation {
                 }
             }
         }
-        toMm = shifted(all, box);
+        toMm = all.toMm(box[0], box[1], box[2]);
         int[] last = {all.columns() - 1, all.rows() - 1, all.slices() - 1};
         for (int direction = 0; direction < 3; direction++) {
             atEnd[direction] = box[direction] == 0;
             atEnd[3 + direction] = box[3 + direction] == last[direction];
             if (isAlongBody(direction) && !(atEnd[direction] && atEnd[3 + direction])) {
-                int along = direction;
-                int[][] areas = IntStream.rangeClosed(0, box[3 + direction] - box[direction])
-                        .mapToObj(at -> area(along, at))
-                        .toArray(int[][]::new);
-                atEnd[direction] |= isCutAt(areas[0], areas);
-                atEnd[3 + direction] |= isCutAt(areas[areas.length - 1], areas);
+                findScanEnds(direction, box[3 + direction] - box[direction]);
             }
         }
+    }
+
+    /** Finds whether the scan ends in the first or the last layer along the body that holds structures. */
+    private void findScanEnds(int direction, int last) {
+        if (Math.max(
+                        structuresAt(direction, 0).size(),
+                        structuresAt(direction, last).size())
+                < CUT_STRUCTURES) {
+            return;
+        }
+        int[] greatest = new int[MAX_SEGMENTS + 1];
+        for (int at = 0; at <= last; at++) {
+            int[] area = area(direction, at);
+            Arrays.setAll(greatest, segment -> Math.max(greatest[segment], area[segment]));
+        }
+        atEnd[direction] |= isCutAt(area(direction, 0), greatest);
+        atEnd[3 + direction] |= isCutAt(area(direction, last), greatest);
     }
 
     private static String held(int[] counts) {
@@ -110,25 +122,6 @@ public final class Segmentation {
         return labels.isEmpty()
                 ? "background alone"
                 : "labels " + String.join(", ", labels) + (labels.size() == MAX_LISTED ? " ..." : "");
-    }
-
-    private static double[] shifted(LabelGrid grid, int[] box) {
-        double[] origin = new double[3];
-        grid.voxelToMm(box[0], box[1], box[2], origin);
-        double[] toMm = new double[12];
-        double[] along = new double[3];
-        for (int direction = 0; direction < 3; direction++) {
-            grid.voxelToMm(
-                    box[0] + (direction == 0 ? 1 : 0),
-                    box[1] + (direction == 1 ? 1 : 0),
-                    box[2] + (direction == 2 ? 1 : 0),
-                    along);
-            for (int row = 0; row < 3; row++) {
-                toMm[4 * row + direction] = along[row] - origin[row];
-                toMm[4 * row + 3] = origin[row];
-            }
-        }
-        return toMm;
     }
 
     /** Finds truncated structures: those that reach the first or last voxel of the volume. */
@@ -176,11 +169,9 @@ public final class Segmentation {
         return area;
     }
 
-    private static boolean isCutAt(int[] area, int[][] all) {
+    private static boolean isCutAt(int[] area, int[] greatest) {
         return IntStream.rangeClosed(1, MAX_SEGMENTS)
-                        .filter(segment -> area[segment] > 0)
-                        .filter(segment ->
-                                Arrays.stream(all).allMatch(other -> CUT_SHARE * other[segment] <= area[segment]))
+                        .filter(segment -> area[segment] > 0 && CUT_SHARE * greatest[segment] <= area[segment])
                         .count()
                 >= CUT_STRUCTURES;
     }

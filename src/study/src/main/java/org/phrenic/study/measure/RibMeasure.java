@@ -118,7 +118,7 @@ final class RibMeasure implements SceneMeasure {
 
     /** Component of a vector in an array along an axis of the body's frame. */
     private double along(int axis, double[] v, int at) {
-        return axes[3 * axis] * v[at] + axes[3 * axis + 1] * v[at + 1] + axes[3 * axis + 2] * v[at + 2];
+        return MedianFrame.along(axes, axis, v[at], v[at + 1], v[at + 2]);
     }
 
     private static void add(SceneGeometry view, int surface, double weight, double[] mean) {

@@ -30,7 +30,7 @@ public record PatientCase(
         List<String> notes,
         FitResult fit,
         Optional<FitResult> paperFit) {
-    private static final List<FitPart> LUNGS = List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT);
+    static final List<FitPart> LUNGS = List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT);
     private static final List<FitPart> BASES = List.of(FitPart.LUNG_BASE_RIGHT, FitPart.LUNG_BASE_LEFT);
 
     public PatientCase {

@@ -16,7 +16,6 @@ import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.Numbers;
 import org.phrenic.fit.Fit;
 import org.phrenic.fit.FitHalf;
-import org.phrenic.fit.FitPart;
 import org.phrenic.fit.FitProgress;
 import org.phrenic.fit.FitResult;
 import org.phrenic.fit.FitSetup;
@@ -61,7 +60,6 @@ public final class PatientStudy {
 
     private static final int THREADS = 2;
     private static final double NOISE_MM = 1;
-    private static final List<FitPart> LUNGS = List.of(FitPart.LUNG_RIGHT, FitPart.LUNG_LEFT);
     private final boolean quick;
     private final ProgressListener progress;
 
@@ -143,7 +141,7 @@ public final class PatientStudy {
             settings.add(PaperScenarios.QUICK_MESH);
         }
         GroundTruth truth = quick
-                ? GroundTruth.of(patient, settings, LUNGS, NOISE_MM, 1)
+                ? GroundTruth.of(patient, settings, PatientCase.LUNGS, NOISE_MM, 1)
                 : GroundTruth.of(patient, Resolution.MEDIUM, NOISE_MM, 1);
         Thorax body = patient.body(settings);
         Scenario base = Scenario.defaults().with("preset=deep").with(settings.toArray(String[]::new));

@@ -21,6 +21,7 @@ import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.scenario.ScheduledChange;
 import org.phrenic.scenario.Settings;
 
 /**
@@ -240,8 +241,9 @@ public record SweepStudy(
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("title", title);
         map.put("model", model);
-        if (!settings().isEmpty()) {
-            map.put("settings", settings());
+        Map<String, Object> settings = settings();
+        if (!settings.isEmpty()) {
+            map.put("settings", settings);
         }
         if (design.kind() != DesignSpec.Kind.LIST) {
             map.put("factors", factors.stream().map(Factor::toMap).toList());
@@ -272,8 +274,9 @@ public record SweepStudy(
     String computed() {
         Map<String, Object> settings = new LinkedHashMap<>(settings());
         PATHS.forEach(key -> settings.computeIfPresent(key, (k, path) -> withoutFolder(k, path.toString())));
-        settings.computeIfPresent(RunSettings.CHANGES.key(), (key, changes) -> ((List<?>) changes)
-                .stream().map(change -> withoutFolder(change.toString())).toList());
+        settings.computeIfPresent(RunSettings.CHANGES.key(), (key, text) -> scenario.changes().stream()
+                .map(SweepStudy::withoutFolder)
+                .toList());
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("model", model);
         map.put("settings", settings);
@@ -288,10 +291,9 @@ public record SweepStudy(
     }
 
     /** A scheduled change, {@code STEP:key=value}. */
-    private static String withoutFolder(String change) {
-        int value = change.indexOf('=') + 1;
-        String key = change.substring(change.indexOf(':') + 1, Math.max(0, value - 1));
-        return change.substring(0, value) + withoutFolder(key, change.substring(value));
+    private static String withoutFolder(ScheduledChange change) {
+        Assignment made = change.assignment();
+        return change.step() + ":" + made.key() + "=" + withoutFolder(made.key(), made.text());
     }
 
     /** Characters before the name in a path of any system. */

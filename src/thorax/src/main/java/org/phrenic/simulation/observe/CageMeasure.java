@@ -90,7 +90,7 @@ public final class CageMeasure {
         }
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < points.length; i += 3) {
-            most = Math.max(most, side.sign() * along(0, p[i], p[i + 1], p[i + 2]));
+            most = Math.max(most, side.sign() * MedianFrame.along(axes, 0, p[i], p[i + 1], p[i + 2]));
         }
         return most;
     }
@@ -111,14 +111,9 @@ public final class CageMeasure {
             moved[axis] -= sternumPoint[axis];
         }
         return new double[] {
-            along(0, moved[0], moved[1], moved[2]),
-            along(1, moved[0], moved[1], moved[2]),
-            along(2, moved[0], moved[1], moved[2])
+            MedianFrame.along(axes, 0, moved[0], moved[1], moved[2]),
+            MedianFrame.along(axes, 1, moved[0], moved[1], moved[2]),
+            MedianFrame.along(axes, 2, moved[0], moved[1], moved[2])
         };
-    }
-
-    /** Component of a vector along an axis of the body's frame. */
-    private double along(int axis, double x, double y, double z) {
-        return axes[3 * axis] * x + axes[3 * axis + 1] * y + axes[3 * axis + 2] * z;
     }
 }

@@ -1,6 +1,7 @@
 package org.phrenic.simulation.observe;
 
 import java.util.Arrays;
+import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.breathing.BreathState;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.LiverPart;
@@ -108,7 +109,6 @@ public final class SceneObserver {
 
     /** Mean displacement of the liver's surface: left, posterior, superior, mm. */
     private void measureLiver(LiverPart part, double[] rest) {
-        Arrays.fill(liver, 0);
         double[] start = part.structure.mesh().positions();
         double[] moved = part.positions(rest, now);
         double[] mean = new double[3];
@@ -116,8 +116,8 @@ public final class SceneObserver {
             mean[i % 3] += 3 * (moved[i] - start[i]) / start.length;
         }
         double[] axes = scene.diaphragm().diaphragm.frame().axes();
-        for (int i = 0; i < axes.length; i++) {
-            liver[i / 3] += axes[i] * mean[i % 3];
+        for (int axis = 0; axis < 3; axis++) {
+            liver[axis] = MedianFrame.along(axes, axis, mean[0], mean[1], mean[2]);
         }
     }
 

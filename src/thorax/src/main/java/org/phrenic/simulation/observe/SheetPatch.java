@@ -2,6 +2,7 @@ package org.phrenic.simulation.observe;
 
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.model.organ.DiaphragmPart;
@@ -82,10 +83,9 @@ public final class SheetPatch {
         double sum = 0;
         for (int i = 0; i < nodes.length; i++) {
             int at = 3 * nodes[i];
-            double moved = axes[3 * axis] * (now[at] - rest[at])
-                    + axes[3 * axis + 1] * (now[at + 1] - rest[at + 1])
-                    + axes[3 * axis + 2] * (now[at + 2] - rest[at + 2]);
-            sum += weights[i] * moved;
+            sum += weights[i]
+                    * MedianFrame.along(
+                            axes, axis, now[at] - rest[at], now[at + 1] - rest[at + 1], now[at + 2] - rest[at + 2]);
         }
         return sum;
     }

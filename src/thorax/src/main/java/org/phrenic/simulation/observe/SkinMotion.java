@@ -72,17 +72,21 @@ public final class SkinMotion {
         Arrays.setAll(boneShare, i -> FallOff.at(Math.max(0, blend.distance()[i] - WITH_BONE_MM), FADE_MM));
         abdominal = scene.diaphragm().abdominalTriangles();
         nodesAtRest = scene.restPositions();
-        double[] weights = abdominalWeights(scene, mesh, blend.distance());
+        MedianFrame frame = scene.diaphragm().diaphragm.frame();
+        double top = top(scene);
+        TriangleMesh upright = frame.toFrame(mesh);
+        double[] weights = abdominalWeights(scene, upright, blend.distance(), top);
         double whole = sum(weights, mesh);
-        double lowest = lowest(scene, mesh);
+        double lowest = upright.bounds()[2];
         for (Structure other : scene.thorax().structuresOf(StructureKind.SKIN)) {
             if (!other.name().equals(skin.name())) {
                 TriangleMesh piece = other.mesh();
-                whole += sum(abdominalWeights(scene, piece, bones.distances(piece.positions())), piece);
-                lowest = Math.min(lowest, lowest(scene, piece));
+                TriangleMesh uprightPiece = frame.toFrame(piece);
+                whole += sum(abdominalWeights(scene, uprightPiece, bones.distances(piece.positions()), top), piece);
+                lowest = Math.min(lowest, uprightPiece.bounds()[2]);
             }
         }
-        whole /= weightAbove((top(scene) - lowest) / WALL_MM);
+        whole /= weightAbove((top - lowest) / WALL_MM);
         abdominalDisplacement = MeshMeasure.vertexNormals(mesh);
         for (int c = 0; c < rest.length; c++) {
             abdominalDisplacement[c] = whole > 0 ? weights[c / 3] * abdominalDisplacement[c] / whole : 0;
@@ -101,10 +105,6 @@ public final class SkinMotion {
                 .orElse(0.5 * (box[2] + box[5]));
     }
 
-    private static double lowest(Scene scene, TriangleMesh mesh) {
-        return scene.diaphragm().diaphragm.frame().toFrame(mesh).bounds()[2];
-    }
-
     private static double sum(double[] weights, TriangleMesh mesh) {
         double[] areas = MeshMeasure.vertexAreas(mesh);
         double sum = 0;
@@ -114,13 +114,17 @@ public final class SkinMotion {
         return sum;
     }
 
-    /** Weight of each vertex in the abdominal wall. */
-    private static double[] abdominalWeights(Scene scene, TriangleMesh skin, double[] toBone) {
-        TriangleMesh mesh = scene.diaphragm().diaphragm.frame().toFrame(skin);
+    /**
+     * Weight of each vertex in the abdominal wall.
+     *
+     * @param mesh the skin in the body's frame
+     * @param toBone distance of each vertex from bone, mm
+     * @param top height of the lower end of the sternum, mm
+     */
+    private static double[] abdominalWeights(Scene scene, TriangleMesh mesh, double[] toBone, double top) {
         double[] box = scene.diaphragm().diaphragm.upright().bounds();
         double middle = 0.5 * (box[0] + box[3]);
         double half = 0.5 * (box[3] - box[0]);
-        double top = top(scene);
         double[] normals = MeshMeasure.vertexNormals(mesh);
         double[] weights = new double[mesh.vertexCount()];
         for (int i = 0; i < weights.length; i++) {

@@ -79,14 +79,8 @@ class TracePatternTest {
     /** The lowest sample before the first breath is at 1 s. */
     @Test
     void whereInTheRecordingTheBreathBeginsIsSaid() throws IOException {
-        StringBuilder csv = new StringBuilder("time_s,amplitude\n");
-        for (int i = 0; i <= 90; i++) {
-            csv.append(i / 10.0)
-                    .append(',')
-                    .append(-Math.cos(Math.PI * (i - 10) / 20))
-                    .append('\n');
-        }
-        TracePattern pattern = new TracePattern(BreathingTraceReader.read(write(csv.toString())), DEPTH, true);
+        TracePattern pattern =
+                new TracePattern(BreathingTraceReader.read(write(TraceSamples.fromOneSecondOn())), DEPTH, true);
         assertThat(pattern.startS()).isEqualTo(1);
         assertThat(pattern.description()).contains("2 breaths in 8.0 s from 1.00 s of the recording on, 4.0 s each");
     }

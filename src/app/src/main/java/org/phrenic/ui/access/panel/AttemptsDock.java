@@ -233,7 +233,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
                     folder,
                     missing -> {
                         save.setEnabled(true);
-                        String saved = "Saved " + folder.resolve("report.html");
+                        String saved = "Saved " + folder.resolve(AttemptReportWriter.PAGE);
                         session.note(saved + (missing.isEmpty() ? "." : " without all of its pictures: " + missing));
                     },
                     problem -> {

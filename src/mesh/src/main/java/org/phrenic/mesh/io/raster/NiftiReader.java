@@ -17,6 +17,7 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 import org.phrenic.file.Numbers;
 import org.phrenic.file.ScalarType;
+import org.phrenic.mesh.io.VtpWriter;
 
 /**
  * Reader of NIfTI-1 and NIfTI-2 in one file, uncompressed or gzip with either extension, in either byte order (Cox et
@@ -194,18 +195,9 @@ final class NiftiReader {
         in.skipNBytes(length - extension.length);
         Matcher label = LABEL.matcher(new String(extension, StandardCharsets.UTF_8));
         while (label.find()) {
-            String name = label.group(2) == null ? plain(label.group(3)) : label.group(2);
+            String name = label.group(2) == null ? VtpWriter.unescape(label.group(3)) : label.group(2);
             names.put(Integer.parseInt(label.group(1)), name.strip());
         }
         return names;
-    }
-
-    /** The text of XML without entities. */
-    private static String plain(String xml) {
-        return xml.replace("&lt;", "<")
-                .replace("&gt;", ">")
-                .replace("&quot;", "\"")
-                .replace("&apos;", "'")
-                .replace("&amp;", "&");
     }
 }

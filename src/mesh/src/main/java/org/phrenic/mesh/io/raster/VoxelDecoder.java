@@ -29,7 +29,7 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
     /** Greatest compression ratio of deflate. */
     private static final long MAX_RATIO = 1032;
 
-    private static final long MAX_VOXELS = Integer.MAX_VALUE - 8;
+    public static final long MAX_VOXELS = Integer.MAX_VALUE - 8;
     /**
      * Initial capacity in labels. It grows with the data read, so that a damaged header cannot allocate too much
      * memory.

@@ -2,6 +2,7 @@ package org.phrenic.mesh.io.volume;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import org.phrenic.mesh.io.raster.VoxelDecoder;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
@@ -14,9 +15,6 @@ final class EmptySlices {
      * ellipsoid of 150 mm has 0.13 at 5 mm from its end. A larger one is a cut by the end of the scan.
      */
     private static final double TAPERED = 0.3;
-
-    /** The most voxels of a volume: those of one array. */
-    private static final int MAX_VOXELS = Integer.MAX_VALUE - 8;
 
     private EmptySlices() {}
 
@@ -62,7 +60,7 @@ final class EmptySlices {
 
     /** Whether the voxels of a volume of this size fit into an array. */
     static boolean fits(int columns, int rows, int slices) {
-        return (long) columns * rows * slices <= MAX_VOXELS;
+        return (long) columns * rows * slices <= VoxelDecoder.MAX_VOXELS;
     }
 
     private static LabelGrid padded(LabelGrid grid, int before, int after, boolean wide) {

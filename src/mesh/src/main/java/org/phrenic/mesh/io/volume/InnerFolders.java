@@ -10,7 +10,6 @@ import java.util.stream.Collectors;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FileNames;
 import org.phrenic.file.InputBytes;
-import org.phrenic.mesh.io.raster.SeveralValuesException;
 import org.phrenic.mesh.io.raster.VolumeFormats;
 
 /** The folders within the folder of a scan, of which one holds its labels and others may hold images. */
@@ -112,15 +111,9 @@ final class InnerFolders {
 
     /** Whether one of the first volumes in a folder holds labels. */
     private static boolean startsWithLabels(Path folder) {
-        return volumes(folder).stream().limit(FEW).anyMatch(InnerFolders::isOfLabels);
-    }
-
-    private static boolean isOfLabels(Path file) {
-        try {
-            return LabelRuns.read(file).isPresent();
-        } catch (SeveralValuesException image) {
-            return false;
-        }
+        return volumes(folder).stream()
+                .limit(FEW)
+                .anyMatch(file -> LabelFolder.Volume.read(file).labels().isPresent());
     }
 
     /** Whether the first folder with volumes somewhere within a folder holds labels that can be read. */

@@ -55,7 +55,7 @@ final class LabelFolder {
     }
 
     /** The labels of a file, or its refusal if its voxels have several values; neither for other images. */
-    private record Volume(Optional<LabelRuns> labels, Optional<SeveralValuesException> several) {
+    record Volume(Optional<LabelRuns> labels, Optional<SeveralValuesException> several) {
         static Volume read(Path file) {
             try {
                 return new Volume(LabelRuns.read(file), Optional.empty());

@@ -8,6 +8,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.IntStream;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.HtmlPage;
@@ -149,9 +150,10 @@ public final class SweepReport {
         new WayMap(results).addTo(page);
         new SeriesBands(results).addTo(page);
         page.section("Machines");
-        if (results.programs().size() > 1) {
+        Set<String> programs = results.programs();
+        if (programs.size() > 1) {
             page.paragraph("The runs are of different builds of the program, whose results may differ: "
-                    + String.join("; ", results.programs()) + ".");
+                    + String.join("; ", programs) + ".");
         }
         results.machines().forEach((machine, count) -> page.paragraph(machine + ": " + count + " runs."));
         return HtmlPage.format(page);

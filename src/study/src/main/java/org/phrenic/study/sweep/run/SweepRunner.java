@@ -3,7 +3,6 @@ package org.phrenic.study.sweep.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.stream.IntStream;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.OutputException;
@@ -88,7 +87,7 @@ public final class SweepRunner {
 
     /** Another build may give other results, and no run says which of them it has. */
     private void tellOtherBuilds(SweepResults before) {
-        Set<String> others = new TreeSet<>(before.programs());
+        Set<String> others = before.programs();
         others.remove(RunMachine.program());
         if (!others.isEmpty()) {
             progress.note("found runs of another build of the program in the journal (" + String.join("; ", others)
