@@ -46,7 +46,6 @@ class BodySectionTest {
                 "",
                 List.of(),
                 0,
-                "",
                 OBLIQUE,
                 Optional.empty(),
                 NeedleLoad.NONE);

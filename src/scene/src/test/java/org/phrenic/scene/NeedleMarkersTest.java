@@ -48,7 +48,6 @@ class NeedleMarkersTest {
                 "",
                 List.of(),
                 0,
-                "",
                 new NeedleAngles(0, 0),
                 Optional.empty(),
                 NeedleLoad.NONE);

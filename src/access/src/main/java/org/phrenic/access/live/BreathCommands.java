@@ -21,6 +21,9 @@ final class BreathCommands {
     private final ManualStepRecorder steps;
     private final double reactionS;
     private final Queue<Optional<BreathEvent.Kind>> asked = new ConcurrentLinkedQueue<>();
+    /** End of a phase that was asked for last; written under the lock of what is asked. */
+    private volatile Optional<BreathEvent.Kind> heldAt = Optional.empty();
+
     private Optional<BreathEvent> told = Optional.empty();
     private double dueS = Double.POSITIVE_INFINITY;
     private RespiratoryPhase before = RespiratoryPhase.PAUSE;
@@ -34,8 +37,13 @@ final class BreathCommands {
         this.reactionS = reactionS;
     }
 
-    /** Begins with the run. */
+    /** Begins with the run; what was asked for and is not executed yet stays. */
     void begin() {
+        synchronized (asked) {
+            if (asked.isEmpty()) {
+                heldAt = Optional.empty();
+            }
+        }
         told = Optional.empty();
         dueS = Double.POSITIVE_INFINITY;
         before = RespiratoryPhase.PAUSE;
@@ -48,7 +56,10 @@ final class BreathCommands {
      * the next {@link #update}; on any thread.
      */
     void ask(Optional<BreathEvent.Kind> at) {
-        asked.add(at);
+        synchronized (asked) {
+            asked.add(at);
+            heldAt = at;
+        }
     }
 
     private void request(Optional<BreathEvent.Kind> at, double timeS) {
@@ -92,8 +103,8 @@ final class BreathCommands {
         run.change(List.of(Assignment.of(origin, Breathing.HOLD, on)));
     }
 
-    /** The event that a hold is waiting for; empty if none is. */
-    Optional<BreathEvent> pending() {
-        return told;
+    /** The end of a phase at which a breath is held, or will be, as asked for last; empty if it goes on. */
+    Optional<BreathEvent.Kind> heldAt() {
+        return heldAt;
     }
 }

@@ -33,18 +33,6 @@ import org.phrenic.simulation.observe.Observation;
  * <p>Requests may be made from any thread and return immediately.
  */
 public final class LiveRehearsal implements StepListener {
-    /** Receives events, on the thread of the run. */
-    public interface Listener {
-        /** A request could not be executed. */
-        void refused(String sentence);
-
-        /** An attempt has ended: the needle was withdrawn after a sample, or the plan is complete. */
-        void finished(LiveAttempt attempt);
-
-        /** A plan has ended at a step that could not be executed, of which {@link #refused} has told. */
-        default void stopped() {}
-    }
-
     /** Wall-clock time between two published states, ns. */
     private static final long SHOW_NS = 40_000_000;
     /** Wall-clock time after which the state is published even if nobody takes frames, ns. */
@@ -58,7 +46,7 @@ public final class LiveRehearsal implements StepListener {
     private final RehearsalPlan plan;
     private final TargetLesion target;
     private final Optional<AccessMap> map;
-    private final Listener listener;
+    private final AttemptListener listener;
     private final NeedleObserver observer;
     private final HeldProbe probe;
     private final HandOnProbe hand;
@@ -97,7 +85,7 @@ public final class LiveRehearsal implements StepListener {
             RehearsalPlan plan,
             TargetLesion target,
             Optional<AccessMap> map,
-            Listener listener) {
+            AttemptListener listener) {
         this.run = run;
         this.anatomy = anatomy;
         this.ofScene = ofScene;
@@ -185,7 +173,7 @@ public final class LiveRehearsal implements StepListener {
         if (state == null || done || System.nanoTime() - describedNs > SHOW_NS) {
             describedNs = System.nanoTime();
             turns.are(observer.angles(needle, grip.planned()));
-            state = observer.describe(needle, probe, grip.planned(), grip.aimedMm(), breathing.pending(), frame, phase);
+            state = observer.describe(needle, probe, grip.planned(), grip.aimedMm(), frame, phase);
             moves.show();
         }
     }
@@ -261,6 +249,11 @@ public final class LiveRehearsal implements StepListener {
     /** Requests a breath hold at the next event of a kind, after the release of a held breath; empty only releases. */
     public void holdAt(Optional<BreathEvent.Kind> end) {
         breathing.ask(end);
+    }
+
+    /** The end of a phase at which the breath is held by hand, or will be; empty if it goes on. On any thread. */
+    public Optional<BreathEvent.Kind> heldAt() {
+        return breathing.heldAt();
     }
 
     /**

@@ -9,7 +9,6 @@ import org.phrenic.access.attempt.NeedleInsertion;
 import org.phrenic.access.attempt.NeedleShaft;
 import org.phrenic.access.path.PathAnalysis;
 import org.phrenic.access.path.PathAnalyzer;
-import org.phrenic.access.plan.BreathEvent;
 import org.phrenic.access.plan.HeldProbe;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.ProbeState;
@@ -44,7 +43,6 @@ final class NeedleObserver {
             HeldProbe probe,
             Planned planned,
             double aimedMm,
-            Optional<BreathEvent> pendingHold,
             Frame frame,
             RespiratoryPhase phase) {
         NeedleShaft shaft = needle.shaft();
@@ -83,7 +81,6 @@ final class NeedleObserver {
                 anatomy.labelOf(margin.nearest()),
                 placed ? needle.warnings() : List.of(),
                 needle.record().samples().size(),
-                pendingHold.map(BreathEvent::text).orElse(""),
                 NeedleAngles.of(direction),
                 probe.hold()
                         .map(hold -> new ProbeState(

@@ -26,7 +26,6 @@ import org.phrenic.mesh.Vectors;
  * @param nearest label of the structure that limits the margin; empty if there is none
  * @param warnings warnings about the needle in the body, as text
  * @param samples samples taken so far
- * @param pendingHold event at which a requested breath hold will start, as text; empty if there is none
  * @param angles angles of the needle; before placement, of the planned needle
  * @param probe the ultrasound probe; empty while it is not on the skin
  * @param load loads on the needle
@@ -49,7 +48,6 @@ public record NeedleState(
         String nearest,
         List<String> warnings,
         int samples,
-        String pendingHold,
         NeedleAngles angles,
         Optional<ProbeState> probe,
         NeedleLoad load) {

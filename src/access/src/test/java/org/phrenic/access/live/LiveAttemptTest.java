@@ -135,7 +135,9 @@ class LiveAttemptTest {
             when(needle, s -> s.depthMm() > 4);
             needle.moveTo(12, 45);
             needle.holdAt(Optional.of(BreathEvent.Kind.END_INSPIRATION));
+            assertThat(needle.heldAt()).as("asked for").contains(BreathEvent.Kind.END_INSPIRATION);
             when(needle, s -> !s.moving() && s.label() == RespiratoryPhase.HOLD);
+            assertThat(needle.heldAt()).as("in effect").contains(BreathEvent.Kind.END_INSPIRATION);
             needle.aim();
             needle.moveTo(70, 150);
             when(needle, s -> s.inLiver() && !s.moving());
@@ -143,6 +145,7 @@ class LiveAttemptTest {
             needle.sample();
             when(needle, s -> s.samples() == 1);
             needle.holdAt(Optional.empty());
+            assertThat(needle.heldAt()).isEmpty();
             needle.moveTo(0, 300);
         });
         assertThat(live.record().count(AttemptEvent.Kind.REDIRECTION)).isEqualTo(1);
@@ -249,7 +252,7 @@ class LiveAttemptTest {
     }
 
     private record Ended(CompletableFuture<LiveAttempt> attempt, CompletableFuture<Void> stop)
-            implements LiveRehearsal.Listener {
+            implements AttemptListener {
         @Override
         public void refused(String sentence) {
             attempt.completeExceptionally(new IllegalStateException(sentence));

@@ -50,7 +50,6 @@ class NeedleObserverTest {
                         new HeldProbe(scene),
                         new NeedleObserver.Planned(entry, Optional.empty()),
                         aimedMm,
-                        Optional.empty(),
                         body.still(0),
                         RespiratoryPhase.PAUSE);
     }

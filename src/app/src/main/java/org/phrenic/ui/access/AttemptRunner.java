@@ -8,6 +8,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
+import org.phrenic.access.live.AttemptListener;
 import org.phrenic.access.live.LiveAttempt;
 import org.phrenic.access.live.LiveRehearsal;
 import org.phrenic.access.path.AccessMap;
@@ -75,7 +76,7 @@ final class AttemptRunner implements Session.Listener, AutoCloseable {
         isPlayed = played;
         BooleanSupplier current = work.notDiscardedSince();
         controller.pictures().begin();
-        LiveRehearsal.Listener listener = new LiveRehearsal.Listener() {
+        AttemptListener listener = new AttemptListener() {
             @Override
             public void refused(String sentence) {
                 SwingUtilities.invokeLater(() -> session.refuse(sentence));

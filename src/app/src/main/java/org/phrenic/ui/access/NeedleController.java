@@ -140,10 +140,14 @@ public final class NeedleController {
         command(needle -> needle.holdAt(end));
     }
 
+    /** The end of a phase at which the breath is held by hand, or will be; empty if it goes on or is held elsewhere. */
+    public Optional<BreathEvent.Kind> heldAt() {
+        return rehearsal.attempt.rehearsal().flatMap(LiveRehearsal::heldAt);
+    }
+
     /** Whether the breath is held, or will be at the next end of a phase. */
     public boolean isBreathHeld() {
-        return session.scenario().hold()
-                || rehearsal.state().filter(s -> !s.pendingHold().isEmpty()).isPresent();
+        return session.scenario().hold() || heldAt().isPresent();
     }
 
     /** Holds the breath at end-expiration, or releases it. */

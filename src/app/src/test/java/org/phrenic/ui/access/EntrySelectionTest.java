@@ -36,7 +36,6 @@ class EntrySelectionTest {
                 "right lung",
                 warnings,
                 0,
-                "",
                 new NeedleAngles(0, 0),
                 Optional.empty(),
                 NeedleLoad.NONE));

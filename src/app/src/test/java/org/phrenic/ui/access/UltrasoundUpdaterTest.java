@@ -77,7 +77,6 @@ class UltrasoundUpdaterTest {
                 "",
                 List.of(),
                 0,
-                "",
                 new NeedleAngles(90, 45),
                 Optional.empty(),
                 NeedleLoad.NONE);

@@ -4,7 +4,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JToggleButton;
 import org.phrenic.access.plan.BreathEvent;
-import org.phrenic.access.plan.NeedleState;
 import org.phrenic.simulation.live.RunHistory;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.ui.access.RehearsalController;
@@ -31,11 +30,6 @@ final class BreathPanel extends AccessPanel {
             "Hold the breath at end-inspiration; press again to breathe on",
             () -> hold(BreathEvent.Kind.END_INSPIRATION));
 
-    /** The end of a phase at which the breath is held, or will be. */
-    private transient Optional<BreathEvent.Kind> held = Optional.empty();
-    /** Time of the run at which a hold was last asked for or released here, s. */
-    private double askedS = Double.NaN;
-
     /** @param presetSelector changes the breathing preset */
     BreathPanel(Session session, RehearsalController rehearsal, Consumer<String> presetSelector) {
         super(rehearsal);
@@ -54,41 +48,15 @@ final class BreathPanel extends AccessPanel {
     private void hold(BreathEvent.Kind end) {
         boolean atExpiration = end == BreathEvent.Kind.END_EXPIRATION;
         boolean on = (atExpiration ? holdAtExpiration : holdAtInspiration).isSelected();
-        held = on ? Optional.of(end) : Optional.empty();
-        askedS = rehearsal.state().map(NeedleState::timeS).orElse(Double.NaN);
-        rehearsal.needle().hold(held);
+        rehearsal.needle().hold(on ? Optional.of(end) : Optional.empty());
         showHold();
     }
 
-    /**
-     * The end of a phase at which the breath is held, or will be; empty if it is neither, or is held elsewhere.
-     *
-     * @param pending event that a hold waits for, as text; empty for none
-     * @param holds whether the breath is held
-     * @param before the end shown before
-     */
-    static Optional<BreathEvent.Kind> endOfHold(String pending, boolean holds, Optional<BreathEvent.Kind> before) {
-        if (!pending.isEmpty()) {
-            return Optional.of(BreathEvent.parse(pending).kind());
-        }
-        return holds ? before : Optional.empty();
-    }
-
+    /** Shows the hold that is asked for, here or by a key, while it waits and while it lasts. */
     private void showHold() {
+        Optional<BreathEvent.Kind> held = rehearsal.needle().heldAt();
         holdAtExpiration.setSelected(held.equals(Optional.of(BreathEvent.Kind.END_EXPIRATION)));
         holdAtInspiration.setSelected(held.equals(Optional.of(BreathEvent.Kind.END_INSPIRATION)));
-    }
-
-    /** Follows holds that are asked for by keys and in plans; what was asked for here is in a later state. */
-    private void followHold() {
-        Optional<NeedleState> state = rehearsal.state();
-        if (state.filter(s -> s.timeS() == askedS).isEmpty()) {
-            held = endOfHold(
-                    state.map(NeedleState::pendingHold).orElse(""),
-                    session.scenario().hold(),
-                    held);
-            showHold();
-        }
     }
 
     @Override
@@ -102,13 +70,13 @@ final class BreathPanel extends AccessPanel {
         String preset = session.scenario().preset();
         quiet.setSelected(!recorded && preset.equals("quiet"));
         deep.setSelected(!recorded && preset.equals("deep"));
-        followHold();
+        showHold();
         bar.setPattern(session.scenario());
     }
 
     @Override
     public void onTick(RunStatus status) {
-        followHold();
+        showHold();
         if (isShowing()) {
             Optional.ofNullable(session.live().history())
                     .flatMap(RunHistory::latest)

@@ -39,8 +39,8 @@ import org.phrenic.ui.window.WindowHarness;
  * table of attempts. The window is that of {@link RehearsalWindowTest}.
  */
 abstract class RehearsalInputCases {
-    /** The picture that is clicked on is older than the body by a few frames of a fast breath. */
-    private static final double CLICKED_WITHIN_MM = 6;
+    /** A pixel of the body at rest is 0.5 to 1 mm wide. */
+    private static final double CLICKED_WITHIN_MM = 1;
 
     static RehearsalHarness clinic;
     static WindowHarness window;
@@ -139,9 +139,20 @@ abstract class RehearsalInputCases {
         assertThat(WindowHarness.onEdt(() -> rehearsal().pictures().aids())).isEqualTo(aids);
     }
 
+    /** Waits for the picture of the body at rest, in which places are where they are at rest; the run stands still. */
+    private static void lookAtRest() throws InterruptedException {
+        clinic.rest();
+        SceneViewport view = window.window().view();
+        WindowHarness.doOnEdt(() -> window.session().live().reset());
+        RehearsalHarness.untilWhileItRuns(
+                "a picture of the body at rest",
+                () -> view.isUnavailable() || view.frame().orElseThrow().step() == 0);
+    }
+
     @Test
     void targetAndEntryAreSetByKeyAndClickAndStandInThePlanThatIsKept() throws Exception {
         TargetLesion before = target();
+        lookAtRest();
         double[] onLiver = pixel(middleOfTheLiver());
         window.key("T");
         assertThat(WindowHarness.onEdt(() -> rehearsal().pickMode().mode())).isEqualTo(PickMode.Kind.TARGET);
@@ -155,6 +166,7 @@ abstract class RehearsalInputCases {
         assertThat(besideMm(set.restMm(), onLiver)).isLessThan(CLICKED_WITHIN_MM);
         assertThat(WindowHarness.onEdt(() -> rehearsal().pickMode().mode())).isEqualTo(PickMode.Kind.NONE);
 
+        lookAtRest();
         double[] onSkin = {onLiver[0] - 12, onLiver[1] + 9};
         window.key("E");
         assertThat(WindowHarness.onEdt(() -> rehearsal().pickMode().mode())).isEqualTo(PickMode.Kind.ENTRY);

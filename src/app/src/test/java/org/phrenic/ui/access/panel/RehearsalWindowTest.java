@@ -245,6 +245,12 @@ class RehearsalWindowTest extends RehearsalProbeCases {
                 .isTrue();
         window.key("H");
         until("the button", () -> !hold.isSelected());
+        until("a breath that goes on", () -> state().label() != RespiratoryPhase.HOLD);
+        window.key("H");
+        window.key("H");
+        assertThat(WindowHarness.onEdt(() -> rehearsal().needle().isBreathHeld()))
+                .as("after two presses within a frame")
+                .isFalse();
     }
 
     private static boolean repeats() {

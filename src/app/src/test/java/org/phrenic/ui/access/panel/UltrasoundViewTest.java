@@ -62,7 +62,6 @@ class UltrasoundViewTest {
                 "",
                 List.of(),
                 0,
-                "",
                 new NeedleAngles(90, 45),
                 Optional.empty(),
                 NeedleLoad.NONE);
