@@ -117,5 +117,10 @@ class ProvenanceLinesTest {
                 .isEqualTo("With: phrenic reproduce --patients FOLDER --axes LPS");
         assertThat(line(List.of("sweep", "study.yaml", "--out", path), "--out", "--merge"))
                 .isEqualTo("With: phrenic sweep study.yaml --out " + folder.getFileName());
+        assertThat(line(List.of("validate", "--anatomy", path, "--anatomy", "virtual/adult-female")))
+                .isEqualTo(
+                        "With: phrenic validate --anatomy " + folder.getFileName() + " --anatomy virtual/adult-female");
+        assertThat(line(List.of("bench", "organs", path)))
+                .isEqualTo("With: phrenic bench organs " + folder.getFileName());
     }
 }

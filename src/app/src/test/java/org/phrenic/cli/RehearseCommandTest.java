@@ -124,6 +124,7 @@ class RehearseCommandTest {
                 "avoid: [air] | expected lung",
                 "phases: 1 | expected 2",
                 "done_when: {glory: 1} | unknown key",
+                "done_when: {lung_s_at_most: -1} | found -1, expected 0 or more",
                 "set: {preset: none} | expected",
             })
     void aBadPlanIsToldInOneSentenceAndNothingIsWritten(String line, String expected) throws IOException {

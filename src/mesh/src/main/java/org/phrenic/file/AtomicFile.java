@@ -49,8 +49,7 @@ public final class AtomicFile {
                     new FileAlreadyExistsException(target.toString()));
         }
         try {
-            // A symbolic link is followed, not replaced.
-            Path real = Files.isSymbolicLink(target) && Files.exists(target) ? target.toRealPath() : target;
+            Path real = followed(target);
             if (Files.exists(real) && !Files.isRegularFile(real)) {
                 try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(real))) {
                     content.writeTo(out);
@@ -65,6 +64,14 @@ public final class AtomicFile {
             throw new OutputException(
                     target + ": writing into folder " + folder(target) + " failed: " + reason(failure), failure);
         }
+    }
+
+    /** Where a symbolic link leads, which is not replaced, also where nothing is there yet; else the path itself. */
+    private static Path followed(Path target) throws IOException {
+        if (!Files.isSymbolicLink(target)) {
+            return target;
+        }
+        return Files.exists(target) ? target.toRealPath() : target.resolveSibling(Files.readSymbolicLink(target));
     }
 
     /** Writes {@code text} as UTF-8. */

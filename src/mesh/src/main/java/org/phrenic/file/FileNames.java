@@ -1,5 +1,6 @@
 package org.phrenic.file;
 
+import java.nio.charset.Charset;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Comparator;
@@ -42,11 +43,18 @@ public final class FileNames {
 
     /** Why a name is none here: letters that the encoding lacks, or else a character that names do not have. */
     static String refusal(InvalidPathException refused) {
-        boolean hasUsualLetters = refused.getInput().chars().allMatch(c -> c >= ' ' && c <= '~');
-        return hasUsualLetters
+        return isEncodable(refused.getInput())
                 ? "found '" + refused.getInput() + "', expected the name of a file (" + refused.getReason() + ")"
                 : "found a name that this system cannot write, expected one in the encoding of file names, "
                         + System.getProperty("sun.jnu.encoding") + " (LANG=C.UTF-8 allows all letters)";
+    }
+
+    private static boolean isEncodable(String name) {
+        String encoding = System.getProperty("sun.jnu.encoding", "UTF-8");
+        boolean hasUsualLetters = name.chars().allMatch(c -> c >= ' ' && c <= '~');
+        return hasUsualLetters
+                || (Charset.isSupported(encoding)
+                        && Charset.forName(encoding).newEncoder().canEncode(name));
     }
 
     /** Whether this system can write a name. */

@@ -148,6 +148,11 @@ class AtomicFileTest {
 
         assertThat(link).isSymbolicLink();
         assertThat(real).hasContent("new");
+
+        Files.delete(real);
+        AtomicFile.write(link, "first");
+        assertThat(link).as("whose file was not there").isSymbolicLink();
+        assertThat(real).hasContent("first");
     }
 
     @Test

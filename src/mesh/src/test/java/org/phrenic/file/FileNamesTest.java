@@ -28,8 +28,17 @@ class FileNamesTest {
     void aCharacterThatNamesDoNotHaveIsToldWithTheName() {
         assertThat(FileNames.refusal(new InvalidPathException("C:\\data\"", "Illegal char <\">", 7)))
                 .isEqualTo("found 'C:\\data\"', expected the name of a file (Illegal char <\">)");
-        assertThat(FileNames.refusal(new InvalidPathException("M\u00fcller", "Malformed input", 1)))
-                .contains("expected one in the encoding of file names");
+        String encoding = System.getProperty("sun.jnu.encoding");
+        try {
+            System.setProperty("sun.jnu.encoding", "US-ASCII");
+            assertThat(FileNames.refusal(new InvalidPathException("M\u00fcller", "Malformed input", 1)))
+                    .contains("expected one in the encoding of file names, US-ASCII");
+            System.setProperty("sun.jnu.encoding", "Cp1252");
+            assertThat(FileNames.refusal(new InvalidPathException("M\u00fcller 10:30", "Illegal char <:>", 9)))
+                    .isEqualTo("found 'M\u00fcller 10:30', expected the name of a file (Illegal char <:>)");
+        } finally {
+            System.setProperty("sun.jnu.encoding", encoding);
+        }
     }
 
     @Test

@@ -14,6 +14,11 @@ import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 final class PrincipalComponent {
     private PrincipalComponent() {}
 
+    private static boolean moves(List<double[]> rows, int column) {
+        double[] first = rows.isEmpty() ? null : rows.get(0);
+        return rows.stream().anyMatch(row -> !Arrays.equals(row, column, column + 3, first, column, column + 3));
+    }
+
     /**
      * Computes the signal from rows that hold x, y, z starting at a column.
      *
@@ -21,6 +26,9 @@ final class PrincipalComponent {
      */
     static double[] firstComponent(String name, List<double[]> rows, int column) {
         int count = rows.size();
+        if (!moves(rows, column)) {
+            throw new IllegalArgumentException(name + ": found no motion of a marker, expected rows of positions");
+        }
         double[] mean = new double[3];
         for (double[] row : rows) {
             for (int i = 0; i < 3; i++) {
@@ -36,8 +44,8 @@ final class PrincipalComponent {
             }
         }
         EigenDecomposition_F64<DMatrixRMaj> eigen = DecompositionFactory_DDRM.eig(3, true, true);
-        if (count == 0 || !eigen.decompose(covariance)) {
-            throw new IllegalArgumentException(name + ": no motion of a marker, expected rows of positions");
+        if (!eigen.decompose(covariance)) {
+            throw new IllegalArgumentException(name + ": found positions without a principal axis, expected a path");
         }
         int largest = 0;
         for (int i = 1; i < 3; i++) {

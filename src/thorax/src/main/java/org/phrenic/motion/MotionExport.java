@@ -14,6 +14,7 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.ExistingPath;
 import org.phrenic.file.Numbers;
 import org.phrenic.file.OutputException;
 import org.phrenic.file.ScalarType;
@@ -122,8 +123,10 @@ public final class MotionExport {
         if (voxels > MOST_VOXELS) {
             throw new BadInputException("--grid: found " + voxels + " voxels, expected at most " + MOST_VOXELS);
         }
-        if (voxels * BYTES_A_VOXEL + ofImage * BYTES_AN_IMAGE_VOXEL > SHARE_OF_MEMORY * memory) {
-            throw new BadInputException((voxels > 0 ? "--grid: found " + voxels : "--warp: found " + ofImage)
+        long forGrid = voxels * BYTES_A_VOXEL;
+        long forImage = ofImage * BYTES_AN_IMAGE_VOXEL;
+        if (forGrid + forImage > SHARE_OF_MEMORY * memory) {
+            throw new BadInputException((forGrid >= forImage ? "--grid: found " + voxels : "--warp: found " + ofImage)
                     + " voxels, expected no more than fit into Java's memory of " + (memory >> 20)
                     + " MB (java -Xmx8g gives it 8 GB)");
         }
@@ -147,10 +150,7 @@ public final class MotionExport {
                 * times
                 * (request.format().equals("nii") || request.format().equals("mha") ? 1 : PACKED);
         try {
-            Path there = out.toAbsolutePath();
-            while (!Files.exists(there)) {
-                there = there.getParent();
-            }
+            Path there = ExistingPath.nearest(out).orElse(out);
             long free = Files.getFileStore(there).getUsableSpace();
             if (needed > free) {
                 throw new BadInputException(Numbers.format(

@@ -41,6 +41,9 @@ class MotionExportTest {
         assertThatThrownBy(() -> MotionExport.checkMemory(100_000_000, 0, GB))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageStartingWith("--grid: found 100000000 voxels, expected no more");
+        assertThatThrownBy(() -> MotionExport.checkMemory(9000, 100_000_000, GB))
+                .as("a small grid for a large image")
+                .hasMessageStartingWith("--warp: found 100000000 voxels");
         assertThatCode(() -> MotionExport.checkMemory(1_000_000, 1_000_000, GB)).doesNotThrowAnyException();
     }
 

@@ -2,7 +2,7 @@ package org.phrenic.access.live;
 
 /**
  * Order of the steps and frames that a needle gets: the frame of a step may arrive after later steps. Detects a restart
- * by a step whose time is not after that of the last one. Times are in s and above 0.
+ * by a step whose time is not after that of the last one. Times are in s, from 0 on.
  */
 final class StepOrder {
     private double lastS;

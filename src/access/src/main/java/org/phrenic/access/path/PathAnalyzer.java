@@ -157,8 +157,14 @@ public final class PathAnalyzer {
         return pleuralDepth(entry, end) < NONE ? bits | NoGoZone.PLEURA.bit() : bits;
     }
 
-    /** Margin of a path to the avoided zones. The pleural recess has no distance: it is crossed or not. */
+    /**
+     * Margin of a path to the avoided zones. The pleural recess has no distance: it is crossed, which leaves no margin,
+     * or not.
+     */
     public Margin margin(double[] entry, double[] end, Set<NoGoZone> avoided) {
+        if (avoided.contains(NoGoZone.PLEURA) && pleuralDepth(entry, end) < NONE) {
+            return new Margin(0, "");
+        }
         double margin = MAX_DISTANCE_MM;
         String nearest = "";
         for (MovingStructure s : anatomy.hazards()) {

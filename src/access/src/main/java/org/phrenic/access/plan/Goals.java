@@ -102,7 +102,15 @@ public record Goals(boolean hit, Map<String, Double> limits) {
         yaml.requireOnly(
                 Stream.concat(Stream.of(HIT), MEASURES.keySet().stream()).toList());
         Map<String, Double> limits = new LinkedHashMap<>();
-        MEASURES.keySet().stream().filter(yaml::has).forEach(key -> limits.put(key, yaml.number(key)));
+        for (String key : MEASURES.keySet()) {
+            if (yaml.has(key)) {
+                double limit = yaml.number(key);
+                if (limit < 0) {
+                    throw yaml.bad(key, "found " + yaml.text(key) + ", expected 0 or more");
+                }
+                limits.put(key, limit);
+            }
+        }
         return new Goals(yaml.flag(HIT, false), limits);
     }
 

@@ -130,6 +130,12 @@ class AccessMapTest {
         assertThat(between.way().kind()).isEqualTo(EntryWay.Kind.INTERCOSTAL);
         assertThat(between.crossesPleura()).isTrue();
         assertThat(between.crossing(Crossing.RECESS)).isPresent();
+        double[] entry = {-156, 0, 20};
+        assertThat(analyzer.margin(entry, target, Set.of(NoGoZone.LUNG)).mm()).isPositive();
+        assertThat(analyzer.margin(entry, target, Set.of(NoGoZone.LUNG, NoGoZone.PLEURA))
+                        .mm())
+                .as("a recess that is crossed and avoided leaves no margin")
+                .isZero();
         assertThat(analyzer.analyze(new double[] {-70, -115, -60}, target).crossesPleura())
                 .isFalse();
     }

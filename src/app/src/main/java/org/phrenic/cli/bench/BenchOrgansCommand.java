@@ -12,6 +12,7 @@ import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.body.OrganReport;
@@ -51,6 +52,12 @@ final class BenchOrgansCommand extends ReportingCommand {
 
     @Override
     public Integer call() {
+        for (String body : bodies) {
+            if (!RunSettings.VIRTUAL_BODIES.contains(body)) {
+                throw new BadInputException("found '" + body + "', expected virtual bodies, of "
+                        + String.join(", ", RunSettings.VIRTUAL_BODIES));
+            }
+        }
         out.check();
         Scenario scenario = Scenario.defaults().with(List.of(resolution.assignment()));
         OrganReport report;

@@ -142,7 +142,7 @@ final class BenchStudiesCommand extends ReportingCommand {
         ClusterService cluster =
                 ServiceLoader.load(ClusterService.class).iterator().next();
         try (SweepExecutor executor = cluster.connect(master)) {
-            boolean inProcess = master.startsWith("local[");
+            boolean inProcess = master.equals("local") || master.startsWith("local[");
             return StudyMeasurement.measure(
                     spark(master), folder(spark(master)), SweepPlan.of(study), executor, inProcess, progress);
         }

@@ -1,6 +1,7 @@
 package org.phrenic.cli.option;
 
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
@@ -40,8 +41,8 @@ public final class ProvenanceOption {
 
     /**
      * The lines, of which one states the command with its arguments as they were given. An option of a folder states
-     * the label of the option in place of the folder, and one of a file states the name of the file, so that a page
-     * does not tell where they lie on this machine.
+     * the label of the option in place of the folder; another argument that is a file or a folder states its name, so
+     * that a page does not tell where it lies on this machine.
      *
      * @param named options of folders that state the name of the folder, {@code --out} among them
      */
@@ -58,7 +59,7 @@ public final class ProvenanceOption {
         parsed.matchedPositionals().stream()
                 .distinct()
                 .flatMap(argument -> argument.originalStringValues().stream())
-                .map(ShellWord::quoted)
+                .map(value -> ShellWord.quoted(nameOnDisk(value)))
                 .forEach(words::add);
         for (OptionSpec option : new LinkedHashSet<>(parsed.matchedOptions())) {
             String name = option.longestName();
@@ -76,9 +77,20 @@ public final class ProvenanceOption {
 
     private static String stated(ArgSpec option, String value, boolean named) {
         if (!option.type().equals(Path.class)) {
-            return value;
+            return nameOnDisk(value);
         }
         Path path = Path.of(value);
         return Files.isDirectory(path) && !named ? option.paramLabel() : String.valueOf(path.getFileName());
+    }
+
+    /** The name of a file or folder that is there; any other text as it is. */
+    private static String nameOnDisk(String text) {
+        try {
+            Path path = Path.of(text);
+            boolean isThere = !text.isEmpty() && Files.exists(path);
+            return isThere && path.getFileName() != null ? path.getFileName().toString() : text;
+        } catch (InvalidPathException none) {
+            return text;
+        }
     }
 }

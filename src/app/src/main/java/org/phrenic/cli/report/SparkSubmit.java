@@ -24,7 +24,8 @@ public final class SparkSubmit {
      */
     public static int run(String master, List<String> arguments) {
         String home = System.getenv("SPARK_HOME");
-        Path submit = home == null ? null : Path.of(home, "bin", "spark-submit");
+        boolean onWindows = System.getProperty("os.name").startsWith("Windows");
+        Path submit = home == null ? null : Path.of(home, "bin", onWindows ? "spark-submit.cmd" : "spark-submit");
         if (submit == null || !Files.isRegularFile(submit)) {
             throw new BadInputException("--master " + master + ": found no Apache Spark, expected its folder in the"
                     + " environment variable SPARK_HOME (docs/cluster.md)");

@@ -155,6 +155,8 @@ public final class BreathDock extends SessionDock {
 
     /** Breathes by a recorded trace; a file that is none is refused with a message. */
     void openTrace(Path file) {
+        // A file that is chosen again may have been written anew.
+        describedTrace = Optional.empty();
         try {
             session.change(
                     "Breath recorded in " + file.getFileName(),

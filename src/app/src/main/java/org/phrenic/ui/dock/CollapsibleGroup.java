@@ -26,8 +26,11 @@ final class CollapsibleGroup extends JPanel {
         heading.setHorizontalAlignment(SwingConstants.LEFT);
         heading.setToolTipText("Expand or collapse: " + label);
         heading.addActionListener(e -> {
-            expanded = !expanded;
-            show(null, "");
+            // What is found by a search is shown in any case.
+            if (shownSearch.isBlank()) {
+                expanded = !expanded;
+                show(null, "");
+            }
         });
         add(heading);
         updateHeading();
@@ -35,8 +38,12 @@ final class CollapsibleGroup extends JPanel {
     }
 
     private void updateHeading() {
-        heading.setText((expanded ? "\u25be  " : "\u25b8  ") + label);
+        heading.setText((isOpen() ? "\u25be  " : "\u25b8  ") + label);
         heading.setFont(heading.getFont().deriveFont(Font.BOLD));
+    }
+
+    private boolean isOpen() {
+        return expanded || !shownSearch.isBlank();
     }
 
     void addRow(SettingRow row) {
@@ -61,8 +68,7 @@ final class CollapsibleGroup extends JPanel {
                 .filter(row -> row.applies(shownScenario) && row.matches(shownSearch))
                 .toList();
         matching.forEach(row -> row.show(shownScenario));
-        boolean open = expanded || !shownSearch.isBlank();
-        rows.forEach(row -> row.setVisible(open && matching.contains(row)));
+        rows.forEach(row -> row.setVisible(isOpen() && matching.contains(row)));
         updateHeading();
         setVisible(!matching.isEmpty());
     }

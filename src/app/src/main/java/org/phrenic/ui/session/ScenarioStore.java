@@ -10,9 +10,9 @@ import java.util.Map;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.phrenic.document.YamlWriter;
+import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FileNames;
-import org.phrenic.file.OutputException;
 import org.phrenic.scenario.Scenario;
 
 /** Scenarios stored by name: files in one folder, which {@code phrenic run} takes as well. */
@@ -76,7 +76,7 @@ public record ScenarioStore(Path folder) {
      * Stores a scenario under a name, and replaces one of that name.
      *
      * @throws BadInputException if no file can have that name
-     * @throws OutputException if it cannot be written
+     * @throws org.phrenic.file.OutputException if it cannot be written
      */
     public void save(String name, Scenario scenario) {
         Map<String, Object> values = new LinkedHashMap<>(scenario.toMap());
@@ -98,11 +98,7 @@ public record ScenarioStore(Path folder) {
 
     /** Deletes a scenario; does nothing if there is none. */
     public void delete(String name) {
-        try {
-            Files.deleteIfExists(file(name));
-        } catch (IOException e) {
-            throw new OutputException(file(name) + ": cannot be deleted: " + e.getMessage(), e);
-        }
+        AtomicFile.delete(file(name));
     }
 
     private Path file(String name) {

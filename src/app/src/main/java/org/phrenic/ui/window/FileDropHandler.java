@@ -11,7 +11,7 @@ import javax.swing.TransferHandler;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FileNames;
 
-/** Opens a scenario, a thorax folder, a trace or a label volume that is dropped on the window. */
+/** Opens a scenario, a plan, a thorax folder, a trace, a label volume or a folder of masks dropped on the window. */
 final class FileDropHandler extends TransferHandler {
     private final transient Consumer<Path> open;
     private final transient Consumer<String> refuse;
@@ -33,7 +33,7 @@ final class FileDropHandler extends TransferHandler {
             List<?> files = (List<?>) support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
             if (files.size() != 1) {
                 refuse.accept("found " + files.size()
-                        + " files, expected one scenario, thorax folder, trace or label volume");
+                        + " files, expected one scenario, plan, thorax folder, trace, label volume or folder of masks");
                 return false;
             }
             open.accept(FileNames.path(((File) files.get(0)).getPath()));

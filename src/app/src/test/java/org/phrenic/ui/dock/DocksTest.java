@@ -21,6 +21,7 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JTextField;
@@ -174,6 +175,13 @@ class DocksTest {
                 .hasSizeBetween(1, 3)
                 .contains(row(dock, "tendon_stiffness_ratio"));
         assertThat(dock.nothingFound().isVisible()).isFalse();
+        JButton heading =
+                (JButton) row(dock, "tendon_stiffness_ratio").getParent().getComponent(0);
+        String open = heading.getText();
+        EventThread.run(heading::doClick);
+        assertThat(heading.getText()).as("while the search shows its rows").isEqualTo(open);
+        EventThread.run(() -> dock.search().setText(""));
+        assertThat(row(dock, "tendon_stiffness_ratio").isVisible()).isTrue();
         EventThread.run(() -> dock.search().setText("muscle force"));
         assertThat(dock.nothingFound().isVisible()).isTrue();
         assertThat(dock.nothingFound().getText()).contains("'physical'").contains("Other materials have Muscle force");
@@ -639,6 +647,15 @@ class DocksTest {
         assertThat(on(() -> dock.row(Breathing.RATE).slider().isEnabled())).isFalse();
         assertThat(on(() -> dock.row(Breathing.RATE).message())).contains("recorded breath");
         assertThat(on(() -> dock.row(Breathing.DEPTH).slider().isEnabled())).isTrue();
+        Files.writeString(file, csv.substring(0, csv.indexOf("12.1,")));
+        EventThread.run(() -> {
+            dock.openTrace(file);
+            dock.onChange();
+        });
+        assertThat(on(() -> dock.traceDescription().getText()))
+                .as("of the file as it is now")
+                .contains("3 breaths");
+        EventThread.run(() -> session.edits().undo());
         EventThread.run(() -> session.edits().undo());
         EventThread.until(
                 "the rate is back", () -> dock.row(Breathing.RATE).slider().isEnabled());

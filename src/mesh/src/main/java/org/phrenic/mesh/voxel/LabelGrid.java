@@ -134,7 +134,8 @@ public final class LabelGrid {
     }
 
     /**
-     * Whether columns, rows and slices are left-handed, as in most images whose first row is at the front of the body.
+     * Whether columns, rows and slices are left-handed, as in many NIfTI images, whose first row is at the back of the
+     * body.
      */
     public boolean isMirrored() {
         return VoxelBox.determinant(toMm) < 0;

@@ -20,7 +20,7 @@ import org.phrenic.patient.registration.BodyCompletion;
  * @param raisedMm rise of the domes, mm
  */
 public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean moved, double raisedMm) {
-    /** A completed body at the breath level of its scan, with a note if that is one at inspiration. */
+    /** A completed body at the breath level of its scan. */
     static RestingBody asScanned(PatientBody scanned, PatientBody completed) {
         MedianFrame frame = MedianFrame.of(completed.thorax());
         return new RestingBody(

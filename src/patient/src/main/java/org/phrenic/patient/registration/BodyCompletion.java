@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -91,13 +92,18 @@ public final class BodyCompletion {
         organs = surer || spine.isPresent() ? List.of() : atWall(template);
     }
 
-    /** Organs at the wall that the scan shows, with those of the template. */
+    /**
+     * Organs at the wall that the scan shows, with those of the template, among its structures or its further organs.
+     */
     private List<SharedStructure> atWall(Thorax whole) {
+        List<Structure> ofTemplate = Stream.concat(whole.structures().stream(), whole.organs().get().stream())
+                .toList();
         return body.structures().stream()
                 .filter(s -> AT_WALL.contains(s.structure().name()))
                 .filter(s -> s.isComplete() || !s.structure().name().startsWith(KIDNEY))
-                .flatMap(s -> whole.organs().get().stream()
+                .flatMap(s -> ofTemplate.stream()
                         .filter(t -> t.name().equals(s.structure().name()))
+                        .limit(1)
                         .map(t -> new SharedStructure(s, t.mesh())))
                 .toList();
     }
@@ -285,7 +291,12 @@ public final class BodyCompletion {
         List<String> notes = new ArrayList<>(sizeNote.stream().toList());
         notes.add(Numbers.format(
                 "%d structures come from %s, brought to the %d that it shares with the scan",
-                added, templateName, shared.size() + organs.size()));
+                added,
+                templateName,
+                Stream.concat(shared.stream(), organs.stream())
+                        .map(s -> s.organ().structure().name())
+                        .distinct()
+                        .count()));
         if (!continued.isEmpty()) {
             notes.add("cut off by the scan, continued by " + templateName + " beyond its end: "
                     + String.join(", ", new TreeSet<>(continued)));

@@ -32,7 +32,7 @@ class OrgansAloneTest {
     @BeforeAll
     static void complete() {
         woman = VirtualThorax.ofPreset("adult-female", Resolution.LOW);
-        body = completed(0);
+        body = completed(0, VirtualThorax.ofPreset("adult-male", Resolution.LOW));
     }
 
     private static Structure moved(Structure s, double y, double z) {
@@ -40,7 +40,7 @@ class OrgansAloneTest {
     }
 
     /** @param loweredMm how much lower than hers the kidneys lie */
-    private static PatientBody completed(double loweredMm) {
+    private static PatientBody completed(double loweredMm, Thorax template) {
         List<PatientStructure> organs = new ArrayList<>();
         organs.add(BodyCompletionTest.scanned(woman.find("liver").orElseThrow(), ""));
         for (Structure s : woman.organs().get()) {
@@ -50,8 +50,15 @@ class OrgansAloneTest {
             }
         }
         return BodyCompletion.complete(
-                new PatientBody("patient", organs, ExpectedStructures.missing(organs), List.of()),
-                VirtualThorax.ofPreset("adult-male", Resolution.LOW));
+                new PatientBody("patient", organs, ExpectedStructures.missing(organs), List.of()), template);
+    }
+
+    /** The virtual man as a thorax folder has him, whose organs are structures as all others. */
+    private static Thorax ofFolder() {
+        Thorax man = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
+        List<Structure> all = new ArrayList<>(man.structures());
+        all.addAll(man.organs().get());
+        return new Thorax(man.name(), all, man.notes());
     }
 
     /** Mean place of the vertebrae from T10 to L2 less that of hers. */
@@ -87,9 +94,15 @@ class OrgansAloneTest {
                 .allMatch(s -> s.source() == PatientStructure.Source.SCAN);
     }
 
-    /** In a breath the kidneys go down less than the liver: what tells how high the spine is are liver and spleen. */
+    /**
+     * In a breath the kidneys go down less than the liver: what tells how high the spine is are liver and spleen. All
+     * organs tell how far behind the liver it lies, also those of a template from a folder.
+     */
     @Test
     void kidneysDoNotTellHowHighTheSpineIs() {
-        assertThat(spineOff(completed(30))[2] - spineOff(body)[2]).isCloseTo(0, within(3.0));
+        PatientBody lowered = completed(30, ofFolder());
+        assertThat(spineOff(lowered)[2] - spineOff(body)[2]).isCloseTo(0, within(3.0));
+        assertThat(spineOff(lowered)[1] - spineOff(body)[1]).isCloseTo(0, within(3.0));
+        assertThat(lowered.notes()).anyMatch(note -> note.endsWith("brought to the 6 that it shares with the scan"));
     }
 }

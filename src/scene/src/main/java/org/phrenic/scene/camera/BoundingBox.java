@@ -110,10 +110,11 @@ public record BoundingBox(Vector3d low, Vector3d high) {
     }
 
     /**
-     * Pixel rectangle (left, bottom, width, height) that encloses the section of the box with a plane.
+     * Pixel rectangle (left, bottom, width, height) that encloses the section of the box with a plane. Of a section
+     * beside the picture it is a strip along the border.
      *
      * @param pose transform of the box to world coordinates
-     * @return empty if the plane does not meet the box or its section lies beside the picture
+     * @return empty if the plane does not meet the box
      */
     public Optional<int[]> sectionRectangle(Matrix4d pose, ClipPlane plane, ViewTransform transform) {
         Vector3d normal = new Vector3d(plane.nx(), plane.ny(), plane.nz());

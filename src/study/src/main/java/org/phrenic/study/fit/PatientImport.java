@@ -70,6 +70,7 @@ public record PatientImport(
         ScanAlignment alignment = inspired.alignment().orElseThrow();
         String sentence = alignment.sentence(body.name());
         List<String> notes = new ArrayList<>(expired.notes());
+        inspired.body().notes().forEach(note -> notes.add("end of inhale: " + note));
         notes.add("end of inhale: " + sentence);
         return new PatientImport(pair.name(), body, targets, new TargetAlignment(alignment.motion(), sentence), notes);
     }

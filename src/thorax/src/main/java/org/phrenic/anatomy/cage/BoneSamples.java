@@ -13,9 +13,9 @@ import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
- * Sample points on all bones and costal cartilages, with body weights. Points of a bone have the weight of its body.
- * Weights of a cartilage blend from the rib at its lateral end to the sternum (for cartilages 8 to 10, and without a
- * sternum, the cartilage above) at its medial end. With neither, it has the weight of its rib.
+ * Sample points on ribs, sternum, vertebrae and costal cartilages, with body weights. Points of a bone have the weight
+ * of its body. Weights of a cartilage blend from the rib at its lateral end to the sternum (for cartilages 8 to 10, and
+ * without a sternum, the cartilage above) at its medial end. With neither, it has the weight of its rib.
  */
 final class BoneSamples {
     /** Samples per structure; on a rib they are a few millimetres apart. */
@@ -40,7 +40,7 @@ final class BoneSamples {
                 case STERNUM -> all.addRigid(s.mesh(), cage.sternum());
                 case VERTEBRA -> all.addRigid(s.mesh(), RibCage.TRUNK);
                 default -> {
-                    // Soft tissue has no samples.
+                    // Other bones, discs and soft tissue have no samples.
                 }
             }
         }

@@ -38,6 +38,13 @@ class TracePatternTest {
         assertThat(range).isCloseTo(3, within(0.01));
     }
 
+    @Test
+    void aMarkerThatDoesNotMoveIsRefused() throws IOException {
+        Path still = write(markers(30).replaceAll(";-488;.*", ";-488;1,7;64,3"));
+        assertThatThrownBy(() -> BreathingTraceReader.read(still))
+                .hasMessageContaining("found no motion of a marker, expected rows of positions");
+    }
+
     /** Some cameras stamp a frame now and then in another unit. */
     @Test
     void singleRowsWithATimeThatDoesNotRiseAreLeftOut() throws IOException {

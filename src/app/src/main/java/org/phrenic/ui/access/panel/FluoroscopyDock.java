@@ -22,6 +22,7 @@ import org.phrenic.scene.annotate.PatientOrientation;
 import org.phrenic.ui.access.FluoroscopyShot;
 import org.phrenic.ui.access.GuidanceSettings;
 import org.phrenic.ui.access.RehearsalController;
+import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.PaintedComponent;
@@ -94,6 +95,9 @@ public final class FluoroscopyDock extends AccessPanel {
 
     @Override
     public void onState() {
+        if (rehearsal.stage() != RehearsalStage.READY && rehearsal.stage() != RehearsalStage.PLAYING) {
+            view.shot = Optional.empty();
+        }
         view.outlined = rehearsal.pictures().aids() != Aids.PICTURES;
         view.repaint();
     }

@@ -9,9 +9,9 @@ import java.util.Map;
 import java.util.regex.Pattern;
 
 /**
- * Character sets by the defined terms of Specific Character Set (DICOM PS3.3, C.12.1.1.2). Of several the first known
- * one beyond Latin 1 counts: the sets with escape sequences contain ASCII. A set of single bytes has one term without
- * ("ISO_IR 144") and one with escape sequences ("ISO 2022 IR 144").
+ * Character sets by the defined terms of Specific Character Set (DICOM PS3.3, C.12.1.1.2). Of several that one counts
+ * which comes first in the table here: the sets with escape sequences contain ASCII. A set of single bytes has one term
+ * without ("ISO_IR 144") and one with escape sequences ("ISO 2022 IR 144").
  */
 final class DicomCharsets {
     private static final Map<String, String> NAMES = new LinkedHashMap<>();
@@ -38,6 +38,10 @@ final class DicomCharsets {
 
     /** Escape sequences that choose a set, which other decoders than that of ISO-2022-JP leave in the text. */
     private static final Pattern ESCAPE = Pattern.compile("\u001b\\$?[()\\-.][@-~]");
+    /** Half-width katakana, which stand beside the sets of two bytes in Japanese names. */
+    private static final String KATAKANA = "JIS_X0201";
+    /** Bytes of half-width katakana are above it. */
+    private static final int LAST_OF_ASCII = 0x7f;
 
     private DicomCharsets() {}
 
@@ -55,6 +59,19 @@ final class DicomCharsets {
 
     /** The text of bytes, without the escape sequences in it. */
     static String text(byte[] bytes, Charset charset) {
-        return ESCAPE.matcher(new String(bytes, charset)).replaceAll("");
+        Charset of = isKatakana(bytes, charset) ? Charset.forName(KATAKANA) : charset;
+        return ESCAPE.matcher(new String(bytes, of)).replaceAll("");
+    }
+
+    /** Whether bytes without an escape sequence are of no character of ISO-2022-JP, which has 7 bits. */
+    private static boolean isKatakana(byte[] bytes, Charset charset) {
+        boolean eightBits = false;
+        for (byte one : bytes) {
+            if (one == '\u001b') {
+                return false;
+            }
+            eightBits |= Byte.toUnsignedInt(one) > LAST_OF_ASCII;
+        }
+        return eightBits && charset.name().equals("ISO-2022-JP") && Charset.isSupported(KATAKANA);
     }
 }

@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.OptionalDouble;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 import org.phrenic.file.ScalarType;
@@ -70,7 +71,8 @@ final class TextVoxels extends InputStream {
             c = in.read();
         }
         String text = new String(word, 0, length, StandardCharsets.ISO_8859_1);
-        double number = Numbers.parse(text)
+        boolean isWhole = c < 0 || isSeparator(c);
+        double number = (isWhole ? Numbers.parse(text) : OptionalDouble.empty())
                 .orElseThrow(() -> BadInputException.at(
                         file,
                         "value " + read,

@@ -161,14 +161,16 @@ final class StructureSet {
     }
 
     /**
-     * Corners in columns and rows, by slice; contours beyond the grid or across its slices are left out with a note.
+     * Corners in columns and rows, by slice; contours beyond the grid or across its slices are left out with a note,
+     * and so are those of further planes of one slice.
      */
     private Map<Integer, List<double[]>> bySlice(SliceGrid grid, int number, List<double[]> closed) {
-        Map<Integer, List<double[]>> bySlice = new TreeMap<>();
+        Map<Integer, SlicePlane> bySlice = new TreeMap<>();
         int beyond = 0;
         int across = 0;
         for (double[] points : closed) {
-            double slice = Math.rint(grid.index(2, points[0], points[1], points[2]));
+            double height = grid.index(2, points[0], points[1], points[2]);
+            double slice = Math.rint(height);
             if (!isInSlice(grid, slice, points)) {
                 across++;
                 continue;
@@ -182,7 +184,7 @@ final class StructureSet {
                 whole &= isOn(corners[2 * c], grid.columns()) && isOn(corners[2 * c + 1], grid.rows());
             }
             if (within) {
-                bySlice.computeIfAbsent((int) slice, none -> new ArrayList<>()).add(corners);
+                bySlice.computeIfAbsent((int) slice, none -> new SlicePlane()).add(height - slice, corners);
             }
             beyond += whole ? 0 : 1;
         }
@@ -194,7 +196,14 @@ final class StructureSet {
             notes.add(beyond + " contours of " + name(number)
                     + " reach beyond the voxels of their series or lie beyond them, where they were left out");
         }
-        return bySlice;
+        int further = bySlice.values().stream().mapToInt(SlicePlane::leftOut).sum();
+        if (further > 0) {
+            notes.add("of " + name(number) + ", " + further
+                    + " contours were left out that lie nearer together than the slices or come twice");
+        }
+        Map<Integer, List<double[]>> corners = new TreeMap<>();
+        bySlice.forEach((slice, plane) -> corners.put(slice, plane.contours()));
+        return corners;
     }
 
     private static boolean isInSlice(SliceGrid grid, double slice, double[] points) {

@@ -17,6 +17,14 @@ class DicomCharsetsTest {
                 .isEqualTo("肝");
     }
 
+    /** "Zou", two letters and a sign of voicing, where the value names a set of two bytes too. */
+    @Test
+    void halfWidthKatakanaBesideKanjiAreRead() {
+        byte[] zou = {(byte) 0xbf, (byte) 0xde, (byte) 0xb3};
+        assertThat(DicomCharsets.text(zou, DicomCharsets.of("ISO 2022 IR 13\\ISO 2022 IR 87")))
+                .isEqualTo("\uff7f\uff9e\uff73");
+    }
+
     /** Bytes of the examples of PS3.5, annexes I.2 and K.2, which a sequence of escape begins. */
     @Test
     void namesAfterAnEscapeSequenceAreReadWithoutIt() {

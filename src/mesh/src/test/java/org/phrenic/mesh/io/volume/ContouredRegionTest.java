@@ -41,6 +41,30 @@ class ContouredRegionTest {
         return new ContouredRegion(GRID, new ContourFill(SIZE, SIZE), bySlice);
     }
 
+    /** Radii of the contours kept of a slice, of circles at heights above it. */
+    private static List<Double> kept(SlicePlane plane, double[]... heightAndRadius) {
+        for (double[] one : heightAndRadius) {
+            plane.add(one[0], circle(30, 30, one[1]).get(0));
+        }
+        return plane.contours().stream().map(corners -> corners[0] - 30).toList();
+    }
+
+    /** Nested outlines of three planes within a slice would leave a ring empty, equal ones would cancel. */
+    @Test
+    void ofASliceThePlaneNearestToItIsFilled() {
+        SlicePlane three = new SlicePlane();
+        assertThat(kept(three, new double[] {-0.2, 5}, new double[] {0, 8}, new double[] {0.2, 11}))
+                .containsExactly(8.0);
+        assertThat(three.leftOut()).isEqualTo(2);
+        assertThat(kept(new SlicePlane(), new double[] {0.125, 5}, new double[] {-0.125, 8}))
+                .containsExactly(5.0);
+        SlicePlane hole = new SlicePlane();
+        assertThat(kept(hole, new double[] {0.1, 8}, new double[] {0.1 + 1e-9, 3}, new double[] {0.1, 8}))
+                .as("a hole stays, what comes twice does not")
+                .containsExactly(8.0, 3.0);
+        assertThat(hole.leftOut()).isEqualTo(1);
+    }
+
     /** Of an oblique cone drawn in every fourth slice, radius and centre change linearly from slice to slice. */
     @Test
     void betweenContoursACrossSectionChangesLinearly() {

@@ -50,19 +50,23 @@ final class CurveChart {
             svg.line(LEFT, up.at(tick), width - RIGHT, up.at(tick), SvgCanvas.PALE);
             svg.label(LEFT - 5, up.at(tick) + 4, "end", PlotAxis.text(tick));
         }
-        for (double tick : across.ticks()) {
-            boolean whole = tick == Math.rint(tick) && tick >= 0 && tick < names.size();
-            if (names.isEmpty() || whole) {
-                String text = names.isEmpty() ? PlotAxis.text(tick) : names.get((int) tick);
-                svg.line(across.at(tick), TOP, across.at(tick), height - BOTTOM, SvgCanvas.PALE);
-                svg.label(across.at(tick), height - BOTTOM + 15, "middle", text);
-            }
+        if (names.isEmpty()) {
+            across.ticks().forEach(tick -> mark(svg, across.at(tick), PlotAxis.text(tick)));
+        }
+        for (int i = 0; i < names.size(); i++) {
+            mark(svg, across.at(i), names.get(i));
         }
         for (int i = 0; i < layers.size(); i++) {
             draw(svg, across, up, layers.get(i), i == 0 ? SvgCanvas.WIDE_BAND : SvgCanvas.NARROW_BAND);
         }
         svg.label((LEFT + width - RIGHT) / 2, height - 8, "middle", label);
         return new Picture(svg.dataUrl(), alternative, caption);
+    }
+
+    /** A line up from a place of the axis across, and what stands there. */
+    private void mark(SvgCanvas svg, double at, String text) {
+        svg.line(at, TOP, at, height - BOTTOM, SvgCanvas.PALE);
+        svg.label(at, height - BOTTOM + 15, "middle", text);
     }
 
     private static void draw(SvgCanvas svg, PlotAxis across, PlotAxis up, Layer layer, String bandColour) {
