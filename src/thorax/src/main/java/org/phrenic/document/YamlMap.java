@@ -122,6 +122,10 @@ public final class YamlMap {
     }
 
     /** Whether the value of {@code key} can be read as a finite number. */
+    public boolean isList(String key) {
+        return has(key) && values.get(key).isList();
+    }
+
     public boolean isNumber(String key) {
         return has(key) && values.get(key).isNumber();
     }

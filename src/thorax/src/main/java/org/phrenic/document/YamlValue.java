@@ -47,6 +47,10 @@ record YamlValue(Place place, Object content, boolean quoted) {
         return content instanceof String text && !quoted ? Numbers.parse(text) : OptionalDouble.empty();
     }
 
+    boolean isList() {
+        return content instanceof List<?>;
+    }
+
     boolean isNumber() {
         return numberIfAny().isPresent();
     }

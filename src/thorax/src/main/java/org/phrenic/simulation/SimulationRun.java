@@ -176,6 +176,9 @@ public final class SimulationRun {
         map.put("anatomy", thorax.name());
         map.put("material", scenario.material().label());
         map.put("resolution", scenario.resolution().name().toLowerCase(java.util.Locale.ROOT));
+        if (scenario.get(OrganSettings.MESH_VERTICES) > 0) {
+            map.put("mesh_vertices", scenario.get(OrganSettings.MESH_VERTICES));
+        }
         map.put("integrator", stepper.integrator().kind().label());
         map.put("nodes", scene.system().nodeCount());
         map.put("springs", scene.springCount());

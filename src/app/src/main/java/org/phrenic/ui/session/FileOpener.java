@@ -27,7 +27,7 @@ public final class FileOpener {
         }
         YamlMap yaml = YamlDocument.read(file);
         // The steps of a plan are a list, those of a scenario their number.
-        boolean plan = yaml.has("target") || (yaml.has("steps") && !yaml.isNumber("steps"));
+        boolean plan = yaml.has("target") || yaml.isList("steps");
         return plan ? Optional.of(RehearsalPlan.read(file)) : Optional.empty();
     }
 

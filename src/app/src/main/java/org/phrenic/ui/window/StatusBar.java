@@ -4,13 +4,13 @@ import com.formdev.flatlaf.util.UIScale;
 import java.awt.Font;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.file.Numbers;
+import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.ui.widget.Controls;
@@ -27,6 +27,8 @@ final class StatusBar extends JPanel {
                     + " a lower one is faster";
 
     private static final String REALTIME_TIP = "Simulated time over real time";
+
+    private static final String STEP_TIP = "Time step, and the substeps it is split into";
 
     private static final String PHASE_TIP =
             "Phase of the breath; repeated: a steady breath is played from its record until a setting changes";
@@ -54,7 +56,7 @@ final class StatusBar extends JPanel {
         addField("phase", PHASE_TIP, "inspiration, repeated");
         addField("time", "Simulated time", "t 0000.00 s");
         addField("step", "Steps since the start", "step 0 000 000");
-        addField("dt", "Time step, and the substeps it is split into", "dt 10.000 ms / 10");
+        addField("dt", STEP_TIP, "dt 10.000 ms / 10");
         addField("steps", "Steps computed per second", "00 000 steps/s");
         addField("realtime", REALTIME_TIP, "00.00x real time");
         addField("frames", "Frames drawn per second", "000 frames/s");
@@ -101,7 +103,7 @@ final class StatusBar extends JPanel {
         set("steps", s.playing() ? withThousands(Math.round(s.stepsPerS())) + " steps/s" : " ");
         set("realtime", s.playing() ? Numbers.format("%.2fx real time", s.realtimeFactor()) : idle(s));
         JLabel dt = fields.get("dt");
-        dt.setToolTipText(s.stabilityMessage().isEmpty() ? "Time step" : s.stabilityMessage());
+        dt.setToolTipText(s.stabilityMessage().isEmpty() ? STEP_TIP : s.stabilityMessage());
         dt.setForeground(s.stabilityMessage().isEmpty() ? Theme.SECONDARY_TEXT : Theme.WARNING_TEXT);
         tell(dt, s.stabilityMessage());
     }
@@ -138,7 +140,7 @@ final class StatusBar extends JPanel {
     }
 
     void show(LiveScene scene) {
-        meshes = Controls.capitalise(scene.scenario().resolution().name().toLowerCase(Locale.ROOT));
+        meshes = Controls.capitalise(OrganSettings.meshLabel(scene.scenario()));
         set("nodes", withThousands(scene.nodes()) + " nodes");
     }
 

@@ -23,6 +23,10 @@ class FileOpenerTest {
         Path file = Files.writeString(folder.resolve("scenario.yaml"), "name: a run\ndepth: 0.8\nsteps: 500\n");
         assertThat(FileOpener.readPlan(file)).isEmpty();
         assertThat(FileOpener.readScenario(file, Scenario.defaults()).steps()).isEqualTo(500);
+        Files.writeString(file, "preset: quiet\nsteps: 10 000\n");
+        assertThat(FileOpener.readPlan(file)).isEmpty();
+        assertThatThrownBy(() -> FileOpener.readScenario(file, Scenario.defaults()))
+                .hasMessageContaining("found '10 000', expected a whole number");
     }
 
     @Test

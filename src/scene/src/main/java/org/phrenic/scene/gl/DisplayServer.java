@@ -3,10 +3,13 @@ package org.phrenic.scene.gl;
 import java.io.EOFException;
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.net.SocketTimeoutException;
 import java.net.StandardProtocolFamily;
 import java.net.UnixDomainSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -52,14 +55,18 @@ final class DisplayServer {
 
     /**
      * Whether the server that the variable DISPLAY names draws with OpenGL: it accepts a connection, and does not say
-     * that it lacks the extension GLX. A server that does not answer the question may have it.
+     * that it lacks the extension GLX. A server that refuses the question may have it; one that is silent is of no use,
+     * as that behind a connection whose other end sleeps.
      */
     static boolean hasGlx(String display) {
         if (!isReachable(display)) {
             return false;
         }
         try (SocketChannel channel = connect(display)) {
+            channel.configureBlocking(false);
             return openSession(channel, cookie(display)) ? queryGlx(channel) : true;
+        } catch (SocketTimeoutException silent) {
+            return false;
         } catch (IOException | RuntimeException e) {
             return true;
         }
@@ -138,9 +145,16 @@ final class DisplayServer {
 
     private static ByteBuffer read(SocketChannel channel, int bytes) throws IOException {
         ByteBuffer answer = buffer(bytes);
-        while (answer.hasRemaining()) {
-            if (channel.read(answer) < 0) {
-                throw new EOFException("the X server closed the connection");
+        try (Selector selector = channel.provider().openSelector()) {
+            channel.register(selector, SelectionKey.OP_READ);
+            for (int read = channel.read(answer); answer.hasRemaining(); read = channel.read(answer)) {
+                if (read < 0) {
+                    throw new EOFException("the X server closed the connection");
+                }
+                if (read == 0 && selector.select(TIMEOUT_MS) == 0) {
+                    throw new SocketTimeoutException("the X server is silent");
+                }
+                selector.selectedKeys().clear();
             }
         }
         return answer.flip();

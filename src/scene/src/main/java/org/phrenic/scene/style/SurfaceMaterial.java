@@ -1,5 +1,6 @@
 package org.phrenic.scene.style;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.phrenic.anatomy.StructureKind;
@@ -15,8 +16,10 @@ public record SurfaceMaterial(Appearance appearance, float specular, float shini
     /** Colour of the central tendon. The appearance of the diaphragm holds the colour of its muscle. */
     public static final int TENDON_RGB = 0xe2d6bf;
 
-    /** Colours of organs and vessels by a part of their names, as anatomical atlases paint them. */
-    private static final Map<String, Integer> ORGAN_RGB = Map.ofEntries(
+    /**
+     * Colours of organs and vessels by a part of their names, the first that fits, as anatomical atlases paint them.
+     */
+    private static final List<Map.Entry<String, Integer>> ORGAN_RGB = List.of(
             Map.entry("gallbladder", 0x5f8f3f),
             Map.entry("stomach", 0xd9a38c),
             Map.entry("duodenum", 0xd9b36f),
@@ -36,7 +39,7 @@ public record SurfaceMaterial(Appearance appearance, float specular, float shini
             return of(kind);
         }
         String lower = name.toLowerCase(Locale.ROOT);
-        return ORGAN_RGB.entrySet().stream()
+        return ORGAN_RGB.stream()
                 .filter(organ -> lower.contains(organ.getKey()))
                 .findFirst()
                 .map(organ -> new SurfaceMaterial(Appearance.of(organ.getValue(), 1), 0.25f, 40))

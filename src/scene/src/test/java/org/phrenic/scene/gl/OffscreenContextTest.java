@@ -99,6 +99,15 @@ class OffscreenContextTest {
         assertThat(hasGlx(Optional.empty())).isTrue();
     }
 
+    /** As behind a forwarded connection whose other end sleeps. */
+    @Test
+    void aServerThatIsSilentDoesNotDraw() throws Exception {
+        try (ServerSocket server = displayPort()) {
+            assertThat(DisplayServer.hasGlx("localhost:" + (server.getLocalPort() - 6000) + ".0"))
+                    .isFalse();
+        }
+    }
+
     /** @param answer what a server says when it is asked for GLX; empty for one that refuses the session */
     private static boolean hasGlx(Optional<Boolean> answer) throws IOException, InterruptedException {
         try (ServerSocket server = displayPort()) {

@@ -6,7 +6,6 @@ import static org.phrenic.study.ReportNumbers.number;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
@@ -24,6 +23,7 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.study.Attempts;
 
 /**
@@ -160,7 +160,7 @@ public record AccessReport(List<AccessStudy.Result> results, List<String> failur
         return List.of(
                 rehearsal.plan().title(),
                 rehearsal.plan().scenario().anatomy(),
-                rehearsal.plan().scenario().resolution().name().toLowerCase(Locale.ROOT),
+                OrganSettings.meshLabel(rehearsal.plan().scenario()),
                 format("%.0f", rehearsal.target().diameterMm()),
                 format("%.1f", rehearsal.map().motion().excursionMm()),
                 format("%.1f, %.1f, %.1f", range[0], range[1], range[2]),

@@ -8,6 +8,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
@@ -73,10 +74,11 @@ public final class BodyReport {
         Optional<BreathResult> quiet = breath(body, BreathDepth.QUIET);
         Optional<BreathResult> deep = breath(body, BreathDepth.DEEP);
         row.add(count(quiet.map(BreathResult::atRest)));
-        row.add(count(quiet.map(BreathResult::atInspiration)));
-        row.add(count(deep.map(BreathResult::atInspiration)));
+        row.add(count(quiet.flatMap(BreathResult::atInspiration)));
+        row.add(count(deep.flatMap(BreathResult::atInspiration)));
         row.add(number(body.breaths().stream()
-                .map(b -> Math.max(b.atRest().deepestMm(), b.atInspiration().deepestMm()))
+                .flatMap(b -> Stream.concat(Stream.of(b.atRest()), b.atInspiration().stream()))
+                .map(OrganCrossing::deepestMm)
                 .max(Double::compare)));
         row.add(ReportNumbers.number(body.measure("outside_cage_maximum_mm")));
         row.add(ReportNumbers.number(body.measure("insertion_to_margin_mean_mm")));
@@ -231,7 +233,9 @@ public final class BodyReport {
         map.put("air_ml", breath.motion().airMl());
         map.put("return_rms_mm", breath.motion().returnRmsMm());
         ReportValues.of(breath.atRest()).forEach((key, value) -> map.put("rest_" + key, value));
-        ReportValues.of(breath.atInspiration()).forEach((key, value) -> map.put("inspired_" + key, value));
+        Optional<OrganCrossing> inspired = breath.atInspiration();
+        ReportValues.of(inspired.orElse(OrganCrossing.NONE))
+                .forEach((key, value) -> map.put("inspired_" + key, inspired.isPresent() ? value : Double.NaN));
         return map;
     }
 

@@ -12,10 +12,10 @@ import org.phrenic.patient.diaphragm.SheetQuality;
  * @param body what was checked
  * @param notInScan what an imported body has that its scan does not show, by kind; empty if there is nothing
  * @param refusal why the body cannot be simulated, one sentence; empty if it can
- * @param sheet quality of the diaphragm at rest; empty after a refusal or if the body lacks what it is measured on
+ * @param sheet quality of the diaphragm at rest; empty if the body lacks what it is measured on, or is refused before
  * @param ribs comparison with the ribs of the body of which the scan was simulated; empty if there is none
  * @param surfaces comparison with the surfaces of that body; empty if there is none
- * @param breaths results in the order of {@link BreathDepth}; empty after a refusal
+ * @param breaths results in the order of {@link BreathDepth}, those before a refusal
  */
 public record BodyResult(
         BodyCase body,

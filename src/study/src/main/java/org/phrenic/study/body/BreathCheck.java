@@ -98,7 +98,7 @@ final class BreathCheck {
                         value("lung_volume_change_ml", lowest.values()) - value("lung_volume_change_ml", rest),
                         value("from_rest_rms_mm", now.values())),
                 restCrossing,
-                crossing.measure(surfaces.surfaces(), inspired));
+                Optional.of(crossing.measure(surfaces.surfaces(), inspired)));
     }
 
     /**

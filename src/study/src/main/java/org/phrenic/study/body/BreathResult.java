@@ -2,6 +2,7 @@ package org.phrenic.study.body;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.phrenic.file.Numbers;
 
 /**
@@ -11,10 +12,10 @@ import org.phrenic.file.Numbers;
  * @param failure why the breath ended early, one sentence; empty if it is complete
  * @param motion what moved; NaN if the breath is not complete
  * @param atRest organs through the diaphragm at rest
- * @param atInspiration the same at full inspiration
+ * @param atInspiration the same at full inspiration; empty if the breath is not complete
  */
 public record BreathResult(
-        BreathDepth depth, String failure, Motion motion, OrganCrossing atRest, OrganCrossing atInspiration) {
+        BreathDepth depth, String failure, Motion motion, OrganCrossing atRest, Optional<OrganCrossing> atInspiration) {
     /**
      * Motion of a breath.
      *
@@ -28,7 +29,7 @@ public record BreathResult(
     }
 
     static BreathResult failed(BreathDepth depth, String sentence, OrganCrossing atRest) {
-        return new BreathResult(depth, sentence, Motion.NONE, atRest, OrganCrossing.NONE);
+        return new BreathResult(depth, sentence, Motion.NONE, atRest, Optional.empty());
     }
 
     /**
@@ -50,7 +51,7 @@ public record BreathResult(
             faults.add(Numbers.format("%s: returns to %.2f mm rms", depth.preset(), motion.returnRmsMm()));
         }
         addThrough(atRest, "rest", faults);
-        addThrough(atInspiration, "full inspiration", faults);
+        atInspiration.ifPresent(crossing -> addThrough(crossing, "full inspiration", faults));
         return faults;
     }
 

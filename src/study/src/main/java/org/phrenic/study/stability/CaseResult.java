@@ -9,7 +9,8 @@ import org.phrenic.engine.integrator.IntegratorKind;
  * @param caseKey key of the case
  * @param integrator scheme
  * @param outcome how the case ended
- * @param sentence description of a refusal, divergence or step refinement; empty if there was none
+ * @param sentence description of a refusal, divergence, step refinement, bound that was violated, or breath that
+ *     repeats no other; empty if there was none
  * @param requestedS requested simulated time, s
  * @param simulatedS simulated time at the end, s
  * @param dtS time step, s; NaN if the scene was not made

@@ -130,8 +130,9 @@ public record SweepStudy(
     }
 
     private static Scenario scenario(YamlMap yaml, Path folder, boolean evaluated) {
-        Scenario base =
-                yaml.has("scenario") ? Scenario.read(folder.resolve(yaml.text("scenario"))) : Scenario.defaults();
+        Scenario base = yaml.has("scenario")
+                ? Scenario.read(ParsedSetting.path(yaml, "scenario", folder))
+                : Scenario.defaults();
         YamlMap settings = yaml.mapOrEmpty("settings");
         settings.requireOnly(Settings.keys());
         List<Assignment> assignments = new ArrayList<>();

@@ -28,7 +28,8 @@ public final class BoneAttachments extends ScenePart {
             .group(Group.RIBS)
             .limitsStep()
             .fitted(0.3, 3)
-            .describedAs("Multiplies the springs that hold sternum and costal cartilages to the ribs.");
+            .describedAs(
+                    "Multiplies the springs that hold sternum, cartilages and lungs to bone, not those of the crura.");
 
     /**
      * Decay length of the paper's attachments around the insertion, and their low stiffness as a share of a spring's.

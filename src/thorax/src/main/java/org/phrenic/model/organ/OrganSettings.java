@@ -1,9 +1,11 @@
 package org.phrenic.model.organ;
 
 import java.nio.file.Path;
+import java.util.Locale;
 import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.document.YamlMap;
+import org.phrenic.file.Numbers;
 import org.phrenic.parameter.ChoiceSetting;
 import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.Setting;
@@ -51,5 +53,13 @@ public final class OrganSettings {
     public static MeshBudget budget(SettingValues values) {
         long given = values.get(MESH_VERTICES);
         return given > 0 ? new MeshBudget((int) given) : values.get(RESOLUTION).budget();
+    }
+
+    /** How fine the meshes are, in words: "medium", or "3,000 vertices" where their number is given. */
+    public static String meshLabel(SettingValues values) {
+        long given = values.get(MESH_VERTICES);
+        return given > 0
+                ? Numbers.format("%,d vertices", given)
+                : values.get(RESOLUTION).name().toLowerCase(Locale.ROOT);
     }
 }

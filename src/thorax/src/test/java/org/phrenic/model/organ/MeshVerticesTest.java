@@ -17,6 +17,7 @@ class MeshVerticesTest {
     void theStatedNumberOfVerticesReplacesThatOfTheResolution() {
         Scenario scenario = Scenario.defaults().with("mesh_vertices=3000", "resolution=high");
         assertThat(OrganSettings.budget(scenario)).isEqualTo(new MeshBudget(3000));
+        assertThat(OrganSettings.meshLabel(scenario)).isEqualTo("3,000 vertices");
         Thorax thorax = SimulationRun.loadThorax(scenario);
         int sheet = thorax.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh().vertexCount();
         assertThat(sheet).isBetween(1600, 1660);
@@ -26,6 +27,7 @@ class MeshVerticesTest {
     void withoutItTheResolutionDecidesAndTheScenarioDoesNotListIt() {
         Scenario scenario = Scenario.defaults().with("resolution=high");
         assertThat(OrganSettings.budget(scenario)).isEqualTo(Resolution.HIGH.budget());
+        assertThat(OrganSettings.meshLabel(scenario)).isEqualTo("high");
         assertThat(scenario.toMap()).doesNotContainKey("mesh_vertices");
         assertThat(scenario.with("mesh_vertices=5000").toMap()).containsEntry("mesh_vertices", 5000L);
     }
