@@ -25,6 +25,8 @@ public final class TracePattern implements BreathingPattern {
 
     /** Minimum rise and fall of a breath as a fraction of a typical one. Smaller peaks are noise or cardiac motion. */
     private static final double PROMINENCE = 0.4;
+    /** Rise of an end of the recording over the next end-expiration beyond which it lies within a breath. */
+    private static final double CUT = 0.2;
 
     private final BreathingTrace trace;
     private final boolean loops;
@@ -158,9 +160,29 @@ public final class TracePattern implements BreathingPattern {
 
     /**
      * Indices of the lowest sample before each breath and after the last; the first and last sample if there are no
-     * breaths. Breaths are detected by prominence, not by level, because the level drifts.
+     * breaths. Breaths are detected by prominence, not by level, because the level drifts. A breath within which the
+     * recording begins or ends is left out if another is left.
      */
     private static int[] endExpirations(double[] depth) {
+        int[] found = troughs(depth);
+        int first = found.length > 2 && isWithinBreath(depth, 0, found[0], found[1]) ? 1 : 0;
+        int last = found.length - 1;
+        if (last - first > 1 && isWithinBreath(depth, depth.length - 1, found[last], found[last - 1])) {
+            last--;
+        }
+        return Arrays.copyOfRange(found, first, last + 1);
+    }
+
+    /**
+     * Whether an outer trough only ends the recording: it lies clearly above the next one, and no sample from the end
+     * of the recording to it lies clearly above it.
+     */
+    private static boolean isWithinBreath(double[] depth, int end, int trough, int next) {
+        double highest = depth[highest(depth, Math.min(end, trough), Math.max(end, trough))];
+        return depth[trough] > depth[next] + CUT && highest < depth[trough] + CUT;
+    }
+
+    private static int[] troughs(double[] depth) {
         int[] found = new int[depth.length + 2];
         int count = 0;
         boolean rising = false;

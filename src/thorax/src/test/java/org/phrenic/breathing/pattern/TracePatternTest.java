@@ -8,6 +8,7 @@ import static org.phrenic.breathing.pattern.BreathingPatternContract.at;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -90,6 +91,24 @@ class TracePatternTest {
                 new TracePattern(BreathingTraceReader.read(write(TraceSamples.fromOneSecondOn())), DEPTH, true);
         assertThat(pattern.startS()).isEqualTo(1);
         assertThat(pattern.description()).contains("2 breaths in 8.0 s from 1.00 s of the recording on, 4.0 s each");
+    }
+
+    /** Recorders are started and stopped at any phase; a breath of which a part is missing is no breath. */
+    @Test
+    void aRecordingThatBeginsAndEndsWithinABreathIsCutToItsWholeBreaths() throws IOException {
+        TracePattern pattern = new TracePattern(
+                BreathingTraceReader.read(write(TraceSamples.fromHalfwayUpToHalfwayDown())), DEPTH, true);
+        assertThat(pattern.description()).contains("3 breaths in 12.0 s from 3.00 s of the recording on, 4.0 s each");
+        BreathingPatternContract.check(pattern, 26);
+    }
+
+    /** Something must be breathed: of two parts of breaths the second is taken. */
+    @Test
+    void aRecordingWithoutAWholeBreathKeepsAPart() throws IOException {
+        String[] rows = TraceSamples.fromHalfwayUpToHalfwayDown().split("\n", -1);
+        String sixSeconds = String.join("\n", Arrays.copyOf(rows, 62)) + "\n";
+        TracePattern pattern = new TracePattern(BreathingTraceReader.read(write(sixSeconds)), DEPTH, true);
+        assertThat(pattern.description()).contains("1 breath in 3.0 s from 3.00 s of the recording on");
     }
 
     /** Noise turns the slope many times a breath; a breath still is one inspiration and one expiration. */

@@ -15,4 +15,16 @@ public final class TraceSamples {
         }
         return csv.toString();
     }
+
+    /** Eighteen seconds of breaths of 4 s as CSV, from half way up; end-expirations at 3, 7, 11 and 15 s. */
+    public static String fromHalfwayUpToHalfwayDown() {
+        StringBuilder csv = new StringBuilder("time_s,amplitude\n");
+        for (int i = 0; i <= 180; i++) {
+            csv.append(i / 10.0)
+                    .append(',')
+                    .append(-Math.cos(Math.PI * (i + 10) / 20))
+                    .append('\n');
+        }
+        return csv.toString();
+    }
 }
