@@ -95,8 +95,8 @@ public enum IntegratorKind {
 
     /**
      * As {@link #amplification(double, double)} with a dashpot beside the viscosity: ẍ = -ω² x - d ẋ - e ẋ, c = e h.
-     * Verlet and backward Euler treat viscosity implicitly and dashpots explicitly, so a strong dashpot limits their
-     * step. The other schemes treat both alike.
+     * Verlet, Störmer's formula and backward Euler treat viscosity implicitly where they end a step, and dashpots
+     * explicitly, so a strong dashpot limits their step. The other schemes treat both alike.
      */
     public double[][] amplification(double a, double b, double c) {
         if (c == 0) {

@@ -6,10 +6,11 @@ import org.phrenic.mesh.IntList;
 
 /**
  * Morphological closing of bones and cartilages: a dilation by a box followed by an erosion by the same box. It fills
- * pits, dropped voxels and gaps of up to about 3 mm, and keeps thin bones. Only background is filled.
+ * pits, dropped voxels and gaps of up to about 3 mm, along directions of larger spacing than 1.5 mm those of up to two
+ * voxels, and keeps thin bones. Only background is filled.
  */
 final class BoneClosing {
-    /** Half the size of the box along each grid direction, mm; at least one voxel. */
+    /** Distance from the middle voxel of the box to its last along each grid direction, mm; at least one voxel. */
     private static final double REACH_MM = 1.5;
     /** Directions with larger spacing are not closed: there a gap of a voxel is a gap between two bones. */
     private static final double MAX_SPACING_MM = 3.5;
