@@ -6,7 +6,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.regex.Pattern;
+import org.phrenic.anatomy.OrganNames;
 
 /**
  * Organs and vessels about the liver that people have and a body lacks, as a scan that does not label them. A path
@@ -14,7 +16,7 @@ import java.util.regex.Pattern;
  */
 public final class AbsentObstacles {
     /** Names of structures by what they are, in lower case. */
-    private static final Map<String, Pattern> USUAL = new LinkedHashMap<>();
+    private static final Map<String, Predicate<String>> USUAL = new LinkedHashMap<>();
 
     static {
         usual("lungs", "lungs?(_.*)?");
@@ -23,7 +25,7 @@ public final class AbsentObstacles {
         usual("inferior vena cava", "(vessel_)?inferior_vena_cava.*");
         usual("portal vein", "(vessel_)?portal_.*|liver_vessels.*");
         usual("gall bladder", "gallbladder.*");
-        usual("right kidney", "kidney(_r)?|organ_kidneys?.*");
+        USUAL.put("right kidney", name -> OrganNames.isKidney(name) && !name.endsWith("_l"));
         usual("stomach", "stomach.*");
         usual("duodenum", "duodenum.*|organ_bowel.*");
         usual("colon", "colon.*|organ_bowel.*");
@@ -32,7 +34,7 @@ public final class AbsentObstacles {
     private AbsentObstacles() {}
 
     private static void usual(String what, String names) {
-        USUAL.put(what, Pattern.compile(names));
+        USUAL.put(what, Pattern.compile(names).asMatchPredicate());
     }
 
     /** What a body lacks. */
@@ -40,8 +42,7 @@ public final class AbsentObstacles {
         List<String> names =
                 structures.stream().map(name -> name.toLowerCase(Locale.ROOT)).toList();
         return USUAL.entrySet().stream()
-                .filter(usual -> names.stream()
-                        .noneMatch(name -> usual.getValue().matcher(name).matches()))
+                .filter(usual -> names.stream().noneMatch(usual.getValue()))
                 .map(Map.Entry::getKey)
                 .toList();
     }

@@ -29,6 +29,7 @@ class AbsentObstaclesTest {
         assertThat(AbsentObstacles.sentence(List.of("rib_08_R", "lung_R", "liver", "colon", "kidney_L")))
                 .contains("not in this body and so not avoided: heart, aorta, inferior vena cava, portal vein,"
                         + " gall bladder, right kidney, stomach, duodenum");
+        assertThat(AbsentObstacles.of(List.of("organ_kidney_L"))).contains("right kidney");
         assertThat(AbsentObstacles.of(List.of(
                         "LUNG_L",
                         "heart",

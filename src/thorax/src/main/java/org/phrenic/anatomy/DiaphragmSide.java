@@ -14,8 +14,8 @@ public enum DiaphragmSide {
 
     private static final Pattern THORACIC = Pattern.compile("heart|atrial_appendage_[rl]");
     private static final Pattern ABDOMINAL =
-            Pattern.compile("spleen|stomach|(kidney|kidney_cyst|adrenal_gland)_[rl]|gallbladder|colon|duodenum"
-                    + "|small_bowel|pancreas|(portal|splenic|hepatic)_vein|portal_and_splenic_vein|liver_.*");
+            Pattern.compile("spleen|stomach|(kidney_cyst|adrenal_gland)_[rl]|gallbladder|duodenum|pancreas"
+                    + "|(portal|splenic|hepatic)_vein|portal_and_splenic_vein|liver_.*");
 
     /** The side of a structure by its kind and name. */
     public static DiaphragmSide of(StructureKind kind, String name) {
@@ -23,6 +23,10 @@ public enum DiaphragmSide {
         if (kind == StructureKind.LUNG || THORACIC.matcher(lower).matches()) {
             return ABOVE;
         }
-        return kind == StructureKind.LIVER || ABDOMINAL.matcher(lower).matches() ? BELOW : NEITHER;
+        boolean isBelow = kind == StructureKind.LIVER
+                || ABDOMINAL.matcher(lower).matches()
+                || OrganNames.isKidney(lower)
+                || OrganNames.BOWEL.contains(lower);
+        return isBelow ? BELOW : NEITHER;
     }
 }

@@ -22,6 +22,11 @@ public final class OrganNames {
     /** Names of the bowel that fills the abdomen. */
     public static final Set<String> BOWEL = Set.of("colon", "small_bowel", "organ_bowel");
 
+    /** Parts of the bowel that lie behind the rest of it or below. */
+    private static final Set<String> OTHER_BOWEL = Set.of("duodenum", "rectum");
+
+    private static final Pattern KIDNEYS = Pattern.compile("(organ_)?kidneys?(_[rl])?");
+
     private static final Map<String, StructureKind> KNOWN = known();
 
     private static final Pattern VESSELS_IN_LIVER =
@@ -92,6 +97,16 @@ public final class OrganNames {
     /** Whether a vessel, by its name in lower case, is one of those that branch in the liver. */
     public static boolean isVesselInLiver(String lower) {
         return VESSELS_IN_LIVER.matcher(lower).matches();
+    }
+
+    /** Whether a name in lower case is that of a kidney, of either side or without it, or of both kidneys. */
+    public static boolean isKidney(String lower) {
+        return KIDNEYS.matcher(lower).matches();
+    }
+
+    /** Whether a name in lower case is that of the bowel or a part of it, duodenum and rectum among them. */
+    public static boolean isBowel(String lower) {
+        return BOWEL.contains(lower) || OTHER_BOWEL.contains(lower);
     }
 
     private static Side side(String lower) {

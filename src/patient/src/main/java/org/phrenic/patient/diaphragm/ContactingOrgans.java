@@ -11,7 +11,7 @@ import org.phrenic.anatomy.Thorax;
 /** The organs above and below the diaphragm that touch it. */
 final class ContactingOrgans {
     private static final Set<String> ABOVE = Set.of("heart");
-    private static final Set<String> BELOW = Set.of("spleen", "stomach", "kidney_r", "kidney_l");
+    private static final Set<String> BELOW = Set.of("spleen", "stomach");
 
     /** Word in the names of labels of fluid below the diaphragm. */
     private static final String ASCITES = "ascites";
@@ -34,8 +34,7 @@ final class ContactingOrgans {
     /** Liver, spleen, stomach and kidneys, as far as the body has them. */
     static List<Structure> abdominal(Thorax body) {
         return body.structures().stream()
-                .filter(s -> (s.kind() == StructureKind.LIVER || BELOW.contains(lower(s)))
-                        && s.mesh().triangleCount() > 0)
+                .filter(s -> isBelow(s) && s.mesh().triangleCount() > 0)
                 .toList();
     }
 
@@ -45,6 +44,11 @@ final class ContactingOrgans {
                 .filter(s -> (OrganNames.BOWEL.contains(lower(s)) || lower(s).contains(ASCITES))
                         && s.mesh().triangleCount() > 0)
                 .toList();
+    }
+
+    private static boolean isBelow(Structure s) {
+        String name = lower(s);
+        return s.kind() == StructureKind.LIVER || BELOW.contains(name) || OrganNames.isKidney(name);
     }
 
     private static String lower(Structure s) {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.StructureKind;
 
 /**
@@ -24,7 +25,6 @@ final class StrayParts {
     /** Least volume of a loop of bowel that lies apart, ml. */
     private static final double LOOP_ML = 2;
 
-    private static final Set<String> BOWEL = Set.of("colon", "small_bowel", "duodenum", "rectum", "organ_bowel");
     /** Vessels that do not branch within an organ, without their sides. */
     private static final Set<String> TRUNKS = Set.of(
             "aorta",
@@ -148,7 +148,7 @@ final class StrayParts {
     }
 
     private boolean isBowel(int segment) {
-        return BOWEL.contains(s.names().get(segment - 1));
+        return OrganNames.isBowel(s.names().get(segment - 1).toLowerCase(Locale.ROOT));
     }
 
     private int rowOfCells(int run) {

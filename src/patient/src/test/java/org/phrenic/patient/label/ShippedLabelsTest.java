@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -14,6 +15,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.anatomy.DiaphragmSide;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.StructureName;
 
 /**
  * The tables of TotalSegmentator's labels. Sides and levels are told by both names of a row; the numbers are those of
@@ -22,6 +26,10 @@ import org.junit.jupiter.params.provider.ValueSource;
  */
 class ShippedLabelsTest {
     private static final Pattern RIB = Pattern.compile("(\\d+),rib_(left|right)_(\\d+),(\\S+)");
+
+    /** Organs that the diaphragm does not press on, or that pass through it. */
+    private static final Set<String> FAR_ORGANS = Set.of(
+            "brain", "oesophagus", "prostate", "rectum", "spinal_cord", "thyroid_gland", "urinary_bladder", "uterus");
 
     private static List<String> rows(String file) throws IOException {
         return Files.readAllLines(Path.of("data", "labels", file));
@@ -74,6 +82,19 @@ class ShippedLabelsTest {
                 .containsEntry(27, "bone_coccyx"));
         assertThat(NumberTable.named("flare")).singleElement().satisfies(table -> assertThat(table.structures())
                 .containsEntry(14, "lesion_tumor"));
+    }
+
+    /** The diaphragm presses on the organs of the upper abdomen, by whatever name a table calls them. */
+    @Test
+    void organsNearTheDiaphragmLieOnASideOfIt() {
+        assertThat(NumberTable.ALL)
+                .allSatisfy(table -> assertThat(table.structures().values())
+                        .as(table.title())
+                        .filteredOn(name -> StructureName.parse(name)
+                                .filter(known -> known.kind() == StructureKind.ORGAN)
+                                .isPresent())
+                        .filteredOn(name -> DiaphragmSide.of(StructureKind.ORGAN, name) == DiaphragmSide.NEITHER)
+                        .isSubsetOf(FAR_ORGANS));
     }
 
     /** Every structure of a table is one that a thorax folder may hold, and names stand for the same structures. */

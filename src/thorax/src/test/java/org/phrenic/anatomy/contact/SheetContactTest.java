@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -417,7 +418,8 @@ class SheetContactTest {
 
     @Test
     void sidesAreToldByName() {
-        assertThat(DiaphragmSide.of(StructureKind.ORGAN, "kidney_L")).isEqualTo(DiaphragmSide.BELOW);
+        assertThat(List.of("kidney_L", "kidney", "organ_kidneys", "Small_Bowel", "organ_bowel"))
+                .allMatch(name -> DiaphragmSide.of(StructureKind.ORGAN, name) == DiaphragmSide.BELOW);
         assertThat(DiaphragmSide.of(StructureKind.ORGAN, "heart")).isEqualTo(DiaphragmSide.ABOVE);
         assertThat(DiaphragmSide.of(StructureKind.LUNG, "lung_R_middle")).isEqualTo(DiaphragmSide.ABOVE);
         assertThat(DiaphragmSide.of(StructureKind.VESSEL, "aorta")).isEqualTo(DiaphragmSide.NEITHER);
