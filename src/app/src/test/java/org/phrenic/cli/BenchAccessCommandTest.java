@@ -29,6 +29,40 @@ class BenchAccessCommandTest {
         assertThat(folder.resolve("out/imaging.md")).content().contains("## Not imaged");
     }
 
+    /** Ribs and bowel lie on ways of a plan that avoids lungs alone; what is tried is what the plan avoids. */
+    @Test
+    void aPlanWhoseNeedleIsTooShortIsReportedWithoutATime() throws IOException {
+        Path plan = folder.resolve("short.yaml");
+        Files.writeString(
+                plan,
+                """
+                title: A needle that is too short
+                set: {preset: quiet, resolution: low, lungs: embedded, sternum: kinematic}
+                target: {rest_mm: [-70, 0, 50], diameter_mm: 15}
+                needle: {gauge: 18, length_mm: 20}
+                avoid: [lung]
+                """);
+        Path out = folder.resolve("out");
+        CommandLineRun run =
+                CommandLineRun.of("bench", "access", plan.toString(), "--maps", "1", "--out", out.toString());
+        assertThat(run.exitCode()).as(run.err()).isEqualTo(ExitCode.SUCCESS);
+        assertThat(run.out()).contains("0 cross what their plan avoids").doesNotContain("NaN");
+        assertThat(out.resolve("access.md")).content().doesNotContain("NaN");
+        assertThat(out.resolve("access.json"))
+                .content()
+                .contains("\"in_reach\": 0")
+                .doesNotContain("map_s_for_2000_points");
+    }
+
+    /** The bodies of the command are those that are measured. */
+    @Test
+    void imagingRefusesABodyAmongItsSettings() {
+        CommandLineRun run = CommandLineRun.of(
+                "bench", "imaging", "--set", "anatomy=virtual/adult-female", "--out", folder.toString());
+        assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(run.err()).contains("found a key that each BODY of the command sets itself");
+    }
+
     @Test
     void namesAnExerciseThatCannotBePlayedAndReportsTheOthers() throws IOException {
         Path body = Files.createDirectory(folder.resolve("no-body"));

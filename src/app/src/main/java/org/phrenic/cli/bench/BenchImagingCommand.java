@@ -2,6 +2,7 @@ package org.phrenic.cli.bench;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ProvenanceOption;
 import org.phrenic.cli.option.ReportFolder;
@@ -65,7 +66,8 @@ final class BenchImagingCommand extends ReportingCommand {
     public Integer call() {
         out.check();
         double wallS = OptionValues.number("--seconds", seconds, LEAST_S, MOST_S);
-        Scenario scenario = Scenario.defaults().with(set.toArray(String[]::new));
+        Scenario scenario =
+                Scenario.defaults().with(OptionValues.assignments(set, Set.of("anatomy"), "each BODY of the command"));
         List<String> measured = bodies.isEmpty() ? List.of(RunSettings.VIRTUAL_MAN, RunSettings.VIRTUAL_WOMAN) : bodies;
         List<Scenario> asked = measured.stream()
                 .map(body -> scenario.with(List.of(Assignment.read(body, "anatomy", body))))

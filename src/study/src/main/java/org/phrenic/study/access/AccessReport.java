@@ -45,10 +45,10 @@ public record AccessReport(List<AccessStudy.Result> results, List<String> failur
     /** What was found, in one sentence without a full stop. */
     public String summary() {
         String found = format(
-                "Of %,d free ways (an entry at a moment), %d cross a lung, bone, organ or vessel; of %,d entries, %d"
+                "Of %,d free ways (an entry at a moment), %d cross what their plan avoids; of %,d entries, %d"
                         + " lie on a cut end of the body; %d of %d plans reach their goals",
                 results.stream().mapToInt(r -> r.check().ways()).sum(),
-                results.stream().mapToInt(r -> r.check().crossings()).sum(),
+                results.stream().mapToInt(r -> r.check().crossing()).sum(),
                 results.stream().mapToInt(r -> r.check().entries()).sum(),
                 results.stream().mapToInt(r -> r.check().atCutEnd()).sum(),
                 results.stream().filter(r -> r.rehearsal().goalsReached()).count(),
@@ -85,11 +85,11 @@ public record AccessReport(List<AccessStudy.Result> results, List<String> failur
                     count(counts.inReach()),
                     count(freeWithoutOrgans(map)),
                     count(counts.free()),
-                    format("%.1f", 100.0 * counts.free() / counts.inReach()),
+                    counts.inReach() == 0 ? "" : format("%.1f", 100.0 * counts.free() / counts.inReach()),
                     count(counts.part()),
                     count(throughPleura(map)),
                     count(r.check().ways()),
-                    count(r.check().crossings()),
+                    count(r.check().crossing()),
                     count(r.check().atCutEnd()),
                     number(r.mapS())));
         }
@@ -191,10 +191,10 @@ public record AccessReport(List<AccessStudy.Result> results, List<String> failur
         report.paragraph("Points of the skin from which the needle reaches the target at the first moment; those of"
                 + " them whose way is free at every moment, without and with organs and vessels, with their share; free"
                 + " in part of the breath; free and through the pleura. Every way was then tried at every moment at"
-                + " which the map calls it free against every triangle of every lung, bone, organ and vessel, without"
-                + " the map's tree: ways tried, ways that cross one, entries that lie on a flat end of the skin. The"
-                + " last column is the time of a map for 2,000 points in reach on the scenario's threads, where it was"
-                + " measured.");
+                + " which the map calls it free against every triangle of every lung, bone, organ and vessel that the"
+                + " plan avoids, without the map's tree: ways tried, ways that cross one, entries that lie on a flat"
+                + " end of the skin. The last column is the time of a map for 2,000 points in reach on the scenario's"
+                + " threads, where it was measured.");
         report.table(
                 "",
                 Column.list("exercise | # in reach | # free without organs | # free | # % | # in part"

@@ -20,7 +20,7 @@ public final class AccessStudy {
      *
      * @param check free ways against every triangle
      * @param mapS time of the access map, for {@value AccessStudy#POINTS} points in reach, s: median of the maps that
-     *     were timed; NaN if none was
+     *     were timed; NaN if none was, or if no point is in reach
      */
     public record Result(Rehearsal rehearsal, WayCheck check, double mapS) {}
 
@@ -34,7 +34,8 @@ public final class AccessStudy {
         Rehearsal rehearsal = Rehearsal.play(plan, progress);
         WayCheck check = WayCheck.of(rehearsal.surfaces(), rehearsal.map());
         progress.note(plan.title() + ": played, and its free ways are tried.");
-        return new Result(rehearsal, check, maps == 0 ? Double.NaN : mapS(rehearsal, maps));
+        boolean isTimed = maps > 0 && rehearsal.map().counts().inReach() > 0;
+        return new Result(rehearsal, check, isTimed ? mapS(rehearsal, maps) : Double.NaN);
     }
 
     private static double mapS(Rehearsal rehearsal, int maps) {

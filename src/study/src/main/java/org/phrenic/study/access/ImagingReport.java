@@ -76,9 +76,9 @@ public record ImagingReport(Scenario scenario, List<ImagingStudy.Result> results
                 "Pictures of 512 x 512 pixels of bodies with their organs at %s resolution. Radiograph: frontal, two"
                         + " threads, nothing else at work. Ultrasound: right intercostal, 150 mm deep, the probe"
                         + " turned by a degree after each image; on two threads alone, and on one thread while the"
-                        + " scene breathes quietly on another no faster than the clock, each image of its latest"
+                        + " scene breathes (%s) on another no faster than the clock, each image of its latest"
                         + " frame. p95: 95 %% of the pictures take no longer.",
-                ReportNumbers.label(scenario.resolution())));
+                ReportNumbers.label(scenario.resolution()), breath()));
         report.table(
                 "",
                 Column.list("body | # triangles | # radiograph ms | # p95 | # ultrasound alone ms"
@@ -88,10 +88,17 @@ public record ImagingReport(Scenario scenario, List<ImagingStudy.Result> results
         return report;
     }
 
+    private String breath() {
+        return scenario.trace()
+                .map(file -> "as recorded in " + file.getFileName())
+                .orElse("preset " + scenario.preset());
+    }
+
     /** The values for JSON. */
     public OrderedValues values() {
         return new OrderedValues()
                 .with("resolution", ReportNumbers.label(scenario.resolution()))
+                .with("breath", breath())
                 .with(
                         "bodies",
                         results.stream()

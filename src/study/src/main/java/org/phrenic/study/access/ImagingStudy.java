@@ -3,6 +3,9 @@ package org.phrenic.study.access;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import org.phrenic.access.imaging.CArm;
@@ -65,7 +68,12 @@ public final class ImagingStudy {
     public record Result(
             String body, int triangles, Times radiographs, Times images, Times besideScene, double realtimeFactor) {}
 
-    /** @param seconds wall time beside the running scene, s */
+    /**
+     * Measures a body.
+     *
+     * @param seconds wall time beside the running scene, s
+     * @throws org.phrenic.engine.integrator.DivergenceException if the scene diverges beside the images
+     */
     public static Result of(Scenario scenario, double seconds) {
         try (Simulation simulation = Simulation.of(scenario, SimulationRun.loadThorax(scenario))) {
             SceneSurfaces scene = SceneSurfaces.withOrgans(simulation);
@@ -82,10 +90,11 @@ public final class ImagingStudy {
             Times images = time(images(scene, frame, THREADS));
             Running running = new Running(simulation, scene, frame);
             Times beside = running.take(seconds);
+            double factor = running.factor();
             int triangles = scene.surfaces().stream()
                     .mapToInt(s -> s.rest().triangles().length / 3)
                     .sum();
-            return new Result(scenario.anatomy(), triangles, radiographs, images, beside, running.factor);
+            return new Result(scenario.anatomy(), triangles, radiographs, images, beside, factor);
         }
     }
 
@@ -114,12 +123,12 @@ public final class ImagingStudy {
     }
 
     /** A scene that runs on a thread of its own, no faster than the clock. */
-    private static final class Running implements Runnable {
+    private static final class Running implements Callable<Double> {
         private final Simulation simulation;
         private final SceneSurfaces scene;
         private final Frame latest;
         private final AtomicBoolean ended = new AtomicBoolean();
-        private double factor;
+        private final FutureTask<Double> task = new FutureTask<>(this);
 
         Running(Simulation simulation, SceneSurfaces scene, Frame latest) {
             this.simulation = simulation;
@@ -127,32 +136,63 @@ public final class ImagingStudy {
             this.latest = latest;
         }
 
+        /** Takes images until the time is over or the scene fails. The scene does not run afterwards. */
         Times take(double seconds) {
             Frame own = latest.copy();
             Runnable image = images(scene, own, 1);
-            Thread thread = new Thread(this, "scene");
-            thread.start();
             List<Double> times = new ArrayList<>();
-            long begun = System.nanoTime();
-            while (NANO * (System.nanoTime() - begun) < seconds) {
-                long from = System.nanoTime();
-                synchronized (latest) {
-                    own.copyFrom(latest);
-                }
-                image.run();
-                times.add(NANO * (System.nanoTime() - from));
-            }
-            ended.set(true);
+            new Thread(task, "scene").start();
             try {
-                thread.join();
-            } catch (InterruptedException stop) {
-                Thread.currentThread().interrupt();
+                long begun = System.nanoTime();
+                while (NANO * (System.nanoTime() - begun) < seconds && !task.isDone()) {
+                    long from = System.nanoTime();
+                    synchronized (latest) {
+                        own.copyFrom(latest);
+                    }
+                    image.run();
+                    times.add(NANO * (System.nanoTime() - from));
+                }
+            } finally {
+                ended.set(true);
+                awaitEnd();
             }
             return new Times(times);
         }
 
+        /** Waits for the scene, which ends its step, however often the thread is interrupted. */
+        private void awaitEnd() {
+            boolean interrupted = false;
+            while (!task.isDone()) {
+                try {
+                    task.get();
+                } catch (InterruptedException stop) {
+                    interrupted = true;
+                } catch (ExecutionException failed) {
+                    break;
+                }
+            }
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
+
+        /** Simulated over wall time; throws what the scene failed with. */
+        double factor() {
+            try {
+                return task.get();
+            } catch (InterruptedException stop) {
+                Thread.currentThread().interrupt();
+                throw new IllegalStateException("the measurement was interrupted", stop);
+            } catch (ExecutionException failed) {
+                if (failed.getCause() instanceof RuntimeException failure) {
+                    throw failure;
+                }
+                throw new IllegalStateException("the scene failed beside the images", failed.getCause());
+            }
+        }
+
         @Override
-        public void run() {
+        public Double call() {
             Frame frame = scene.newFrame();
             double startS = simulation.time();
             long begun = System.nanoTime();
@@ -171,7 +211,7 @@ public final class ImagingStudy {
                     }
                 }
             }
-            factor = (simulation.time() - startS) / (NANO * (System.nanoTime() - begun));
+            return (simulation.time() - startS) / (NANO * (System.nanoTime() - begun));
         }
     }
 }

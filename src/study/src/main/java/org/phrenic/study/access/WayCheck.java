@@ -18,11 +18,12 @@ import org.phrenic.simulation.observe.Surface;
  * change of axes, and signs of volumes in place of the map's arithmetic.
  *
  * @param ways ways that the map calls free, counted at every moment
+ * @param crossing number of them that pass through any of these surfaces
  * @param crossed number of them that pass through a surface, by its name
  * @param entries points of the skin from which the map calls a way free at some moment
  * @param atCutEnd number of those that lie on a flat end of the body
  */
-public record WayCheck(int ways, Map<String, Integer> crossed, int entries, int atCutEnd) {
+public record WayCheck(int ways, int crossing, Map<String, Integer> crossed, int entries, int atCutEnd) {
     /** Triangles of the skin this near to its upper or lower end, and this flat, are a cut end. */
     private static final double END_MM = 2;
 
@@ -39,6 +40,7 @@ public record WayCheck(int ways, Map<String, Integer> crossed, int entries, int 
                 .toArray();
         Map<String, Integer> crossed = new TreeMap<>();
         int ways = 0;
+        int crossing = 0;
         for (int m = 0; m < map.cycle().size(); m++) {
             int moment = m;
             List<double[]> paths = new ArrayList<>();
@@ -49,23 +51,27 @@ public record WayCheck(int ways, Map<String, Integer> crossed, int entries, int 
                     .forEach(v -> paths.add(
                             new double[] {skin[3 * v], skin[3 * v + 1], skin[3 * v + 2], to[0], to[1], to[2]}));
             ways += paths.size();
+            boolean[] any = new boolean[paths.size()];
             for (int i = 0; i < surfaces.size(); i++) {
                 Surface s = surfaces.get(i);
                 if (NoGoZone.of(s.kind()).filter(map.avoided()::contains).isPresent()) {
                     double[] p = positions(surfaces, i, map.cycle().get(m));
                     int[] t = s.rest().triangles();
-                    long count = paths.parallelStream()
-                            .filter(path -> isCrossed(path, p, t))
-                            .count();
-                    if (count > 0) {
-                        crossed.merge(s.name(), (int) count, Integer::sum);
+                    int[] through = IntStream.range(0, any.length)
+                            .parallel()
+                            .filter(w -> isCrossed(paths.get(w), p, t))
+                            .toArray();
+                    IntStream.of(through).forEach(w -> any[w] = true);
+                    if (through.length > 0) {
+                        crossed.merge(s.name(), through.length, Integer::sum);
                     }
                 }
             }
+            crossing += (int) IntStream.range(0, any.length).filter(w -> any[w]).count();
         }
         boolean[] end = cutEnd(surfaces.get(skinOf(surfaces)).rest());
         int atEnd = (int) IntStream.of(free).filter(v -> end[v]).count();
-        return new WayCheck(ways, crossed, free.length, atEnd);
+        return new WayCheck(ways, crossing, crossed, free.length, atEnd);
     }
 
     private static int skinOf(List<Surface> surfaces) {
@@ -160,11 +166,6 @@ public record WayCheck(int ways, Map<String, Integer> crossed, int entries, int 
             }
         }
         return end;
-    }
-
-    /** Number of ways that pass through anything. A way through two surfaces counts twice. */
-    public int crossings() {
-        return crossed.values().stream().mapToInt(Integer::intValue).sum();
     }
 
     /** Whether no way crosses anything and no entry lies on a cut end. */

@@ -2,12 +2,32 @@ package org.phrenic.study.access;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.phrenic.access.BreathMoment;
+import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.Needle;
+import org.phrenic.access.NoGoZone;
+import org.phrenic.access.TargetLesion;
+import org.phrenic.access.path.AccessMap;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.engine.parallel.Workers;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.simulation.observe.Surface;
+import org.phrenic.simulation.observe.TestFrames;
 
 /** Segments and a triangle in the plane z = 0 with corners (0, 0), (4, 0), (0, 4). */
 class WayCheckTest {
     private static final double[] CORNERS = {0, 0, 0, 4, 0, 0, 0, 4, 0};
+
+    private static final double[] IN_LIVER = {-90, 0, 50};
 
     private static boolean isCrossed(double... path) {
         return WayCheck.isCrossed(path, CORNERS, 0, 3, 6);
@@ -21,6 +41,48 @@ class WayCheckTest {
         assertThat(isCrossed(3, 3, 5, 3, 3, -5)).as("passes beside").isFalse();
         assertThat(isCrossed(-1, 1, 5, 3, 1, -5)).as("oblique").isTrue();
         assertThat(isCrossed(0, 0, 1, 0, 0, -1)).as("through a corner").isTrue();
+    }
+
+    /** The skin about two closed bones about the liver, of which the map knows neither bone. */
+    @Test
+    void aWayThroughTwoSurfacesIsOneThatCrosses() {
+        List<Surface> body = List.of(scaled(StructureKind.SKIN, "skin", 3), scaled(StructureKind.LIVER, "liver", 1));
+        MovingAnatomy anatomy = new MovingAnatomy(body);
+        double[] liver = body.get(1).rest().positions();
+        BreathMoment still =
+                new BreathMoment(TestFrames.of(body, 0, 0, 0, new double[0], liver), RespiratoryPhase.PAUSE);
+        List<Surface> withBones = new ArrayList<>(body);
+        withBones.add(scaled(StructureKind.BONE, "inner", 1.5));
+        withBones.add(scaled(StructureKind.BONE, "outer", 2));
+        try (Workers workers = Workers.of(1)) {
+            anatomy.update(still.frame());
+            AccessMap map = AccessMap.of(
+                    anatomy,
+                    List.of(still),
+                    TargetLesion.at(anatomy, IN_LIVER, 10),
+                    new Needle(18, 300),
+                    NoGoZone.defaults(),
+                    workers);
+            WayCheck check = WayCheck.of(withBones, map);
+            assertThat(check.ways()).isPositive();
+            assertThat(check.crossing()).isEqualTo(check.ways());
+            assertThat(check.crossed()).isEqualTo(Map.of("inner", check.ways(), "outer", check.ways()));
+            assertThat(check.passes()).isFalse();
+        }
+    }
+
+    /** The liver of the virtual man, so many times as large about a place in it. */
+    private static Surface scaled(StructureKind kind, String name, double times) {
+        TriangleMesh liver = VirtualThorax.ofPreset("adult-male", Resolution.LOW)
+                .structuresOf(StructureKind.LIVER)
+                .get(0)
+                .mesh();
+        double[] p = liver.positions().clone();
+        for (int i = 0; i < p.length; i++) {
+            p[i] = IN_LIVER[i % 3] + times * (p[i] - IN_LIVER[i % 3]);
+        }
+        Surface.Motion motion = kind == StructureKind.LIVER ? Surface.Motion.DEFORMING : Surface.Motion.STILL;
+        return new Surface(name, kind, 0, Side.MIDLINE, liver.withPositions(p), motion, new boolean[0]);
     }
 
     /** Where a random segment meets the plane says the same, away from the edges. */
