@@ -18,7 +18,6 @@ import java.util.function.IntConsumer;
 import javax.accessibility.AccessibleRole;
 import javax.swing.KeyStroke;
 import javax.swing.UIManager;
-import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.Numbers;
 import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.widget.Controls;
@@ -119,7 +118,7 @@ final class TimelineBar extends PaintedComponent {
         RoundRectangle2D strip =
                 new RoundRectangle2D.Double(SIDE_MARGIN, 2, getWidth() - 2.0 * SIDE_MARGIN, BAND_HEIGHT, 6, 6);
         Graphics2D inside = (Graphics2D) g.create();
-        inside.setColor(PhaseColours.of(RespiratoryPhase.PAUSE));
+        inside.setColor(Theme.BORDER);
         inside.clip(strip);
         inside.fill(strip);
         bands.forEach(band -> paintBand(inside, band));

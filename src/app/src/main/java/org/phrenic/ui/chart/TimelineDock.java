@@ -17,11 +17,8 @@ import org.phrenic.ui.widget.Controls;
 
 /** Shows recorded frames, while the simulation is paused; Live returns to the present and resumes it. */
 public final class TimelineDock extends JPanel implements Session.Listener {
-    /** Samples of the recorded frames: more than ten seconds at 50 per second. */
-    private static final int MAX_SAMPLES = 1500;
-
     private final transient Session session;
-    private final transient SampleRingBuffer ring = new SampleRingBuffer(Observation.COLUMNS.size(), MAX_SAMPLES);
+    private final transient SampleRingBuffer ring = new SampleRingBuffer(Observation.COLUMNS.size(), RunHistory.ROWS);
     private final TimelineBar bar = new TimelineBar(this::seek, this::stepFrames);
     private final JButton previousFrame = Controls.button("\u25c2", "Previous recorded frame", () -> stepFrames(-1));
     private final JButton nextFrame = Controls.button("\u25b8", "Next recorded frame", () -> stepFrames(1));

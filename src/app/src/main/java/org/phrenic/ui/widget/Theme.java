@@ -26,7 +26,7 @@ public final class Theme {
         return (border == null ? Color.GRAY : border).getRGB();
     });
 
-    /** Behind the view until there is a picture; the renderer's own background. */
+    /** Behind the view until there is a picture; a shade between those of the renderer's background. */
     public static final Color VIEW_BACKGROUND = colour(0xe9edf0, 0x1d2226);
 
     public static final Color NOTE_BACKGROUND = colour(0xe4f1f3, 0x24363b);

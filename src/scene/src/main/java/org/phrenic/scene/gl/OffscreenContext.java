@@ -40,6 +40,9 @@ public final class OffscreenContext implements AutoCloseable {
     /** System property: {@code egl} draws through surfaceless EGL where an X server is reachable too. */
     private static final String WAY_PROPERTY = "phrenic.opengl";
 
+    /** Environment variable that names the X server. */
+    private static final String DISPLAY = "DISPLAY";
+
     /** Maximum side of a tile, pixels. Larger pictures are drawn in tiles to limit memory. */
     static final int MAX_TILE = 3072;
 
@@ -130,7 +133,7 @@ public final class OffscreenContext implements AutoCloseable {
                 silenceShutdown();
                 throw NoGraphicsException.missingLibrary(missing);
             }
-            throw new NoGraphicsException(NOT_STARTED + (isEglWanted() ? "" : OTHER_WAY), cause);
+            throw new NoGraphicsException(NOT_STARTED + (isOnXServer(System.getenv(DISPLAY)) ? OTHER_WAY : ""), cause);
         }
     }
 
@@ -148,13 +151,18 @@ public final class OffscreenContext implements AutoCloseable {
         });
     }
 
-    private static boolean isEglWanted() {
-        return System.getProperty(WAY_PROPERTY, "").equals("egl");
+    /**
+     * Whether a context is opened by an X server, in place of the window system of the platform or surfaceless EGL.
+     *
+     * @param display value of DISPLAY; null for none
+     */
+    static boolean isOnXServer(String display) {
+        boolean isEglWanted = System.getProperty(WAY_PROPERTY, "").equals("egl");
+        return !DisplayServer.isNotNeeded() && !isEglWanted && DisplayServer.hasGlx(display);
     }
 
     private static OffscreenContext start() throws NoGraphicsException {
-        boolean display =
-                DisplayServer.isNotNeeded() || (!isEglWanted() && DisplayServer.hasGlx(System.getenv("DISPLAY")));
+        boolean display = DisplayServer.isNotNeeded() || isOnXServer(System.getenv(DISPLAY));
         try {
             if (display) {
                 // Asks the event dispatch thread once.

@@ -108,6 +108,13 @@ class OffscreenContextTest {
         }
     }
 
+    /** Only who draws through an X server can be told to draw without it. */
+    @Test
+    void withoutAServerNothingIsDrawnThroughOne() {
+        assertThat(OffscreenContext.isOnXServer(null)).isFalse();
+        assertThat(OffscreenContext.isOnXServer(":54321")).isFalse();
+    }
+
     /** @param answer what a server says when it is asked for GLX; empty for one that refuses the session */
     private static boolean hasGlx(Optional<Boolean> answer) throws IOException, InterruptedException {
         try (ServerSocket server = displayPort()) {
