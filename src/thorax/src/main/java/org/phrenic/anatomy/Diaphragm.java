@@ -1,14 +1,19 @@
 package org.phrenic.anatomy;
 
 import java.util.Arrays;
+import java.util.Comparator;
+import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.phrenic.engine.math.DisjointSets;
 import org.phrenic.file.ComputedArrays;
 import org.phrenic.mesh.EdgePaths;
+import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.HarmonicField;
+import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.edit.ConnectedComponents;
 
 /**
  * The diaphragm with its two faces, insertion, central tendon, muscle and fibre directions.
@@ -51,6 +56,13 @@ public final class Diaphragm {
         distance = distancesFromInsertion(sheet, topology, inserted);
         tendonField = tendon.apply(upright);
         fibre = computed.get("fibres", sheet.triangles().length, this::computeFibreDirections);
+    }
+
+    /** Of the shells of a mesh that which is the sheet: the closed one, facing outward, with most vertices. */
+    public static Optional<TriangleMesh> sheetAmong(TriangleMesh shells) {
+        return ConnectedComponents.of(shells).stream()
+                .filter(shell -> new EdgeTable(shell).isClosed() && MeshMeasure.signedVolume(shell) > 0)
+                .max(Comparator.comparingInt(TriangleMesh::vertexCount));
     }
 
     /** Creates a diaphragm with a tendon of three leaflets. */

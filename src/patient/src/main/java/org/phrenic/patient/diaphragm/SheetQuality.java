@@ -2,7 +2,6 @@ package org.phrenic.patient.diaphragm;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -13,12 +12,12 @@ import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.engine.math.OrderStatistic;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.mesh.edit.ConnectedComponents;
 import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.SelfIntersections;
 import org.phrenic.mesh.query.TriangleTree;
@@ -96,17 +95,8 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
 
     /** Measures the sheet of a body whose envelope is known. */
     static SheetQuality of(Thorax body, CageEnvelope cage) {
-        TriangleMesh sheet =
-                largestShell(body.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh());
-        return new Measuring(body, sheet, cage).result();
-    }
-
-    /** Of several shells the closed one with most vertices is the sheet, as in a simulation. */
-    private static TriangleMesh largestShell(TriangleMesh mesh) {
-        return ConnectedComponents.of(mesh).stream()
-                .filter(shell -> new MeshTopology(shell).isClosed() && MeshMeasure.signedVolume(shell) > 0)
-                .max(Comparator.comparingInt(TriangleMesh::vertexCount))
-                .orElse(mesh);
+        TriangleMesh shells = body.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh();
+        return new Measuring(body, Diaphragm.sheetAmong(shells).orElse(shells), cage).result();
     }
 
     /** One sentence for the measures beyond their limits; empty if all are good. */
@@ -287,9 +277,7 @@ public record SheetQuality(List<Measure> measures, Optional<String> refusal) {
         }
 
         private static double percentile95(double[] values) {
-            double[] sorted = values.clone();
-            Arrays.sort(sorted);
-            return sorted.length == 0 ? 0 : sorted[(int) (0.95 * (sorted.length - 1))];
+            return OrderStatistic.atShare(values, 0.95);
         }
     }
 }

@@ -7,6 +7,7 @@ import java.util.stream.IntStream;
 import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.DiaphragmSide;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.engine.math.OrderStatistic;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.SegmentProbe;
 import org.phrenic.mesh.query.SurfaceDistance;
@@ -62,9 +63,8 @@ final class SheetCrossing {
         double[] thicknesses = IntStream.range(0, sheet.vertexCount())
                 .filter(diaphragm::isThoracic)
                 .mapToDouble(v -> distance(abdominal, sheet.x(v), sheet.y(v), sheet.z(v)))
-                .sorted()
                 .toArray();
-        return thicknesses.length == 0 ? 0 : thicknesses[(int) (0.95 * (thicknesses.length - 1))];
+        return OrderStatistic.atShare(thicknesses, 0.95);
     }
 
     private static double distance(TriangleTree tree, double x, double y, double z) {

@@ -1,14 +1,13 @@
 package org.phrenic.study.speed;
 
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.stream.IntStream;
+import org.phrenic.anatomy.Diaphragm;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.mesh.edit.ConnectedComponents;
 import org.phrenic.mesh.edit.Remesher;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
@@ -31,10 +30,7 @@ final class SheetWorkloads {
         Thorax thorax = SimulationRun.loadThorax(Scenario.defaults().with("resolution=low"));
         TriangleMesh shells =
                 thorax.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh();
-        sheet = ConnectedComponents.of(shells).stream()
-                .filter(m -> new MeshTopology(m).isClosed())
-                .max(Comparator.comparingInt(TriangleMesh::vertexCount))
-                .orElseThrow();
+        sheet = Diaphragm.sheetAmong(shells).orElseThrow();
         if (sheet.vertexCount() < Resolution.LOW.diaphragmVertices() / 2) {
             throw new IllegalStateException(
                     "found a sheet of " + sheet.vertexCount() + " vertices, expected the whole");

@@ -1,6 +1,5 @@
 package org.phrenic.model.material;
 
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -22,10 +21,7 @@ import org.phrenic.engine.parallel.NodeLayout;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.ComputedArrays;
-import org.phrenic.mesh.EdgeTable;
-import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.mesh.edit.ConnectedComponents;
 import org.phrenic.mesh.edit.Remesher;
 import org.phrenic.model.assembly.BreathDrive;
 import org.phrenic.model.assembly.NodeMasses;
@@ -193,9 +189,7 @@ public final class SceneAssembly {
     /** The closed sheet of the diaphragm's shells at the requested resolution. */
     private Diaphragm diaphragm() {
         TriangleMesh given = thorax.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh();
-        TriangleMesh sheet = ConnectedComponents.of(given).stream()
-                .filter(m -> new EdgeTable(m).isClosed() && MeshMeasure.signedVolume(m) > 0)
-                .max(Comparator.comparingInt(TriangleMesh::vertexCount))
+        TriangleMesh sheet = Diaphragm.sheetAmong(given)
                 .orElseThrow(() -> new BadInputException(thorax.name()
                         + ": the diaphragm has no closed shell, expected a double-layered sheet whose two faces meet at"
                         + " its border"));
