@@ -15,6 +15,7 @@ import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.error.ErrorTable;
+import org.phrenic.study.error.SettingChoice;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -70,9 +71,9 @@ final class RunCommand extends ReportingCommand {
                     "with --max-error, which chooses it");
             options.requireSet(CHOSEN, "--max-error");
             double most = OptionValues.number("--max-error", maxError, MIN_ERROR_MM, MAX_ERROR_MM);
-            ErrorTable.Chosen chosen = ErrorTable.shipped().cheapest(scenario, most);
+            SettingChoice chosen = ErrorTable.shipped().cheapest(scenario, most);
             scenario = scenario.with(chosen.settings().assignments("--max-error " + maxError));
-            remarks.put("chosen", chosen.sentence());
+            remarks.put("chosen", chosen.sentence(Scenario.defaults()));
         }
         Breathing.traceDescription(scenario).ifPresent(sentence -> remarks.put("trace_read", sentence));
         RunReport.run(scenario, remarks, out, err(), summary -> print(summary, () -> RunReport.table(summary)));

@@ -22,7 +22,13 @@ class BenchErrorCommandTest {
         CommandLineRun run = CommandLineRun.of(
                 "bench", "error", "--quick", "--material", "paper", "--max-error", "0.01", "--out", folder.toString());
         assertThat(run.exitCode()).isZero();
-        assertThat(run.out()).contains("Reference: rk4", "front", "default", "For an error of at most 0.01 mm");
+        assertThat(run.out())
+                .contains(
+                        "Reference: rk4",
+                        "front",
+                        "default",
+                        "For an error of at most 0.01 mm",
+                        "on 0.2 s of a quiet breath");
         assertThat(Files.readString(folder.resolve("error.md"))).contains("## paper, low", "symplectic-euler");
         assertThat(Files.readString(folder.resolve("error.json"))).contains("\"reference_halving_rms_mm\"");
         assertThat(ErrorTable.read(folder.resolve("error.csv")).rows()).hasSizeGreaterThan(4);
@@ -122,6 +128,7 @@ class BenchErrorCommandTest {
         String table = shippedTable().toString();
         assertRefused("--write: found it with --quick", "--quick", "--write", table);
         assertRefused("found it with --write, expected preset", "--write", table, "--set", "depth=0.5");
+        assertRefused("--threads: found 2 with --write, expected 1", "--write", table, "--threads", "2");
         assertRefused(
                 "settings.csv: found rows of physical, quiet, low over 2 s, expected the 4 s",
                 "--write",

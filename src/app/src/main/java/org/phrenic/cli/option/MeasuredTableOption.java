@@ -29,7 +29,7 @@ public final class MeasuredTableOption {
 
     /**
      * Reads the table, if the option is given, before anything is measured. Rows are refused that the table would hold
-     * for those of another scene, or beside rows over another time.
+     * for those of another scene, or beside rows over another time or of another number of threads.
      *
      * @param settings further settings of the scenarios
      * @param replacesScenes whether all settings of the scenarios are measured, which replace all rows of their scenes
@@ -48,6 +48,13 @@ public final class MeasuredTableOption {
             throw new BadInputException(set.origin()
                     + ": found it with --write, expected preset alone: a row names no other key of its scene");
         });
+        scenarios.stream()
+                .filter(scenario -> scenario.threads() > 1)
+                .findFirst()
+                .ifPresent(scenario -> {
+                    throw new BadInputException("--threads: found " + scenario.threads()
+                            + " with --write, expected 1: a row names no number of threads, and its costs are of one");
+                });
         if (Files.exists(table)) {
             earlier = ErrorTable.read(table);
         }

@@ -13,7 +13,8 @@ package org.phrenic.study.error;
  * @param cpuS processor time, s
  * @param wallS elapsed time, s
  * @param realTime simulated time over {@code wallS}
- * @param paretoOptimal whether no other setting of the scene has both lower cost and lower error
+ * @param paretoOptimal whether no other setting of the scene has both lower cost and lower error, and this error is
+ *     resolved
  * @param isDefault whether it is the scenario's own setting
  */
 public record ErrorPoint(

@@ -43,11 +43,12 @@ public final class ErrorReport {
     /**
      * Says which setting of a scene is the cheapest that keeps an error, or that none does.
      *
+     * @param scenario that was measured
      * @param mostMm rms error of the diaphragm, mm
      */
     public static String cheapestSentence(ErrorTable measured, Scenario scenario, double mostMm) {
         try {
-            return measured.cheapest(scenario, mostMm).sentence();
+            return measured.cheapest(scenario, mostMm).sentence(scenario);
         } catch (BadInputException none) {
             return "No setting that was measured keeps this error; " + none.getMessage() + ".";
         }
@@ -85,9 +86,11 @@ public final class ErrorReport {
         String simulated = SolverSettings.number(study.simulatedS()) + " s of ";
         String breath = simulated + "a breath, preset " + study.scenario().preset();
         String scene = format(
-                "%s: %d nodes, %s, domes go down %.2f mm, %d thread%s. Reference: %s; with steps twice as long its",
+                "%s: %d nodes of %s, %s, domes go down %.2f mm, %d thread%s. Reference: %s; with steps twice as long"
+                        + " its",
                 title(study),
                 study.nodes(),
+                SettingChoice.body(study.scenario()),
                 breath,
                 study.excursionMm(),
                 threads,
@@ -102,7 +105,7 @@ public final class ErrorReport {
         String ranked = unresolved == 0
                 ? ""
                 : format(
-                        " %d of %d errors are below three times that and not resolved: they are not ranked.",
+                        " %d of %d errors are below three times that and not resolved: they are not on the front.",
                         unresolved, study.points().size());
         return scene
                 + format(pattern, uncertainty[0], percent, uncertainty[1], uncertainty[2], uncertainty[3])
@@ -188,7 +191,7 @@ public final class ErrorReport {
         return new OrderedValues()
                 .with("scenario", study.scenario().toMap())
                 .with("nodes", study.nodes())
-                .with("breath_s", study.simulatedS())
+                .with("until_s", study.simulatedS())
                 .with("excursion_mm", study.excursionMm())
                 .with("reference", study.reference().label())
                 .with("reference_halving_rms_mm", study.referenceUncertainty()[0])

@@ -212,24 +212,26 @@ public record ErrorStudy(
                 });
     }
 
-    /** Marks the Pareto front of the points whose error is at least {@code leastMm}. */
+    /**
+     * Marks the points of the Pareto front whose error is at least {@code leastMm}. A smaller error is not resolved: it
+     * has no mark itself, and points that cost more have none beside it.
+     */
     static List<ErrorPoint> withParetoFront(List<ErrorPoint> points, double leastMm) {
-        List<ErrorPoint> ranked =
-                points.stream().filter(p -> p.rmsMm() >= leastMm).toList();
         boolean[] front = ParetoFront.of(
-                ranked.stream().mapToDouble(ErrorPoint::cpuS).toArray(),
-                ranked.stream().mapToDouble(ErrorPoint::rmsMm).toArray());
-        List<ErrorPoint> marked = new ArrayList<>(
-                points.stream().map(p -> p.withParetoOptimal(false)).toList());
+                points.stream().mapToDouble(ErrorPoint::cpuS).toArray(),
+                points.stream().mapToDouble(ErrorPoint::rmsMm).toArray());
+        List<ErrorPoint> marked = new ArrayList<>();
         for (int i = 0; i < front.length; i++) {
-            marked.set(points.indexOf(ranked.get(i)), ranked.get(i).withParetoOptimal(front[i]));
+            ErrorPoint point = points.get(i);
+            marked.add(point.withParetoOptimal(front[i] && point.rmsMm() >= leastMm));
         }
         return marked;
     }
 
     /**
      * Whether the reference is known well enough to measure this error: the error is at least three times the distance
-     * between the reference and the same with twice the step. An error that is not resolved is not ranked.
+     * between the reference and the same with twice the step. A setting whose error is not resolved is never on the
+     * front.
      */
     public boolean isResolved(ErrorPoint point) {
         return point.rmsMm() >= RESOLVED * referenceUncertainty[0];

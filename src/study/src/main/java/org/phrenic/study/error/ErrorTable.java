@@ -120,13 +120,6 @@ public record ErrorTable(String name, List<Row> rows) {
         }
     }
 
-    /**
-     * The chosen setting.
-     *
-     * @param sentence the choice and its reason
-     */
-    public record Chosen(SolverSettings settings, String sentence) {}
-
     public ErrorTable {
         rows = List.copyOf(rows);
     }
@@ -283,14 +276,14 @@ public record ErrorTable(String name, List<Row> rows) {
 
     /**
      * The cheapest setting whose rms error and the uncertainty of its reference together do not exceed a bound. For a
-     * preset without measurements the quiet preset is used, for such a resolution the finest measured one; the sentence
+     * preset without measurements the quiet preset is used, for such a resolution the finest measured one; the row
      * names what was used.
      *
      * @param scenario material, resolution and breathing
      * @param maxErrorMm rms over the diaphragm's nodes and the whole breath, mm
      * @throws BadInputException with one sentence, if no setting satisfies the bound or the scene was not measured
      */
-    public Chosen cheapest(Scenario scenario, double maxErrorMm) {
+    public SettingChoice cheapest(Scenario scenario, double maxErrorMm) {
         String material = scenario.material().label();
         List<Row> sameMaterial =
                 rows.stream().filter(r -> r.material().equals(material)).toList();
@@ -313,18 +306,8 @@ public record ErrorTable(String name, List<Row> rows) {
                 .orElseThrow(() -> new BadInputException(format(
                         "--max-error: found %s mm, expected at least %.3g mm, the least that was measured for material"
                                 + " %s at resolution %s",
-                        ReportNumbers.trimmed(maxErrorMm, 6), upward(least), material, resolution)));
-        String sentence = format(
-                "For an error of at most %s mm rms of the diaphragm: %s; measured %.3g mm rms (%.2g %% of the"
-                        + " excursion), %.3g mm at worst, on a %s breath of the virtual adult male at %s resolution.",
-                ReportNumbers.trimmed(maxErrorMm, 6),
-                row.point().settings().label(),
-                row.point().rmsMm(),
-                row.rmsPercent(),
-                row.point().maxMm(),
-                preset,
-                resolution);
-        return new Chosen(row.point().settings(), sentence);
+                        SettingChoice.number(maxErrorMm), upward(least), material, resolution)));
+        return new SettingChoice(row, maxErrorMm);
     }
 
     /** A bound with as many digits as a message states, not below it: what is stated is accepted. */

@@ -72,9 +72,26 @@ class ErrorStudyTest {
     @Test
     void theReportHasALineASettingAndTheJsonTheSame() {
         assertThat(ErrorReport.cells(study)).hasSameSizeAs(study.points());
-        assertThat(ErrorReport.heading(study)).contains("0.2 s of a breath, preset quiet");
+        assertThat(ErrorReport.heading(study))
+                .contains("nodes of the virtual adult male, 0.2 s of a breath, preset quiet");
         assertThat(new ErrorReport(List.of(study), Map.of()).values().toString())
-                .contains("reference_halving_rms_mm");
+                .contains("reference_halving_rms_mm", "until_s=0.2");
+    }
+
+    /** What costs less and errs less than can be measured leaves nothing to choose among what costs more. */
+    @Test
+    void theFrontHoldsNothingThatASettingWithAnUnresolvedErrorBeats() {
+        List<ErrorPoint> points = List.of(point(0.5, 0.02), point(1, 0.001), point(2, 0.01), point(3, 0.002));
+        assertThat(ErrorStudy.withParetoFront(points, 0.003))
+                .extracting(ErrorPoint::paretoOptimal)
+                .containsExactly(true, false, false, false);
+        assertThat(ErrorStudy.withParetoFront(points, 0.0005))
+                .extracting(ErrorPoint::paretoOptimal)
+                .containsExactly(true, true, false, false);
+    }
+
+    private static ErrorPoint point(double cpuS, double rmsMm) {
+        return new ErrorPoint(SolverSettings.of(SHEET), 1, rmsMm, 0, 0, 0, 0, cpuS, 0, 0, false, false);
     }
 
     @Test

@@ -44,8 +44,9 @@ class ErrorTableTest {
         assertThat(table.cheapest(PAPER, 0.05).settings().timeStepS()).isEqualTo(0.005);
         assertThat(table.cheapest(PAPER, 0.01).settings().timeStepS()).isEqualTo(0.005);
         assertThat(table.cheapest(PAPER, 1).settings().timeStepS()).isEqualTo(0.01);
-        assertThat(table.cheapest(PAPER, 0.05).sentence())
-                .contains("0.05 mm", "verlet, step 0.005 s, 2 sweeps, refresh 0.02 s", "0.0100 mm rms", "quiet", "low");
+        assertThat(table.cheapest(PAPER, 0.05).sentence(PAPER))
+                .contains("0.05 mm", "verlet, step 0.005 s, 2 sweeps, refresh 0.02 s", "0.0100 mm rms")
+                .endsWith("on 4 s of a quiet breath of the virtual adult male at low resolution.");
     }
 
     @Test
@@ -67,7 +68,7 @@ class ErrorTableTest {
                         "No setting that was measured keeps this error; --max-error: found 0.001 mm, expected at least"
                                 + " 0.00120 mm, the least that was measured for material paper at resolution low.");
         assertThat(ErrorReport.cheapestSentence(table, PAPER, 0.01))
-                .isEqualTo(table.cheapest(PAPER, 0.01).sentence());
+                .isEqualTo(table.cheapest(PAPER, 0.01).sentence(PAPER));
         assertThatThrownBy(() -> table.cheapest(Scenario.defaults(), 1))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("material physical");
@@ -82,9 +83,19 @@ class ErrorTableTest {
 
     @Test
     void aResolutionThatWasNotMeasuredIsTakenForTheFinestThatWasAndTheSentenceNamesIt() {
-        ErrorTable.Chosen chosen = table(row("quiet", 0.005, 0.01, 2)).cheapest(PAPER.with("resolution=high"), 0.05);
+        SettingChoice chosen = table(row("quiet", 0.005, 0.01, 2)).cheapest(PAPER.with("resolution=high"), 0.05);
         assertThat(chosen.settings().timeStepS()).isEqualTo(0.005);
-        assertThat(chosen.sentence()).contains("at low resolution");
+        assertThat(chosen.sentence(PAPER)).contains("at low resolution");
+    }
+
+    /** Cost and error of one body say little about another. */
+    @Test
+    void theSentenceNamesTheBodyThatWasMeasured() {
+        ErrorTable table = table(row("quiet", 0.005, 0.01, 2));
+        assertThat(ErrorReport.cheapestSentence(table, PAPER.with("anatomy=virtual/adult-female"), 0.05))
+                .contains("breath of the virtual adult female at");
+        assertThat(ErrorReport.cheapestSentence(table, PAPER.with("anatomy=data"), 0.05))
+                .contains("breath of the body data at");
     }
 
     @Test
