@@ -118,7 +118,7 @@ public class Regression {
 
     /**
      * Computes scenes and attempts and compares them with their references. All references are read before the first
-     * computation.
+     * computation. What diverges or cannot be computed fails with the sentence that says why; the others are compared.
      *
      * @param only names of scenes and attempts; empty for all
      * @throws BadInputException with one sentence, if a reference file is missing, invalid or belongs to another scene
@@ -161,20 +161,16 @@ public class Regression {
     private RegressionComparison compare(RegressionAttempt attempt, Map<String, String> then) {
         try {
             return attempt.compare(then, attempt.compute(body(attempt.scenario())));
-        } catch (DivergenceException diverged) {
-            return RegressionComparison.ofReport(attempt.name(), false, "", Double.NaN, diverged.getMessage());
+        } catch (DivergenceException | BadInputException | IllegalArgumentException failed) {
+            return RegressionComparison.ofReport(attempt.name(), false, "", Double.NaN, failed.getMessage());
         }
     }
 
     private RegressionComparison compare(RegressionScene scene, RegressionReference then) {
         try {
             return RegressionComparison.of(scene, then, compute(scene));
-        } catch (DivergenceException diverged) {
-            return RegressionComparison.failed(scene, diverged.getMessage());
-        } catch (BadInputException broken) {
-            throw broken;
-        } catch (IllegalArgumentException refused) {
-            return RegressionComparison.failed(scene, refused.getMessage());
+        } catch (DivergenceException | BadInputException | IllegalArgumentException failed) {
+            return RegressionComparison.failed(scene, failed.getMessage());
         }
     }
 

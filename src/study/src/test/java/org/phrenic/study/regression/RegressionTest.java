@@ -236,6 +236,32 @@ class RegressionTest {
         assertThat(attempt.compare(then, now).sentence()).contains("missing [attempt.hit]");
     }
 
+    /** Those compared before it, and its name, would be lost with an exception. */
+    @Test
+    void whatCanNoLongerBeDoneIsOffByItsNameAndTheOthersAreCompared() {
+        RegressionScene scene = scene("implicit");
+        RegressionAttempt attempt = Regression.shippedAttempts().get(0);
+        Regression regression = new Regression(null, List.of(scene), List.of(attempt), s -> without(body(s), "liver"));
+        List<RegressionComparison> comparisons = regression.check(List.of(), SILENT);
+        assertThat(comparisons).extracting(RegressionComparison::scene).containsExactly("implicit", attempt.name());
+        assertThat(comparisons.get(1).passes()).isFalse();
+        assertThat(comparisons.get(1).sentence()).contains("liver");
+        Regression bodiless = new Regression(null, List.of(scene), List.of(), s -> without(body(s), "diaphragm"));
+        assertThat(bodiless.check(List.of(), SILENT)).singleElement().satisfies(c -> {
+            assertThat(c.passes()).isFalse();
+            assertThat(c.sentence()).contains("diaphragm");
+        });
+    }
+
+    private static Thorax without(Thorax thorax, String name) {
+        return new Thorax(
+                thorax.name(),
+                thorax.structures().stream()
+                        .filter(structure -> !structure.name().equals(name))
+                        .toList(),
+                thorax.notes());
+    }
+
     @Test
     void aPositionLostOnTheWayIsCaughtByTheRun() {
         RegressionScene scene = small();
