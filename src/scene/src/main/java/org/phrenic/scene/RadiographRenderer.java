@@ -1,6 +1,8 @@
 package org.phrenic.scene;
 
 import java.awt.image.BufferedImage;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
@@ -30,6 +32,9 @@ public final class RadiographRenderer implements AutoCloseable {
     /** White over the attenuation that all but a thousandth of the body has, as tissue moves together in a breath. */
     private static final double HEADROOM = 1.05;
 
+    /** Decimals of an angle in degrees. */
+    private static final int ANGLE_DECIMALS = 3;
+
     /**
      * How the body is seen.
      *
@@ -40,12 +45,20 @@ public final class RadiographRenderer implements AutoCloseable {
      * @param height pixels
      */
     public record View(double leftObliqueDeg, double cranialDeg, double fieldMm, int width, int height) {
-        /** In words of the catheter laboratory, such as "LAO 30, cranial 10". */
+        /** In words of the catheter laboratory, such as "LAO 30, cranial 12.5", to a thousandth of a degree. */
         public String label() {
-            return (leftObliqueDeg < 0 ? "RAO " : "LAO ")
-                    + Math.round(Math.abs(leftObliqueDeg))
-                    + (cranialDeg < 0 ? ", caudal " : ", cranial ")
-                    + Math.round(Math.abs(cranialDeg));
+            return words(leftObliqueDeg, "LAO ", "RAO ") + ", " + words(cranialDeg, "cranial ", "caudal ");
+        }
+
+        private static String words(double degrees, String positive, String negative) {
+            String angle = angle(degrees);
+            return angle.startsWith("-") ? negative + angle.substring(1) : positive + angle;
+        }
+
+        /** An angle to a thousandth of a degree. */
+        public static String angle(double degrees) {
+            BigDecimal rounded = BigDecimal.valueOf(degrees).setScale(ANGLE_DECIMALS, RoundingMode.HALF_EVEN);
+            return rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();
         }
     }
 

@@ -1,7 +1,5 @@
 package org.phrenic.cli.option;
 
-import java.math.BigDecimal;
-import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.access.imaging.Fluoroscope;
@@ -12,7 +10,6 @@ import picocli.CommandLine.Option;
 /** Options for radiographs. */
 public final class RadiographOptions {
     private static final double DEFAULT_FIELD_MM = 600;
-    private static final int DECIMALS = 3;
 
     @Option(
             names = "--xray",
@@ -60,12 +57,7 @@ public final class RadiographOptions {
 
     /** Beginning of the file name of a radiograph: its angles, to a thousandth of a degree. */
     public static String fileName(View view) {
-        return "xray_" + angle(view.leftObliqueDeg()) + "_" + angle(view.cranialDeg());
-    }
-
-    private static String angle(double degrees) {
-        BigDecimal rounded = BigDecimal.valueOf(degrees).setScale(DECIMALS, RoundingMode.HALF_EVEN);
-        return rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();
+        return "xray_" + View.angle(view.leftObliqueDeg()) + "_" + View.angle(view.cranialDeg());
     }
 
     /** The views that are asked for, each once, of a size in pixels. */
