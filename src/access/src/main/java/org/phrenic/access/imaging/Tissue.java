@@ -1,6 +1,7 @@
 package org.phrenic.access.imaging;
 
 import java.util.Locale;
+import java.util.regex.Pattern;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.simulation.observe.Surface;
 
@@ -28,6 +29,7 @@ public enum Tissue {
     KIDNEY(1.05, 1.62, 1.00, -54),
     HEART(1.06, 1.64, 0.52, -55),
     BLOOD(1.06, 1.61, 0.15, -85),
+    /** Stands for urine in the bladder and the fluid of a cyst as well. */
     BILE(1.02, 1.56, 0.0022, -110),
     MUSCLE(1.05, 1.68, 0.96, -55),
     /**
@@ -42,6 +44,8 @@ public enum Tissue {
     RIB(1.41, 6.50, 15, -55),
     VERTEBRA(1.33, 6.50, 15, -55),
     STERNUM(1.25, 6.50, 15, -55);
+
+    private static final Pattern CYST = Pattern.compile("(.*_)?cysts?(_.*)?");
 
     private static final double CORTICAL_DENSITY = 1.92;
     private static final double SOFT_DENSITY = 1.05;
@@ -147,15 +151,17 @@ public enum Tissue {
         if (name.contains("trachea") || name.contains("bowel_gas")) {
             return GAS;
         }
+        if (name.contains("gall")
+                || name.contains("bladder")
+                || CYST.matcher(name).matches()) {
+            return BILE;
+        }
         if (name.contains("spleen")) {
             return SPLEEN;
         }
         if (name.contains("kidney")) {
             return KIDNEY;
         }
-        if (name.contains("heart")) {
-            return HEART;
-        }
-        return name.contains("gall") ? BILE : SOFT;
+        return name.contains("heart") ? HEART : SOFT;
     }
 }
