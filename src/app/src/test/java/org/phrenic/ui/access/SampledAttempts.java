@@ -42,9 +42,14 @@ public final class SampledAttempts {
     }
 
     public static AttemptRecord record(TargetingError... samples) {
+        return record(Needle.standard(), samples);
+    }
+
+    /** Samples that were taken with a needle. */
+    public static AttemptRecord record(Needle needle, TargetingError... samples) {
         return new AttemptRecord(
                 TARGET,
-                Needle.standard(),
+                needle,
                 Set.of(),
                 List.of(samples),
                 List.of(),

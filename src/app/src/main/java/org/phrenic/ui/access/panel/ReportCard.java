@@ -69,8 +69,9 @@ public final class ReportCard extends JPanel {
         String core = sample.coreInTargetMm().isEmpty()
                 ? ""
                 : Numbers.format(
-                        " Of the core of %.0f mm, %.1f mm lay in it.",
-                        record.needle().coreMm(), sample.coreInTargetMm().getAsDouble());
+                        " Of the core of %s mm, %.1f mm lay in it.",
+                        number(record.needle().coreMm()),
+                        sample.coreInTargetMm().getAsDouble());
         String what = core.isEmpty() ? "the tip" : "the middle of the core";
         return Controls.capitalise(record.whichSample() + what) + place(sample) + core;
     }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.OptionalDouble;
 import javax.swing.text.BadLocationException;
 import org.junit.jupiter.api.Test;
+import org.phrenic.access.Needle;
 import org.phrenic.access.attempt.NeedleLoad;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.ui.access.SampledAttempts;
@@ -45,6 +46,18 @@ class TargetingTextTest {
                 .startsWith("In the last, the tip was 13.0 mm from");
         assertThat(ReportCard.sampleText(SampledAttempts.record(SHORT))).startsWith("The tip was 13.0 mm from");
         assertThat(ReportCard.sampleText(SampledAttempts.record())).contains("without a sample");
+    }
+
+    /**
+     * A needle may cut a core of any length within its range, and no more of it than there is can lie in the target.
+     */
+    @Test
+    void theCardStatesTheCoreAsLongAsItIs() {
+        TargetingError hit = new TargetingError(3, 4, true, OptionalDouble.of(10.4));
+        assertThat(ReportCard.sampleText(SampledAttempts.record(new Needle(18, 150, 10.4), hit)))
+                .endsWith(" Of the core of 10.4 mm, 10.4 mm lay in it.");
+        assertThat(ReportCard.sampleText(SampledAttempts.record(new Needle(18, 150, 22), hit)))
+                .endsWith(" Of the core of 22 mm, 10.4 mm lay in it.");
     }
 
     @Test
