@@ -101,7 +101,8 @@ public final class TissueMass extends ScenePart {
         int pastSheet = sheet.firstNode + sheet.diaphragm.sheet().vertexCount();
         return (value, assembled, asAssembled) -> {
             double all = value[0] / assembled[0];
-            // The mass of tissue goes with its stiffness relative to muscle, the least mass with that of its springs.
+            // The mass of tissue goes with its stiffness relative to muscle. The least mass goes with the lungs'
+            // stiffness, and with the tendon's relative to muscle.
             double tendon = perArea ? value[2] / assembled[2] : 1;
             double lungSprings = perArea ? value[4] / assembled[4] : 1;
             double lung = perArea ? lungSprings / (value[3] / assembled[3]) : 1;
