@@ -22,11 +22,12 @@ public final class BreathCycle {
      */
     public static List<BreathMoment> record(Simulation simulation, SceneSurfaces surfaces, int phases) {
         double start = simulation.time();
+        double breathS = simulation.breathDurationS();
         List<BreathMoment> moments = new ArrayList<>();
         Frame frame = surfaces.newFrame();
         for (int i = 0; i < phases; i++) {
             double dt = simulation.stepper().dt();
-            while (!isDue(simulation.time() - start, dt, simulation.breathDurationS(), i, phases)) {
+            while (!isDue(simulation.time() - start, dt, breathS, i, phases)) {
                 simulation.step();
             }
             surfaces.capture(frame);

@@ -55,7 +55,7 @@ import picocli.CommandLine.Spec;
             "",
             "DIR gets report.html, report.md and pictures/. The report comes last: a folder that has one is complete.",
             "Where nothing draws, it has a sentence in place of each picture, and the exit code is 4.",
-            "Scans that cannot be used are named in it, and the exit code is 3.",
+            "Scans that cannot be used, and breaths that cannot be simulated, are named in it, and the exit code is 3.",
             "",
             Disclaimer.TEXT
         })

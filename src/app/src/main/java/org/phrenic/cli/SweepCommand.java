@@ -13,6 +13,7 @@ import org.phrenic.cli.report.ReportingCommand;
 import org.phrenic.cli.report.SparkSubmit;
 import org.phrenic.cli.report.TextTable;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.file.BadInputException;
 import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.sweep.RunRow;
 import org.phrenic.study.sweep.SweepPlan;
@@ -28,6 +29,7 @@ import org.phrenic.study.sweep.run.SweepRunner;
 import org.phrenic.study.sweep.run.ThreadExecutor;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
@@ -86,7 +88,11 @@ final class SweepCommand extends ReportingCommand {
         if (page == null) {
             requireRead(name -> !name.equals("--made-by"), "without --page, expected both");
         }
+        if (page != null && !page.toString().endsWith(".md")) {
+            throw new BadInputException("--page: found '" + page + "', expected a Markdown file such as study.md");
+        }
         ReportFolder.requireWritableFile("--page", page);
+        ReportFolder.requireNotRead("--page", page, file);
         if (merge != null) {
             if (file != null || out != null || shard != null || master != null || threads != null) {
                 throw new ParameterException(commandLine(), "found --merge with other options, expected it alone");
@@ -126,8 +132,10 @@ final class SweepCommand extends ReportingCommand {
             arguments.addAll(List.of("--page", page.toString()));
         }
         arguments.addAll(provenance.arguments());
-        if (isJson()) {
-            arguments.add("--json");
+        for (OptionSpec given : commandLine().getParseResult().matchedOptions()) {
+            if (given.longestName().equals("--json") || given.longestName().equals("--debug")) {
+                arguments.add(given.longestName());
+            }
         }
         return arguments;
     }

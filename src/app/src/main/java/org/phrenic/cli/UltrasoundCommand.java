@@ -76,7 +76,7 @@ final class UltrasoundCommand extends ReportingCommand {
             ProbeOnSkin place = probeOptions.place(player.surfaces());
             Ultrasound ultrasound = new Ultrasound(player.surfaces(), probeOptions.probe(), scenario.threads());
             for (String name : ultrasound.leftOut()) {
-                progress.note(name + " is open and is not in the images.");
+                progress.note(name + " is open or the pleura, and is not in the images.");
             }
             AtomicFile.delete(out.resolve(REPORT));
             for (double time : times) {

@@ -158,16 +158,18 @@ final class ValidateCommand extends ReportingCommand {
             if (effects != null) {
                 text.append(TextTable.ofNumbers(effects.cells())).append('\n');
             }
-            text.append(verdict(validation));
+            text.append(verdict(validation, effects));
             return withDisclaimer(text.toString());
         });
     }
 
-    private static String verdict(Validation validation) {
+    private static String verdict(Validation validation, SensitivityReport effects) {
         int failed = validation.failures().size();
-        return validation.passes()
-                ? "passed"
-                : "failed: " + (failed > 0 ? failed + " breaths" : "a range of confidence S or R+ is missed");
+        if (!validation.passes()) {
+            String breaths = failed == 1 ? "1 breath" : failed + " breaths";
+            return "failed: " + (failed > 0 ? breaths : "a range of confidence S or R+ is missed");
+        }
+        return effects == null || effects.isComplete() ? "passed" : "failed: breaths of the sensitivity";
     }
 
     private static String table(Validation.Body body) {

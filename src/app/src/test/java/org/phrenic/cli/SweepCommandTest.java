@@ -150,6 +150,8 @@ class SweepCommandTest {
                 List.of("sweep", file, "--out", out, "--shard", "1/2", "--master", "local[1]"),
                 List.of("sweep", file, "--out", out, "--made-by", "me"),
                 List.of("sweep", file, "--out", out, "--page", file + "/found.md"),
+                List.of("sweep", file, "--out", out, "--page", file),
+                List.of("sweep", file, "--out", out, "--page", out + "/journal.csv"),
                 List.of("sweep", folder.resolve("none.yaml").toString(), "--out", out))) {
             CommandLineRun run = CommandLineRun.of(args.toArray(String[]::new));
             assertThat(run.exitCode()).as(args.toString()).isEqualTo(ExitCode.BAD_INPUT);

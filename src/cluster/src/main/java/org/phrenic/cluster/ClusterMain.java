@@ -2,6 +2,7 @@ package org.phrenic.cluster;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.phrenic.cli.Phrenic;
 
 /**
@@ -22,7 +23,9 @@ public final class ClusterMain {
     /** The arguments with the master of Spark, unless they state one, or need none. */
     static List<String> withMaster(List<String> args, String master) {
         List<String> all = new ArrayList<>(args);
-        boolean runs = args.contains("sweep") && !states(args, "--merge") && !states(args, "--shard");
+        boolean sweeps =
+                args.stream().filter(arg -> !arg.startsWith("-")).findFirst().equals(Optional.of("sweep"));
+        boolean runs = sweeps && !states(args, "--merge") && !states(args, "--shard");
         if (runs && master != null && !states(args, MASTER)) {
             all.addAll(List.of(MASTER, master));
         }

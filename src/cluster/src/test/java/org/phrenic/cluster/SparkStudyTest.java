@@ -195,6 +195,8 @@ class SparkStudyTest {
         List<String> args = List.of("sweep", "study.yaml", "--out", "x");
         assertThat(ClusterMain.withMaster(args, "yarn")).endsWith("--master", "yarn");
         assertThat(ClusterMain.withMaster(args, null)).isEqualTo(args);
+        List<String> run = List.of("run", "--out", "sweep");
+        assertThat(ClusterMain.withMaster(run, "yarn")).isEqualTo(run);
         assertThat(ClusterMain.withMaster(List.of("sweep", "--merge", "x"), "yarn"))
                 .doesNotContain("--master");
         assertThat(ClusterMain.withMaster(List.of("sweep", "--master", "local[1]"), "yarn"))

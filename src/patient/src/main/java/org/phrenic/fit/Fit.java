@@ -189,11 +189,13 @@ public final class Fit {
     private List<String> warnings(FitSearch.Result found) {
         int needed = 1 + setup.parameters().size();
         int count = found.trials().size();
-        return count <= needed && found.isCutShort()
-                ? List.of("Only " + count + (count == 1 ? " breath was" : " breaths were") + " simulated: the first and"
-                        + " what each of " + (needed - 1) + " parameters does take " + needed
-                        + ", so hardly anything was searched; expected --evaluations of " + 3 * needed + " or more.")
-                : List.of();
+        if (count > needed || !found.isCutShort()) {
+            return List.of();
+        }
+        String expected = found.isOutOfTime() ? "more --minutes" : "--evaluations of " + 3 * needed + " or more";
+        return List.of("Only " + count + (count == 1 ? " breath was" : " breaths were") + " simulated: the first and"
+                + " what each of " + (needed - 1) + " parameters does take " + needed
+                + ", so hardly anything was searched; expected " + expected + ".");
     }
 
     private FitResult result(FitObjective objective, double initialMm, FitSearch.Result found, long begunNs) {

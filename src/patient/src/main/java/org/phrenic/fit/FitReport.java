@@ -95,7 +95,7 @@ public record FitReport(FitResult result) {
     public String summary() {
         FitSetup setup = result.setup();
         return Numbers.format(
-                "The mean distance to the fitted targets fell from %.2f mm (body at end-expiration; %s) to %.2f mm%s."
+                "The mean distance to the fitted targets went from %.2f mm (body at end-expiration; %s) to %.2f mm%s."
                         + " %d parameters, %d evaluations in generations of %d, seed %d; it ended because %s. %s",
                 result.initialMm(),
                 Double.isNaN(result.untunedMm())

@@ -15,7 +15,7 @@ public final class BodyPlausibility {
     private static final double MIN_SIZE = 0.5;
 
     private static final double MAX_SIZE = 1.7;
-    /** Ratio of the largest to the smallest factor beyond which a body gets a note, and from which it is refused. */
+    /** Ratio of the largest to the smallest factor beyond which a body gets a note, and beyond which it is refused. */
     private static final double NOTED_RATIO = 1.5;
 
     private static final double MAX_RATIO = 1.75;
@@ -34,7 +34,7 @@ public final class BodyPlausibility {
         double size = StrictMath.cbrt(factors[0] * factors[1] * factors[2]);
         if (!(size >= MIN_SIZE && size <= MAX_SIZE)) {
             throw new BadInputException(Numbers.format(
-                    "found a body %.2g times as large as %s, expected %.1f to %.1f times; is the spacing right? see"
+                    "found a body %.3f times as large as %s, expected %.1f to %.1f times; is the spacing right? see"
                             + " --spacing",
                     size, template, MIN_SIZE, MAX_SIZE));
         }

@@ -246,7 +246,7 @@ class FitTest {
                 true,
                 new FitResult.Search(new double[] {2}, "it was told to", List.of(), List.of(), Double.NaN, 1)));
         assertThat(report.summary())
-                .contains("fell from 4.00 mm (body at end-expiration; the breath with the initial parameters failed)")
+                .contains("went from 4.00 mm (body at end-expiration; the breath with the initial parameters failed)")
                 .doesNotContain("NaN");
         assertThat(report.parameters().get(0)).endsWith("failed", "bound");
         assertThat(JsonWriter.format(report.values()))

@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.List;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
@@ -46,9 +47,15 @@ public final class PresetRun {
         int breath = Observation.COLUMNS.indexOf("breath");
         double endS = simulation.durationS();
         boolean over = false;
+        boolean held = false;
         while (true) {
             rows.add(row(frame, measures, columns.size()));
-            labels.add(simulation.breathLabel());
+            RespiratoryPhase label = simulation.breathLabel();
+            // The closed glottis of a cough is no hold that a breath ends with.
+            boolean isHold = label == RespiratoryPhase.HOLD
+                    && (!periodic || simulation.settings().get(Breathing.HOLD));
+            held |= isHold;
+            labels.add(label == RespiratoryPhase.HOLD && !isHold ? RespiratoryPhase.EXPIRATION : label);
             if (over) {
                 return new BreathSeries(columns, rows, labels);
             }
@@ -57,8 +64,7 @@ public final class PresetRun {
                 simulation.step();
             }
             surfaces.capture(frame);
-            boolean released =
-                    labels.contains(RespiratoryPhase.HOLD) && simulation.breathLabel() != RespiratoryPhase.HOLD;
+            boolean released = held && simulation.breathLabel() != RespiratoryPhase.HOLD;
             boolean whole = periodic && frame.values()[breath] > rows.get(0)[breath];
             over = released || whole || simulation.time() >= endS;
         }

@@ -142,7 +142,7 @@ public final class CsvTable {
                 quoted = !quoted;
             } else if (!quoted && c == ';') {
                 return ';';
-            } else if (!quoted && c == '\n' && i > 0) {
+            } else if (!quoted && c == '\n' && !content.substring(0, i).isBlank()) {
                 break;
             }
         }

@@ -212,9 +212,10 @@ public final class Simulation implements AutoCloseable {
         return scene.drive().pattern().periodS();
     }
 
-    /** Period of the breathing pattern, or the duration with one that is not periodic, s. */
+    /** Period of the breathing pattern that was set last, or the duration with one that is not periodic, s. */
     public double breathDurationS() {
-        return Double.isInfinite(breathPeriodS()) ? durationS() : breathPeriodS();
+        double periodS = scene.drive().pattern().patternPeriodS();
+        return Double.isInfinite(periodS) ? durationS() : periodS;
     }
 
     /** Simulated time, s. */

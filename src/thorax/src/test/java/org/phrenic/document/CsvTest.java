@@ -40,7 +40,8 @@ class CsvTest {
 
     @Test
     void aSpreadsheetWithSemicolonsDecimalCommasAndAByteOrderMarkIsUnderstood() {
-        byte[] bytes = "\uFEFFtime_s;volume_ml\r\n0,5;500\r\n1.5;-0,25\r\n".getBytes(StandardCharsets.UTF_8);
+        // A line with nothing before the header.
+        byte[] bytes = "\uFEFF\r\ntime_s;volume_ml\r\n0,5;500\r\n1.5;-0,25\r\n".getBytes(StandardCharsets.UTF_8);
         CsvTable table = CsvTable.read(MeshSamples.write(folder, "t.csv", bytes));
         assertThat(table.numbers("time_s")).containsExactly(0.5, 1.5);
         assertThat(table.numbers("volume_ml")).containsExactly(500, -0.25);

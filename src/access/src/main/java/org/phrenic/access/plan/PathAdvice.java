@@ -78,6 +78,11 @@ public record PathAdvice(Level level, String headline, List<String> reasons, Str
         return Numbers.format("%.1f mm from %s", marginMm, nearest);
     }
 
+    /** A margin in mm, such as "8.3", or "40.0 or more". */
+    static String margin(double marginMm) {
+        return Numbers.format(marginMm >= PathAnalyzer.MAX_DISTANCE_MM ? "%.1f or more" : "%.1f", marginMm);
+    }
+
     private static String way(PathAnalysis path) {
         double angle = path.capsuleAngleDeg();
         return Numbers.format("%.0f mm to the target", path.lengthMm())

@@ -320,7 +320,8 @@ public final class RehearsalReport {
             BreathMoment moment = path.cycle().get(m);
             String reasons = String.join(", ", path.reasons(m));
             String free = reasons.isEmpty() ? "free" : reasons;
-            rows.add(List.of(number(moment.timeS()), moment.label().label(), free, mm(path.marginsMm()[m])));
+            rows.add(List.of(
+                    number(moment.timeS()), moment.label().label(), free, PathAdvice.margin(path.marginsMm()[m])));
         }
         document.table("", Column.list("# Time, s | Breathing | Path | # Margin, mm"), rows);
     }

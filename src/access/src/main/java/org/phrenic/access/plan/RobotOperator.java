@@ -15,8 +15,9 @@ import org.phrenic.mesh.Vectors;
  * sees the target, with normally distributed errors of the hand; it advances the needle to the depth that it sees, with
  * such an error too, and takes the sample a reaction time after the needle has arrived. While the body breathes it is
  * gated: it advances while it sees the target within {@value #GATE_MM} mm of its place at end-expiration, and stops
- * when it no longer does. In a held breath it advances without a stop; the patient holds the breath 0.4 s after the end
- * of the expiration. It does not correct the direction. The breath is a {@link RepeatedBreath}.
+ * when it no longer does. In a held breath it advances without a stop; the patient holds the breath 0.4 s after the
+ * image shows the target within that distance in expiration. It does not correct the direction. The breath is a
+ * {@link RepeatedBreath}.
  */
 public final class RobotOperator {
     private static final double FRAME_S = 0.05;

@@ -134,8 +134,8 @@ final class BenchWindowCommand extends ReportingCommand {
                 "Pace of the window, " + door,
                 "A window of " + frame + " pixels on "
                         + scenario.resolved().anatomy() + ", "
-                        + ReportNumbers.label(scenario.resolved().resolution()) + " resolution, measured for " + seconds
-                        + " s after a warm-up.");
+                        + ReportNumbers.label(scenario.resolved().resolution()) + " resolution, measured for "
+                        + WindowBenchmark.measuredS(seconds) + " s after a warm-up.");
         page.points(made.lines().toArray(String[]::new));
         page.paragraph("Real time: simulated over wall time; least over any " + WindowBenchmark.INTERVAL_S
                 + " s, and mean. Processors: processor time over wall time, of the process and of its threads. Bare"

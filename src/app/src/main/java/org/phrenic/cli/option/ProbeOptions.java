@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.phrenic.access.Needle;
+import org.phrenic.access.plan.ProbeHold;
 import org.phrenic.access.ultrasound.CurvilinearProbe;
 import org.phrenic.access.ultrasound.LiverWindow;
 import org.phrenic.access.ultrasound.ProbeOnSkin;
@@ -86,8 +87,8 @@ public final class ProbeOptions {
     public ProbePose.Angles angles() {
         return new ProbePose.Angles(
                 OptionValues.number("--rotate", rotate, -360, 360),
-                OptionValues.number("--tilt", tilt, -80, 80),
-                OptionValues.number("--rock", rock, -80, 80));
+                OptionValues.number("--tilt", tilt, -ProbeHold.MOST_TILT_DEG, ProbeHold.MOST_TILT_DEG),
+                OptionValues.number("--rock", rock, -ProbeHold.MOST_TILT_DEG, ProbeHold.MOST_TILT_DEG));
     }
 
     /** The controls of the scanner. */
@@ -95,8 +96,8 @@ public final class ProbeOptions {
         return new UltrasoundSettings(
                 OptionValues.number(
                         "--depth", depth, UltrasoundSettings.LEAST_DEPTH_MM, UltrasoundSettings.GREATEST_DEPTH_MM),
-                OptionValues.number("--gain", gain, -60, 60),
-                OptionValues.number("--depth-gain", depthGain, 0, 3),
+                OptionValues.number("--gain", gain, -ProbeHold.MOST_GAIN_DB, ProbeHold.MOST_GAIN_DB),
+                OptionValues.number("--depth-gain", depthGain, 0, ProbeHold.MOST_DEPTH_GAIN),
                 OptionValues.number("--dynamic-range", dynamicRange, 20, 120));
     }
 

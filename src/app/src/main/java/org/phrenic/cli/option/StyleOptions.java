@@ -176,7 +176,7 @@ public final class StyleOptions {
         }
         double mm = OptionValues.number("--clip " + clip, clip.substring(2));
         if (Math.abs(mm) > FARTHEST_CLIP_MM) {
-            throw new BadInputException("--clip: found " + clip.substring(2) + " mm, expected at most 100000 mm");
+            throw new BadInputException("--clip: found " + clip.substring(2) + " mm, expected -100000 to 100000 mm");
         }
         double[] normal = CLIP_NORMALS[side];
         return Optional.of(new ClipPlane(normal[0], normal[1], normal[2], mm));

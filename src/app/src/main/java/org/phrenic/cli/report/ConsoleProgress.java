@@ -1,7 +1,10 @@
 package org.phrenic.cli.report;
 
 import java.io.Console;
+import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.Numbers;
 import org.phrenic.fit.FitProgress;
@@ -19,12 +22,17 @@ public class ConsoleProgress
     private static final long FIRST_ESTIMATE_NS = 10_000_000_000L;
     private static final long BAR_INTERVAL_NS = 100_000_000L;
 
+    /** On Linux, a link to what stderr is. */
+    private static final Path STDERR = Path.of("/proc/self/fd/2");
+
     private final PrintWriter err;
     private final String counted;
     private final boolean terminal = isTerminal();
     private final long begun = System.nanoTime();
     private long last = begun;
     private boolean drawn;
+    /** Items that were done before. */
+    private int known;
 
     /** Progress with the counter label "runs done". */
     public ConsoleProgress(PrintWriter err) {
@@ -37,12 +45,23 @@ public class ConsoleProgress
         this.counted = counted;
     }
 
-    /** Whether stderr is a terminal that can redraw a line. */
-    @SuppressWarnings("SystemConsoleNull") // null before Java 22, isTerminal() since then
+    /** Whether stderr is a terminal that can redraw a line; where the system does not tell, whether stdout is. */
     private static boolean isTerminal() {
-        Console console = System.console();
         String kind = System.getenv("TERM");
-        if (console == null || kind == null || kind.equals("dumb")) {
+        if (kind == null || kind.equals("dumb")) {
+            return false;
+        }
+        try {
+            return Files.readSymbolicLink(STDERR).toString().matches("/dev/(pts|tty).*");
+        } catch (IOException | UnsupportedOperationException untold) {
+            return isConsole();
+        }
+    }
+
+    @SuppressWarnings("SystemConsoleNull") // null before Java 22, isTerminal() since then
+    private static boolean isConsole() {
+        Console console = System.console();
+        if (console == null) {
             return false;
         }
         try {
@@ -85,8 +104,14 @@ public class ConsoleProgress
     }
 
     @Override
+    public void resumed(int count) {
+        known = count;
+    }
+
+    @Override
     public void done(int count, int total, String what) {
-        note(count + " of " + total + " " + counted + timeLeft(System.nanoTime() - begun, count, total) + ": " + what);
+        String left = timeLeft(System.nanoTime() - begun, count - known, total - known);
+        note(count + " of " + total + " " + counted + left + ": " + what);
     }
 
     /**

@@ -44,13 +44,9 @@ public final class CopyCommandAction extends AbstractAction {
                 clipboard.get().setContents(new StringSelection(state.command()), null);
                 done.accept(state);
             } catch (IllegalStateException busy) {
-                refuse(busy.getMessage());
+                session.refuse("The clipboard took no text: " + busy.getMessage());
             }
         };
-        BackgroundWorker.execute(session.live()::reproduction, copy, this::refuse);
-    }
-
-    private void refuse(String reason) {
-        session.refuse("The clipboard took no text: " + reason);
+        BackgroundWorker.execute(session.live()::reproduction, copy, session::refuse);
     }
 }

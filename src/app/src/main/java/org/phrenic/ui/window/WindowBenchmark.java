@@ -182,7 +182,7 @@ public final class WindowBenchmark {
         Map<String, Long> threadsBefore = threadTimes();
         Sample first = sample();
         Sample before = first;
-        for (int i = 0; i < Math.max(1, Math.round(settings.seconds() / INTERVAL_S)); i++) {
+        for (int i = 0; i < Math.round(measuredS(settings.seconds()) / INTERVAL_S); i++) {
             sleepS(INTERVAL_S);
             Sample now = sample();
             Interval interval = between(before, now);
@@ -277,6 +277,11 @@ public final class WindowBenchmark {
         return (System.currentTimeMillis()
                         - ManagementFactory.getRuntimeMXBean().getStartTime())
                 * 1e-3;
+    }
+
+    /** Time that is measured, s: the one asked for, in whole intervals. */
+    public static double measuredS(double seconds) {
+        return INTERVAL_S * Math.max(1, Math.round(seconds / INTERVAL_S));
     }
 
     private static void await(String what, BooleanSupplier holds) {

@@ -13,6 +13,12 @@ class ConsoleProgressTest {
         assertThat(ConsoleProgress.timeLeft(660 * SECOND, 3, 182)).isEqualTo(" (about 656 min left)");
     }
 
+    /** 900 of 1000 were done before. */
+    @Test
+    void whatWasDoneBeforeTookNoTimeOfThisProcess() {
+        assertThat(ConsoleProgress.timeLeft(10 * SECOND, 901 - 900, 1000 - 900)).isEqualTo(" (about 17 min left)");
+    }
+
     @Test
     void nothingIsEstimatedFromTheFirstSecondsNorAfterTheLastItem() {
         assertThat(ConsoleProgress.timeLeft(9 * SECOND, 3, 7)).isEmpty();

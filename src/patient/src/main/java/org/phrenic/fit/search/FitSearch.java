@@ -116,7 +116,11 @@ public final class FitSearch {
 
         /** Whether a limit ended the search. */
         public boolean isCutShort() {
-            return ended.equals(Ending.EVALUATIONS.label) || ended.equals(Ending.TIME.label);
+            return ended.equals(Ending.EVALUATIONS.label) || isOutOfTime();
+        }
+
+        public boolean isOutOfTime() {
+            return ended.equals(Ending.TIME.label);
         }
     }
 

@@ -76,7 +76,7 @@ final class RoughAlignment {
         }
     }
 
-    /** Centre of volume of a closed surface, of the area of an open one, mm. */
+    /** Centre of the area of a surface, mm. */
     static double[] centroid(TriangleMesh mesh) {
         double[] areas = MeshMeasure.vertexAreas(mesh);
         double[] c = new double[3];
@@ -114,7 +114,7 @@ final class RoughAlignment {
             cut.forEach(s -> known.add(centroid(s.template()), centroid(s.scan()), CUT_SIGMA_MM));
         }
         TemplateMap map = fit(known);
-        for (int i = 0; i < REFINEMENTS && !organs.isEmpty(); i++) {
+        for (int i = 0; i < REFINEMENTS && !(organs.isEmpty() && cutPairs.isEmpty()); i++) {
             PointPairs pairs = new PointPairs();
             pairs.addAll(known);
             for (SurfacePair pair : cutPairs) {

@@ -18,7 +18,7 @@ import org.phrenic.patient.label.LabelTable;
  * leaves of a rib that passes through it.
  */
 final class RibComponents {
-    /** Parts smaller than this share of the median part are fragments. */
+    /** Parts smaller than this share of the median part, or of the twelfth of many, are fragments. */
     private static final double FRAGMENT = 0.05;
 
     private static final int MIN_VOXELS = 20;
@@ -124,7 +124,7 @@ final class RibComponents {
                 .toList();
         int large = parts.isEmpty()
                 ? 0
-                : parts.get(Math.min(parts.size() - 1, 11)).voxels.size();
+                : parts.get(Math.min(parts.size() / 2, 11)).voxels.size();
         for (Rib rib : byComponent.values()) {
             boolean whole = rib.voxels.size() >= Math.max(MIN_VOXELS, FRAGMENT * large);
             (whole ? ribs : fragments).add(rib);

@@ -115,6 +115,24 @@ class RibSidesTest {
                         + " ribs of both sides, or the names ribs_R and ribs_L");
     }
 
+    /** An abdominal scan with ribs 8 to 12, in which a speck of rib 9 lies within the ribs of the other side. */
+    @Test
+    void aSpeckIsNoRibWhereAScanShowsFewRibs() {
+        CageVoxels cage = CageVoxels.withFloatingRibs();
+        for (int v = 0; v < cage.labels.length; v++) {
+            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            boolean upper = (label >= CageVoxels.rib(1, false) && label < CageVoxels.rib(8, false))
+                    || (label >= CageVoxels.rib(1, true) && label < CageVoxels.rib(8, true));
+            cage.labels[v] = upper ? 0 : cage.labels[v];
+        }
+        cage.withVertebrae(8).ball(78, 36, 44, 2.2, CageVoxels.rib(9, true));
+        Set<String> both = ribs(true, 8);
+        both.addAll(ribs(false, 8));
+        assertThat(named(cage, LabelTable.RIBS)).isEqualTo(both);
+        Segmentation s = cage.segmentation(CageVoxels.table(false));
+        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+    }
+
     /** A field of view that shows the whole right side, and of the left one the backs of ribs 10 to 12. */
     @Test
     void aFewRibsOfTheOtherSideDoNotMoveTheMedianPlane() {

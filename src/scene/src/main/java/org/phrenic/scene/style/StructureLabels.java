@@ -2,6 +2,7 @@ package org.phrenic.scene.style;
 
 import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
@@ -10,6 +11,9 @@ import org.phrenic.simulation.observe.Surface;
 
 /** Display names of structures, such as "Rib 5 right" for {@code rib_05_R}. */
 public final class StructureLabels {
+    /** Number of a vertebra in small letters. */
+    private static final Pattern VERTEBRAL = Pattern.compile("[ctls]\\d+");
+
     private StructureLabels() {}
 
     public static String of(Surface surface) {
@@ -32,8 +36,16 @@ public final class StructureLabels {
             case SKIN -> "Skin";
             case PLEURA -> "Pleura" + side(s.side());
             case STERNUM, DIAPHRAGM, LIVER -> capitalized(name);
-            default -> capitalized(OrganNames.words(name)) + side(s.side());
+            default -> vertebral(capitalized(OrganNames.words(name))) + side(s.side());
         };
+    }
+
+    /** Words whose last, if it numbers a vertebra, has a capital letter: "Vertebra C7". */
+    private static String vertebral(String words) {
+        int last = words.lastIndexOf(' ') + 1;
+        return VERTEBRAL.matcher(words.substring(last)).matches()
+                ? words.substring(0, last) + words.substring(last).toUpperCase(Locale.ROOT)
+                : words;
     }
 
     /** Plural display name of a kind of structure, for lists: "Ribs". */

@@ -16,6 +16,8 @@ class StructureLabelsTest {
                 "costal_cartilage_02_L | Costal cartilage 2 left",
                 "vertebra_T06 | Vertebra T6",
                 "vertebra_L1 | Vertebra L1",
+                "vertebra_C7 | Vertebra C7",
+                "vertebra_S1 | Vertebra S1",
                 "disc_T12_L1 | Disc T12-L1",
                 "disc_L5_S1 | Disc L5-S1",
                 "disc_C7_T1 | Disc C7-T1",

@@ -36,6 +36,9 @@ public record BudgetPlan(
         double windowShare,
         List<String> settings,
         List<Scenario> variants) {
+    /** The key with which the text of a plan begins. */
+    static final String FIRST_KEY = "program";
+
     /** Part of a breath until the domes stand lowest: inspiration, a pause, and what they lag behind. */
     private static final double INSPIRATION_SHARE = 0.6;
 
@@ -130,7 +133,7 @@ public record BudgetPlan(
     String identity() {
         Map<String, Object> map = new LinkedHashMap<>();
         String version = BudgetPlan.class.getPackage().getImplementationVersion();
-        map.put("program", version == null ? "not packaged" : version);
+        map.put(FIRST_KEY, version == null ? "not packaged" : version);
         map.put("window_share", windowShare);
         map.put("bodies", bodies.stream().map(BudgetPlan::contentOf).toList());
         map.put("breaths", breaths);

@@ -37,6 +37,9 @@ public final class BudgetTable {
         Path stated = folder.resolve(PLAN);
         String identity = plan.identity();
         if (!Files.exists(file)) {
+            if (Files.exists(stated) && !TextFile.read(stated, "a plan").startsWith(BudgetPlan.FIRST_KEY + ":")) {
+                throw new BadInputException(stated + ": found a file of another kind, expected another folder");
+            }
             AtomicFile.write(stated, identity);
             return;
         }

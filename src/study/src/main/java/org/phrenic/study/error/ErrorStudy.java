@@ -120,6 +120,7 @@ public record ErrorStudy(
             double[] proof = {apart[0], apart[1], allApart[0], allApart[1]};
             List<ErrorPoint> points = new ArrayList<>();
             Map<SolverSettings, Double> excursionsMm = new HashMap<>();
+            int measured = 2;
             for (SolverSettings settings : wanted) {
                 try {
                     Trajectory run = runs.run(settings);
@@ -128,7 +129,7 @@ public record ErrorStudy(
                 } catch (DivergenceException | IllegalArgumentException gone) {
                     leftOut.add(settings.label() + ": " + gone.getMessage());
                 }
-                progress.done(points.size() + 2, total, settings.label());
+                progress.done(++measured, total, settings.label());
             }
             List<EquilibriumLag> equilibrium = scenario.material() == Materials.PHYSICAL && lag
                     ? EquilibriumLag.of(runs, exact, SolverSettings.of(scenario))

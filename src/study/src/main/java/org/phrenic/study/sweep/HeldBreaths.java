@@ -70,7 +70,9 @@ final class HeldBreaths {
         BreathingPattern pattern = Breathing.patternOf(scenario);
         BreathState state = new BreathState();
         boolean held = scenario.hold() || scenario.changes().stream().anyMatch(change -> holds(scenario, change));
-        for (double t = 0; !held && t < pattern.fullDurationS(); t += BreathModel.SAMPLE_S) {
+        // The closed glottis of a cough, which comes again, is no hold that a breath ends with.
+        boolean ends = Double.isInfinite(pattern.periodS());
+        for (double t = 0; ends && !held && t < pattern.fullDurationS(); t += BreathModel.SAMPLE_S) {
             pattern.at(t, state);
             held = state.respiratoryPhase == RespiratoryPhase.HOLD;
         }

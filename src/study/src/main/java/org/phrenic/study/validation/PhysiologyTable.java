@@ -24,6 +24,10 @@ import org.phrenic.study.measure.SceneObservables;
  * @param ranges in the order of the file
  */
 public record PhysiologyTable(String name, List<ReferenceRange> ranges) {
+    /** Keys that say what is measured. */
+    private static final List<String> MEASURES =
+            List.of("observable", "observables", "reduction", "against", "against_preset", "share");
+
     private static final String NONE = "none";
     private static final List<String> SEXES = List.of("male", "female");
     private static final List<String> KEYS = List.of(("key preset body observable observables reduction against"
@@ -89,6 +93,9 @@ public record PhysiologyTable(String name, List<ReferenceRange> ranges) {
         require(!reasoned || !missReason.isBlank(), map, "missed_because", nothing);
         String unmissed = "found it with preset none, expected none there: what is not measured is not missed";
         require(!reasoned || measured, map, "missed_because", unmissed);
+        for (String measure : MEASURES) {
+            require(measured || !map.has(measure), map, measure, "found it with preset none, expected none there");
+        }
         Reduction reduction = measured
                 ? Reduction.of(oneOf(map, "reduction", Reduction.labels(), null))
                         .orElseThrow()
@@ -101,7 +108,7 @@ public record PhysiologyTable(String name, List<ReferenceRange> ranges) {
                 reduction,
                 measured ? against(map, reduction) : "",
                 againstPreset(map, reduction),
-                share(map),
+                share(map, reduction),
                 map.number("factor", 1),
                 low,
                 high,
@@ -118,21 +125,31 @@ public record PhysiologyTable(String name, List<ReferenceRange> ranges) {
         }
     }
 
+    private static void requireRead(YamlMap map, String key, boolean isRead, Reduction reduction) {
+        require(
+                isRead || !map.has(key),
+                map,
+                key,
+                "found it with reduction " + reduction.label() + ", expected none there");
+    }
+
     private static String source(YamlMap map) {
         String source = map.text("source");
         require(!source.isBlank(), map, "source", "found nothing, expected where the range comes from");
         return source;
     }
 
-    private static double share(YamlMap map) {
+    private static double share(YamlMap map, Reduction reduction) {
         double share = map.number("share", 1);
         require(share > 0 && share <= 1, map, "share", "found " + share + ", expected more than 0 to 1");
+        requireRead(map, "share", reduction == Reduction.AT_SHARE, reduction);
         return share;
     }
 
     private static List<String> observables(YamlMap map, Reduction reduction) {
         boolean many = reduction == Reduction.ORDER;
         List<String> names = many ? map.texts("observables") : List.of(map.text("observable"));
+        requireRead(map, many ? "observable" : "observables", false, reduction);
         String tooFew = "found " + names.size() + ", expected at least two to put in order";
         require(!many || names.size() >= 2, map, "observables", tooFew);
         names.forEach(name -> requireObservable(map, many ? "observables" : "observable", name));
@@ -140,10 +157,8 @@ public record PhysiologyTable(String name, List<ReferenceRange> ranges) {
     }
 
     private static String against(YamlMap map, Reduction reduction) {
+        requireRead(map, "against", reduction.needsSecondObservable(), reduction);
         if (!reduction.needsSecondObservable()) {
-            if (map.has("against")) {
-                throw map.bad("against", "found it with reduction " + reduction.label() + ", expected none there");
-            }
             return "";
         }
         requireObservable(map, "against", map.text("against"));

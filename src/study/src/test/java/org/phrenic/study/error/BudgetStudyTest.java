@@ -197,6 +197,9 @@ class BudgetStudyTest {
         refused(other, PLAN, "none of the scenes of plan.yaml");
         Files.delete(other.resolve("plan.yaml"));
         refused(other, PLAN, "found budget.csv without plan.yaml");
+        Files.delete(other.resolve("budget.csv"));
+        Files.writeString(other.resolve("plan.yaml"), "title: a rehearsal\n");
+        refused(other, PLAN, "found a file of another kind");
     }
 
     @Test

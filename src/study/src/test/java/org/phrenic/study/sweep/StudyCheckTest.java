@@ -79,6 +79,8 @@ class StudyCheckTest {
         refused("factors:\n  - {key: preset, values: [quiet, deep]}\n" + GRID + CREEP, told);
         refused("factors:\n  - {key: hold, values: [false, false]}\n" + GRID + CREEP, told);
         refused("design: {kind: list, columns: [depth, preset], points: [[1, quiet], [1.2, deep]]}\n" + CREEP, told);
+        // Its closed glottis is no hold that a breath ends with.
+        refused("settings: {preset: cough}\n" + DEPTHS + GRID + CREEP, told);
         String held = "settings: {preset: hold-inspiration}\n";
         refused("settings: {changes: [\"1600:hold=false\"]}\n" + DEPTHS + GRID + CREEP, told);
         refused(held + "factors:\n  - {key: preset, values: [quiet, deep]}\n" + GRID + CREEP, told);

@@ -95,6 +95,7 @@ class PhysiologyTableTest {
                 "reduction: fall; reduction: order; rows; observables",
                 "preset: quiet; preset: none; rows; why the quantity cannot be measured",
                 "unit: mm; share: 1.5; rows; more than 0 to 1",
+                "unit: mm; share: 0.6; rows; found it with reduction fall",
                 "unit: mm; body: child; rows; found 'child', expected male, female",
                 "rows; lines; line 1; unknown key",
             })
@@ -109,6 +110,14 @@ class PhysiologyTableTest {
                 .hasMessageContaining(problem)
                 .message()
                 .satisfies(m -> assertThat(m.lines()).hasSize(1));
+    }
+
+    @Test
+    void whatARowThatIsNotMeasuredDoesNotReadIsRefused() {
+        String unmeasured = GOOD.replace("preset: quiet", "preset: none") + "    note: not modelled\n";
+        assertThatThrownBy(() -> read(unmeasured))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found it with preset none, expected none there");
     }
 
     @Test

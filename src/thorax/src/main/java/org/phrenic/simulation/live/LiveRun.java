@@ -129,8 +129,11 @@ public final class LiveRun implements AutoCloseable {
             throw new IllegalArgumentException("speed: found " + factor + ", expected more than 0");
         }
         loop.flatOut = Double.isInfinite(factor);
-        loop.commands.submit(
-                () -> loop.pacer.setSpeed(factor, loop.running == null ? 0 : loop.running.simulation.time()));
+        loop.commands.submit(() -> {
+            loop.pacer.setSpeed(factor, loop.running == null ? 0 : loop.running.simulation.time());
+            // The mean rate shown is one of the speed asked for.
+            loop.startPacing();
+        });
     }
 
     /**

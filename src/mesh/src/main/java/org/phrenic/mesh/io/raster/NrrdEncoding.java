@@ -74,7 +74,11 @@ record NrrdEncoding(VolumeHeader header, String kind) {
             voxels.validate(file, kind.equals("bzip2") ? Long.MAX_VALUE : size, kind.equals("gzip"), volumes);
         }
         long before = attached ? 0 : header.bytes();
-        for (int n = header.has(LINE_SKIP) ? header.integers(LINE_SKIP)[0] : 0; n > 0; n--) {
+        int lines = header.has(LINE_SKIP) ? header.integers(LINE_SKIP)[0] : 0;
+        if (lines < 0) {
+            throw header.badInput(LINE_SKIP, "found " + lines + ", expected 0 or more");
+        }
+        for (int n = lines; n > 0; n--) {
             if (header.line(in) == null) {
                 throw new EOFException();
             }

@@ -110,11 +110,11 @@ record LabelRuns(Path file, int[] size, double[] toMm, List<Runs> structures, Li
         return structures.size() > 1 || names.contains("");
     }
 
-    /** @throws BadInputException if several labels have no names */
+    /** @throws BadInputException if a label has no name */
     void requireNames() {
         if (names.contains("")) {
-            throw new BadInputException(file + ": found several labels without names beside other volumes, expected a"
-                    + " mask, or this volume alone");
+            throw new BadInputException(file + ": found labels without names beside other volumes, expected a mask,"
+                    + " or this volume alone");
         }
     }
 }

@@ -181,7 +181,7 @@ class LabelFolderTest {
     @Test
     void whatCannotBeMergedIsRefusedInOneSentence() throws IOException {
         Path several = volume(folder.resolve("several.nii"), UINT8, h -> {}, v -> v % 3);
-        assertRefused("several labels without names beside other volumes");
+        assertRefused("found labels without names beside other volumes");
         Files.delete(several);
         // The first voxel of the sform lies 1 mm, half a voxel, farther.
         Path apart =

@@ -242,7 +242,7 @@ final class SweepJournal implements AutoCloseable {
             if (text.isEmpty()) {
                 return Double.NaN;
             }
-            if (text.endsWith("Infinity")) {
+            if (text.equals("Infinity") || text.equals("-Infinity")) {
                 return text.startsWith("-") ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
             }
             return Numbers.parse(text).orElseThrow(() -> bad(column, Numbers.quote(text), "a number"));

@@ -75,6 +75,7 @@ public final class SweepRunner {
             }
             if (!pending.isEmpty()) {
                 tellOtherBuilds(before);
+                progress.resumed(known);
                 executor.run(folder.plan(), pending, row -> completed(row, journal, known, mine.size()));
             }
         }
