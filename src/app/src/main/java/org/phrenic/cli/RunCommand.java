@@ -69,7 +69,7 @@ final class RunCommand extends ReportingCommand {
             requireRead(
                     name -> !name.equals("--integrator") && !name.equals("--time-step"),
                     "with --max-error, which chooses it");
-            options.requireSet(CHOSEN, "--max-error");
+            options.requireSet(scenario, CHOSEN, "--max-error");
             double most = OptionValues.number("--max-error", maxError, MIN_ERROR_MM, MAX_ERROR_MM);
             SettingChoice chosen = ErrorTable.shipped().cheapest(scenario, most);
             scenario = scenario.with(chosen.settings().assignments("--max-error " + maxError));

@@ -233,6 +233,14 @@ class BadInputTest {
                         "a key that --max-error sets",
                         options("--max-error", "1", "--set", "projection_sweeps=2")),
                 bad(
+                        "error and a later step",
+                        "--change 100:time_step_s=0.01: found a key that --max-error sets",
+                        options("--max-error", "1", "--change", "100:time_step_s=0.01")),
+                bad(
+                        "error and a later integrator of the file",
+                        "a key that --max-error sets",
+                        f -> List.of("run", file(f, "s.yaml", "changes: ['9:integrator=rk2']\n"), "--max-error", "1")),
+                bad(
                         "published model of another material",
                         "--material physical: found it with --preset paper",
                         options("--preset", "paper", "--material", "physical")),

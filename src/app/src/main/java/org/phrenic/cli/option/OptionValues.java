@@ -75,11 +75,16 @@ public final class OptionValues {
      */
     public static List<Assignment> assignments(List<String> settings, Set<String> reserved, String setter) {
         List<Assignment> assignments = settings.stream().map(Assignment::parse).toList();
+        requireNone(assignments, reserved, setter);
+        return assignments;
+    }
+
+    /** Refuses assignments of reserved keys; see {@link #assignments}. */
+    static void requireNone(List<Assignment> assignments, Set<String> reserved, String setter) {
         assignments.stream().filter(a -> reserved.contains(a.key())).findFirst().ifPresent(a -> {
             throw new BadInputException(
                     a.origin() + ": found a key that " + setter + " sets itself, expected any other key");
         });
-        return assignments;
     }
 
     /** Adds the assignment that an option stands for; none if the option is not given. */

@@ -92,9 +92,14 @@ public final class ScenarioOptions {
         }
     }
 
-    /** Refuses keys in {@code --set} that something else sets; see {@link OptionValues#assignments}. */
-    public void requireSet(Set<String> reserved, String setter) {
+    /**
+     * Refuses keys that something else sets in {@code --set} and in changes during the run, whether of {@code --change}
+     * or of the scenario file; see {@link OptionValues#assignments}.
+     */
+    public void requireSet(Scenario resolved, Set<String> reserved, String setter) {
         OptionValues.assignments(settings, reserved, setter);
+        OptionValues.requireNone(
+                resolved.changes().stream().map(ScheduledChange::assignment).toList(), reserved, setter);
     }
 
     /**
