@@ -1,7 +1,5 @@
 package org.phrenic.fit;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -29,6 +27,9 @@ public record FitReport(FitResult result) {
     public static final List<Column> PARAMETERS =
             Column.list("parameter | unit | # bounds | # start | # fitted | # step"
                     + " | # distance with a step less | # with a step more");
+
+    /** Significant digits of a value of a parameter. */
+    private static final int DIGITS = 4;
 
     /** Distances before and after the fit, mm, one row per target. */
     public List<List<String>> distances() {
@@ -276,11 +277,6 @@ public record FitReport(FitResult result) {
 
     /** Formats a number with four significant digits. */
     private static String number(double value) {
-        return value == 0
-                ? "0"
-                : new BigDecimal(value)
-                        .round(new MathContext(4))
-                        .stripTrailingZeros()
-                        .toPlainString();
+        return Numbers.trimmed(value, DIGITS);
     }
 }

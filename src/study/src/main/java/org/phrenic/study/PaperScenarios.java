@@ -2,6 +2,7 @@ package org.phrenic.study;
 
 import java.util.Locale;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.file.Numbers;
 import org.phrenic.scenario.Scenario;
 
 /** Scenarios that reproduce the paper's results, on the virtual adult male. */
@@ -26,7 +27,7 @@ public final class PaperScenarios {
 
     /** Integrator and time step of a scenario, as in {@code rk2, 10 ms}. */
     public static String scheme(Scenario scenario) {
-        return scenario.integrator().label() + ", " + ReportNumbers.trimmed(1000 * scenario.timeStepS(), 4) + " ms";
+        return scenario.integrator().label() + ", " + Numbers.trimmed(1000 * scenario.timeStepS(), 4) + " ms";
     }
 
     private static String resolution(Resolution resolution) {

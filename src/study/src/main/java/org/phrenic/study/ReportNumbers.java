@@ -24,13 +24,6 @@ public final class ReportNumbers {
                 : number(value);
     }
 
-    /** At most {@code digits} significant digits, without trailing zeros: 0.05, 0.00125. */
-    public static String trimmed(double value, int digits) {
-        return Numbers.format("%." + digits + "g", value)
-                .replaceFirst("(\\.\\d*?)0+$", "$1")
-                .replaceFirst("\\.$", "");
-    }
-
     /** A whole number with thousands separators: 20,909. */
     public static String grouped(double value) {
         return Numbers.format("%,.0f", value);

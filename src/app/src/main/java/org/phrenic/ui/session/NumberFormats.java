@@ -1,8 +1,5 @@
 package org.phrenic.ui.session;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
-import java.math.RoundingMode;
 import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -20,9 +17,6 @@ public final class NumberFormats {
 
     private static final Pattern GROUPED = Pattern.compile("[+-]?[1-9]\\d{0,2},\\d{3}");
 
-    private static final double MIN_PLAIN = 1e-4;
-    private static final double MAX_PLAIN = 1e7;
-
     private NumberFormats() {}
 
     /**
@@ -32,22 +26,9 @@ public final class NumberFormats {
         return format(value, SIGNIFICANT_DIGITS);
     }
 
-    /** {@code value} with at most {@code digits} significant digits. */
+    /** {@code value} as {@link Numbers#trimmed} writes it; a dash for NaN and infinity. */
     public static String format(double value, int digits) {
-        if (!Double.isFinite(value)) {
-            return "-";
-        }
-        MathContext rounding = new MathContext(digits, RoundingMode.HALF_EVEN);
-        BigDecimal plain = new BigDecimal(value).round(rounding).stripTrailingZeros();
-        double size = Math.abs(plain.doubleValue());
-        if (size == 0) {
-            return "0";
-        }
-        if (size >= MIN_PLAIN && size < MAX_PLAIN) {
-            return plain.toPlainString();
-        }
-        int exponent = plain.precision() - plain.scale() - 1;
-        return plain.movePointLeft(exponent).stripTrailingZeros().toPlainString() + "e" + exponent;
+        return Double.isFinite(value) ? Numbers.trimmed(value, digits) : "-";
     }
 
     /** {@code value} with a fixed number of decimals, for numbers that change all the time. */

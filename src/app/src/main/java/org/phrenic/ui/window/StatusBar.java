@@ -13,6 +13,7 @@ import org.phrenic.file.Numbers;
 import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunStatus;
+import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Theme;
 
@@ -38,6 +39,10 @@ final class StatusBar extends JPanel {
 
     private static final List<String> NUMERICS = List.of("dt", "steps", "step", "nodes");
     private static final int GAP = 10;
+    /** Milliseconds of a second. */
+    private static final int MS_PER_S = 1000;
+    /** Significant digits of the share of the view's pixels that is drawn along each side. */
+    private static final int SHARPNESS_DIGITS = 3;
     /** Least width for the structure clicked last, pixels. */
     private static final int PICKED_WIDTH = 180;
 
@@ -99,7 +104,10 @@ final class StatusBar extends JPanel {
         set("phase", s.phaseLabel() + (s.repeating() ? ", repeated" : ""));
         set("time", time(s.timeS()));
         set("step", "step " + withThousands(s.step()));
-        set("dt", "dt " + trimmed(1000 * s.dtS()) + " ms" + (s.substeps() > 1 ? " / " + s.substeps() : ""));
+        set(
+                "dt",
+                "dt " + NumberFormats.format(MS_PER_S * s.dtS()) + " ms"
+                        + (s.substeps() > 1 ? " / " + s.substeps() : ""));
         set("steps", s.playing() ? withThousands(Math.round(s.stepsPerS())) + " steps/s" : " ");
         set("realtime", s.playing() ? Numbers.format("%.2fx real time", s.realtimeFactor()) : idle(s));
         JLabel dt = fields.get("dt");
@@ -135,7 +143,7 @@ final class StatusBar extends JPanel {
 
     /** @param drawn drawn over shown pixels along each side of the view */
     void showResolution(double drawn) {
-        String coarser = drawn < 1 ? ", drawn at " + trimmed(drawn) + " sharpness" : "";
+        String coarser = drawn < 1 ? ", drawn at " + NumberFormats.format(drawn, SHARPNESS_DIGITS) + " sharpness" : "";
         set("quality", meshes + coarser);
     }
 
@@ -168,10 +176,6 @@ final class StatusBar extends JPanel {
     private static void tell(JLabel label, String warning) {
         String text = label.getText().strip();
         Controls.tellValue(label, warning.isEmpty() ? text : text + ". " + warning);
-    }
-
-    private static String trimmed(double value) {
-        return Numbers.format("%.3f", value).replaceFirst("\\.?0+$", "");
     }
 
     private static String withThousands(long value) {

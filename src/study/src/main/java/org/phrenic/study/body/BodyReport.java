@@ -13,6 +13,7 @@ import org.phrenic.document.CsvWriter;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.file.Numbers;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.ReportValues;
@@ -111,9 +112,9 @@ public final class BodyReport {
                 + range(BodyLimits.QUIET_LEAST_MM, BodyLimits.QUIET_MOST_MM) + " mm (quiet) and "
                 + range(BodyLimits.DEEP_LEAST_MM, BodyLimits.DEEP_MOST_MM) + " mm (deep), return within "
                 + BodyLimits.RETURN_RMS_MM + " mm rms, no organ vertex more than "
-                + ReportNumbers.trimmed(BodyLimits.THROUGH_MM, 2) + " mm through the diaphragm at rest or at full"
+                + Numbers.trimmed(BodyLimits.THROUGH_MM, 2) + " mm through the diaphragm at rest or at full"
                 + " inspiration (columns through: number of such vertices), diaphragm at rest at most "
-                + ReportNumbers.trimmed(BodyLimits.OUTSIDE_CAGE_MM, 2)
+                + Numbers.trimmed(BodyLimits.OUTSIDE_CAGE_MM, 2)
                 + " mm outside the cage. Insertion: mean and 95 % of the"
                 + " distances of the border from the bones and ligaments where it inserts.");
         List<List<String>> table = table();
@@ -166,7 +167,7 @@ public final class BodyReport {
         report.paragraph("A helical axis passes through the head of its rib in a direction from the table of axes,"
                 + " the same for all bodies: its angle is exact, and its place is as far off as the head. Necks: angle"
                 + " between the directions from the head to what lies "
-                + ReportNumbers.trimmed(RibComparison.NECK_MM, 2)
+                + Numbers.trimmed(RibComparison.NECK_MM, 2)
                 + " mm away.");
         report.table("", RIB_COLUMNS, rows);
     }
@@ -198,7 +199,7 @@ public final class BodyReport {
     }
 
     private static String range(double low, double high) {
-        return ReportNumbers.trimmed(low, 3) + " to " + ReportNumbers.trimmed(high, 3);
+        return Numbers.trimmed(low, 3) + " to " + Numbers.trimmed(high, 3);
     }
 
     /** One line for each breath with all values. */

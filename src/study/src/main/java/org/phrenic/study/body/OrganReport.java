@@ -1,8 +1,8 @@
 package org.phrenic.study.body;
 
 import static org.phrenic.file.Numbers.format;
+import static org.phrenic.file.Numbers.trimmed;
 import static org.phrenic.study.ReportNumbers.number;
-import static org.phrenic.study.ReportNumbers.trimmed;
 
 import java.util.ArrayList;
 import java.util.List;

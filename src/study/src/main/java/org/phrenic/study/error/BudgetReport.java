@@ -1,6 +1,7 @@
 package org.phrenic.study.error;
 
 import static org.phrenic.file.Numbers.format;
+import static org.phrenic.file.Numbers.trimmed;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -14,7 +15,6 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.document.report.ReportDocument.Picture;
-import org.phrenic.study.ReportNumbers;
 
 /** The error budget as a document and as values. */
 public final class BudgetReport {
@@ -72,7 +72,7 @@ public final class BudgetReport {
     }
 
     private static String percent(double value) {
-        return Double.isNaN(value) ? "" : ReportNumbers.trimmed(value, 2);
+        return Double.isNaN(value) ? "" : trimmed(value, 2);
     }
 
     /**

@@ -2,8 +2,9 @@ package org.phrenic.study.error;
 
 import static org.phrenic.file.Numbers.format;
 
+import org.phrenic.file.Numbers;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.study.ReportNumbers;
+
 
 /**
  * The cheapest measured setting that keeps an error.
@@ -38,7 +39,7 @@ public record SettingChoice(ErrorTable.Row row, double mostMm) {
 
     /** An error in a sentence, mm. */
     static String number(double mm) {
-        return ReportNumbers.trimmed(mm, STATED_DECIMALS);
+        return Numbers.trimmed(mm, STATED_DECIMALS);
     }
 
     /** The body of a scenario in a sentence. */

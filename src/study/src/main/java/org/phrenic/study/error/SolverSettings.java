@@ -1,13 +1,13 @@
 package org.phrenic.study.error;
 
 import static org.phrenic.file.Numbers.format;
+import static org.phrenic.file.Numbers.trimmed;
 
 import java.util.List;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.study.ReportNumbers;
 
 /**
  * Time integration settings that determine cost and error of a run on a given mesh.
@@ -46,6 +46,6 @@ public record SolverSettings(IntegratorKind integrator, double timeStepS, int sw
 
     /** Formats a time with at most four significant digits. */
     static String number(double seconds) {
-        return ReportNumbers.trimmed(seconds, 4);
+        return trimmed(seconds, 4);
     }
 }

@@ -1,8 +1,8 @@
 package org.phrenic.study.paper;
 
 import static org.phrenic.file.Numbers.format;
+import static org.phrenic.file.Numbers.trimmed;
 import static org.phrenic.study.ReportNumbers.grouped;
-import static org.phrenic.study.ReportNumbers.trimmed;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,7 +1,7 @@
 package org.phrenic.study.paper;
 
+import static org.phrenic.file.Numbers.trimmed;
 import static org.phrenic.study.ReportNumbers.number;
-import static org.phrenic.study.ReportNumbers.trimmed;
 
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -3,7 +3,7 @@ package org.phrenic.study.sweep.report;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.phrenic.study.ReportNumbers;
+import org.phrenic.file.Numbers;
 
 /**
  * A linear axis: values to pixels.
@@ -16,6 +16,8 @@ import org.phrenic.study.ReportNumbers;
 record PlotAxis(double low, double high, double from, double to) {
     private static final double MARGIN = 0.04;
     private static final int TICKS = 5;
+    /** Significant digits of a tick. */
+    private static final int TICK_DIGITS = 4;
 
     /** An axis that shows all finite values, with a margin. */
     static PlotAxis around(double from, double to, double... values) {
@@ -49,7 +51,6 @@ record PlotAxis(double low, double high, double from, double to) {
     }
 
     static String text(double tick) {
-        String text = ReportNumbers.trimmed(tick, 4);
-        return text.equals("0.000") || text.equals("-0.000") ? "0" : text;
+        return Numbers.trimmed(tick, TICK_DIGITS);
     }
 }
