@@ -1,5 +1,7 @@
 package org.phrenic.access;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.Map;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
@@ -20,6 +22,9 @@ public record Needle(int gauge, double lengthMm, double coreMm) {
 
     /** Places along the needle are known to this, mm. */
     private static final double ROUNDING_MM = 1e-9;
+
+    /** Significant digits that a number has at most. */
+    private static final int ALL_DIGITS = 17;
 
     private static final double MIN_LENGTH_MM = 20;
     private static final double MAX_LENGTH_MM = 300;
@@ -51,7 +56,7 @@ public record Needle(int gauge, double lengthMm, double coreMm) {
 
     /** Whether a path of some length, mm, is too long for the needle, by more than rounding makes of its own length. */
     public boolean isShorterThan(double pathMm) {
-        return pathMm > lengthMm + ROUNDING_MM;
+        return !(pathMm <= lengthMm + ROUNDING_MM);
     }
 
     private static boolean isCore(double mm) {
@@ -61,6 +66,18 @@ public record Needle(int gauge, double lengthMm, double coreMm) {
     /** The usual needle for focal lesions: 18 G, 150 mm. */
     public static Needle standard() {
         return new Needle(18, 150);
+    }
+
+    /** The length as text, in full: what is said to be longer is stated longer. */
+    public String length() {
+        return Numbers.trimmed(lengthMm, ALL_DIGITS) + " mm";
+    }
+
+    /** A path in mm with one decimal, not below it: one beyond the needle is stated beyond it. */
+    private static String upward(double pathMm) {
+        return Double.isFinite(pathMm)
+                ? BigDecimal.valueOf(pathMm).setScale(1, RoundingMode.CEILING).toPlainString()
+                : Double.toString(pathMm);
     }
 
     /** Outer radius, mm. */
@@ -75,10 +92,9 @@ public record Needle(int gauge, double lengthMm, double coreMm) {
      */
     public void requireReach(double[] from, double[] aim) {
         double path = Vectors.distance(from, aim);
-        if (!(path <= lengthMm)) {
-            throw new BadInputException(Numbers.format(
-                    "needle: found %.1f mm for a path of %.1f mm, expected a longer needle or a nearer entry",
-                    lengthMm, path));
+        if (isShorterThan(path)) {
+            throw new BadInputException("needle: found " + length() + " for a path of " + upward(path)
+                    + " mm, expected a longer needle or a nearer entry");
         }
         if (path < 1) {
             throw new BadInputException(

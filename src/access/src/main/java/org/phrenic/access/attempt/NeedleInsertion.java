@@ -16,7 +16,6 @@ import org.phrenic.access.path.PathAnalyzer;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.BadInputException;
-import org.phrenic.file.Numbers;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.simulation.observe.Frame;
 
@@ -252,12 +251,12 @@ public final class NeedleInsertion {
         if (!(speedMmPerS > 0) || Double.isInfinite(speedMmPerS)) {
             throw new BadInputException("speed: found " + speedMmPerS + " mm/s, expected more than 0");
         }
-        if (!(toDepthMm >= 0) || toDepthMm > needle.lengthMm()) {
-            throw new BadInputException(Numbers.format(
-                    "depth: found %.1f mm, expected 0 to the needle's %.0f mm", toDepthMm, needle.lengthMm()));
+        if (!(toDepthMm >= 0) || needle.isShorterThan(toDepthMm)) {
+            throw new BadInputException(
+                    "depth: found " + toDepthMm + " mm, expected 0 to the needle's " + needle.length());
         }
         turned = false;
-        goal = toDepthMm;
+        goal = Math.min(toDepthMm, needle.lengthMm());
         speed = goal == shaft.depth() ? 0 : speedMmPerS;
     }
 

@@ -9,7 +9,6 @@ import java.util.stream.Collectors;
 import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.document.OrderedValues;
-import org.phrenic.file.Numbers;
 
 /**
  * The structures that a straight path from the skin crosses or approaches at one moment.
@@ -56,7 +55,7 @@ public record PathAnalysis(
     public List<String> reasons(Set<NoGoZone> avoided, Needle needle) {
         List<String> reasons = new ArrayList<>();
         if (needle.isShorterThan(lengthMm)) {
-            reasons.add(Numbers.format("is longer than the needle of %.0f mm", needle.lengthMm()));
+            reasons.add("is longer than the needle of " + needle.length());
         }
         reasons.addAll(touches(avoided));
         return reasons;

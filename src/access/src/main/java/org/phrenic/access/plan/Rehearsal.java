@@ -131,16 +131,19 @@ public record Rehearsal(
 
     /**
      * Checks, before a breath is simulated, that entry points lie on the skin and within reach of an aim that stands
-     * still. The reach to a moving target is checked when the needle is placed. A needle at given angles needs no
-     * reach.
+     * still, from the point of the skin at which the needle is placed. The reach to a moving target is checked when the
+     * needle is placed. A needle at given angles needs no reach.
+     *
+     * @param anatomy of a body at the start of the simulation
      */
     static void requireEntries(RehearsalPlan plan, MovingAnatomy anatomy, TargetLesion target) {
         RehearsalImage.requirePlaces(plan.steps(), anatomy);
         for (PlanStep step : plan.steps()) {
             if (step instanceof PlanStep.Place place && place.entryRest().isPresent()) {
-                double[] entry = place.entryRest().get();
                 try {
-                    SkinEntries.pointAtRest(anatomy, entry);
+                    double[] entry = SkinEntries.pointAtRest(
+                                    anatomy, place.entryRest().get())
+                            .current();
                     if (place.aim().standsStill()) {
                         plan.needle().requireReach(entry, place.aim().point().orElse(target.restMm()));
                     }

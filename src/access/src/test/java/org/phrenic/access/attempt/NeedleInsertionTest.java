@@ -365,6 +365,28 @@ class NeedleInsertionTest {
         assertThat(record.count(AttemptEvent.Kind.SKIN_PUNCTURE)).isEqualTo(2);
     }
 
+    /** A path of 60 mm that rounding makes longer than a needle of 60 mm. */
+    @Test
+    void aNeedleReachesAsFarAsItIsLong() {
+        double[] aim = {60 + 1e-12, 0, 0};
+        NeedleInsertion session = session(20, new Needle(18, 60));
+        session.place(new double[3], aim);
+        session.advance(aim[0], AT_ONCE);
+        next(session);
+        assertThat(session.shaft().depth()).isEqualTo(60);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {60.501, 60.52, 60.6})
+    void whatIsBeyondANeedleIsSaidToBe(double mm) {
+        NeedleInsertion session = session(20, new Needle(18, 60.5));
+        assertThatThrownBy(() -> session.place(new double[3], new double[] {mm, 0, 0}))
+                .hasMessage("needle: found 60.5 mm for a path of 60.6 mm, expected a longer needle or a nearer entry");
+        session.place(new double[3], new double[] {60, 0, 0});
+        assertThatThrownBy(() -> session.advance(mm, AT_ONCE))
+                .hasMessage("depth: found " + mm + " mm, expected 0 to the needle's 60.5 mm");
+    }
+
     @Test
     void whatCannotBeIsSaidInASentenceAndChangesNothing() {
         NeedleInsertion session = session(20);

@@ -46,6 +46,15 @@ class RehearsalEntriesTest {
                 .hasMessageContaining("expected a longer needle");
     }
 
+    /** The needle is placed on the skin, wherever near it the entry is stated. */
+    @Test
+    void reachIsThatFromTheSkin() {
+        assertThatCode(() -> requireEntries("[-4, 0, 0]", "[78, 0, 0]")).doesNotThrowAnyException();
+        assertThatThrownBy(() -> requireEntries("[4, 0, 0]", "[82, 0, 0]"))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("needle: found 80 mm for a path of 82.0 mm");
+    }
+
     @Test
     void anEntryWithinTheBodyIsRefusedAtAnyAngles() {
         assertThatThrownBy(() -> requireEntries("[50, 0, 0]", "{axial_deg: 90, cranial_deg: 0}"))
