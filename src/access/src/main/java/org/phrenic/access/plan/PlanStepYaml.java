@@ -8,6 +8,7 @@ import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 
 /** YAML format of plan steps: a list of mappings, each with a single key that gives the kind of the step. */
 final class PlanStepYaml {
@@ -114,22 +115,24 @@ final class PlanStepYaml {
     }
 
     private static Optional<double[]> entry(YamlMap map) {
-        if (!isText(map, "entry")) {
+        if (isList(map, "entry")) {
             return Optional.of(point(map, "entry"));
         }
-        requireChoice(map, "entry", BEST, BEST_AT_REST);
+        requireChoice(map, "entry", BEST, BEST_AT_REST, "three numbers in mm");
         return Optional.empty();
     }
 
-    private static void requireChoice(YamlMap map, String key, String one, String other) {
-        String found = map.text(key, one);
-        if (!found.equals(one) && !found.equals(other)) {
-            throw map.bad(key, "found '" + found + "', expected '" + one + "', '" + other + "' or three numbers in mm");
+    /** Refuses what is neither of two names; {@code more} is what else could be stated. */
+    private static void requireChoice(YamlMap map, String key, String one, String other, String more) {
+        Object value = map.has(key) ? map.toMap().get(key) : one;
+        if (!one.equals(value) && !other.equals(value)) {
+            String found = value instanceof Map ? "a mapping" : Numbers.quote(String.valueOf(value));
+            throw map.bad(key, "found " + found + ", expected '" + one + "', '" + other + "' or " + more);
         }
     }
 
     private static PlanStep.Aim aim(YamlMap map) {
-        if (map.has("aim") && map.toMap().get("aim") instanceof Map) {
+        if (isMap(map, "aim")) {
             YamlMap angles = map.map("aim");
             angles.requireOnly(List.of(AXIAL, CRANIAL, AFTER_PROGRAM));
             try {
@@ -140,15 +143,23 @@ final class PlanStepYaml {
                 throw map.bad("aim", bad.getMessage());
             }
         }
-        if (map.has("aim") && !isText(map, "aim")) {
+        if (isList(map, "aim")) {
             return PlanStep.Aim.at(point(map, "aim"));
         }
-        requireChoice(map, "aim", AIM, AIM_AT_REST);
+        requireChoice(map, "aim", AIM, AIM_AT_REST, "three numbers in mm or two angles");
         return map.text("aim", AIM).equals(AIM) ? PlanStep.Aim.TARGET : PlanStep.Aim.TARGET_AT_REST;
     }
 
     private static boolean isText(YamlMap map, String key) {
         return map.toMap().get(key) instanceof String;
+    }
+
+    private static boolean isList(YamlMap map, String key) {
+        return map.toMap().get(key) instanceof List;
+    }
+
+    private static boolean isMap(YamlMap map, String key) {
+        return map.toMap().get(key) instanceof Map;
     }
 
     static double[] point(YamlMap map, String key) {

@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.access.Needle;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.document.YamlWriter;
+import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
 
 /** The plan of an attempt by hand that is saved can be read and says what was. */
@@ -49,6 +50,29 @@ class RehearsalPlanTest {
         assertThat(savedAndRead(practice.withSteps(TARGET, List.of(in, out), 1)).steps())
                 .extracting(step -> ((PlanStep.Advance) step).back())
                 .containsExactly(false, true);
+    }
+
+    private RehearsalPlan withStep(String step) throws IOException {
+        return RehearsalPlan.read(Files.writeString(
+                folder.resolve("plan.yaml"),
+                "target: {rest_mm: [-90, 0, 50], diameter_mm: 20}\nsteps: [{" + step + "}]\n"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"place: {}", "place: {aim: target}", "place: {entry: best}"})
+    void withoutAnEntryOrAnAimTheBestPathToTheTargetIsTaken(String step) throws IOException {
+        assertThat(withStep(step).toMap("s.yaml").get("steps"))
+                .isEqualTo(withStep("place: {entry: best, aim: target}")
+                        .toMap("s.yaml")
+                        .get("steps"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"entry: true", "entry: 5", "entry: worst"})
+    void anEntryThatIsNoneNamesWhatWouldBeOne(String entry) {
+        assertThatThrownBy(() -> withStep("place: {" + entry + "}"))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("expected 'best', 'best-at-end-expiration' or three numbers in mm");
     }
 
     @Test
