@@ -57,7 +57,7 @@ public class NumberSetting extends Setting<Double> {
         double value = yaml.number(key());
         boolean allowed = range.refusesLess() ? value >= minimum() : value > 0 || (value == 0 && minimum() == 0);
         if (!allowed || !(value <= maximum())) {
-            String least = range.refusesLess() ? "at least " + number(minimum()) : "more than 0";
+            String least = range.refusesLess() || minimum() == 0 ? "at least " + number(minimum()) : "more than 0";
             String expected = "expected " + least + ", at most " + number(maximum()) + " " + unit();
             throw yaml.bad(key(), "found " + number(value) + ", " + expected);
         }

@@ -2,6 +2,7 @@ package org.phrenic.scenario;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -59,6 +60,15 @@ class SettingsTest {
         assertThatThrownBy(() -> Scenario.defaults().with("time_step_s=1e-9"))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("found 1.0E-9, expected at least 1.0E-5, at most 0.1 s");
+    }
+
+    /** A refusal says that 0 is taken where it is, and only there. */
+    @ParameterizedTest
+    @MethodSource("numbers")
+    void whatIsLessThanNothingIsRefusedWithTheLeastThatIsTaken(NumberSetting setting) {
+        String message = assertThrows(BadInputException.class, () -> Assignment.read("test", setting.key(), "-1"))
+                .getMessage();
+        assertThat(message.contains("expected at least 0,")).as(message).isEqualTo(setting.minimum() == 0);
     }
 
     private static Scenario with(Setting<?> setting, String value) {
