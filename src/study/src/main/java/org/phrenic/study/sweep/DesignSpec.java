@@ -38,6 +38,9 @@ public record DesignSpec(
         Optional<String> file,
         @Key(absent = "") List<String> columns,
         @Key(absent = "") List<List<String>> points) {
+    /** Number up to which the points of a grid are counted. */
+    static final long MOST_COUNTED = 1L << 40;
+
     /** Kinds of designs. */
     public enum Kind {
         /** All combinations of levels. */
@@ -156,7 +159,7 @@ public record DesignSpec(
         return factors;
     }
 
-    /** Number of points, without making them. */
+    /** Number of points, without making them; those of a grid are counted up to {@link #MOST_COUNTED}. */
     long size(List<Factor> factors) {
         return switch (kind) {
             case LIST -> points.size();
@@ -164,7 +167,7 @@ public record DesignSpec(
             case SOBOL -> (long) samples * SaltelliDesign.blockSize(factors.size());
             case MORRIS -> (long) samples * MorrisDesign.blockSize(factors.size());
             case GRID ->
-                factors.stream().mapToLong(DesignSpec::gridLevels).reduce(1, (a, b) -> Math.min(a * b, 1L << 40));
+                factors.stream().mapToLong(DesignSpec::gridLevels).reduce(1, (a, b) -> Math.min(a * b, MOST_COUNTED));
         };
     }
 

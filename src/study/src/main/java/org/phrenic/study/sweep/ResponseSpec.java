@@ -45,7 +45,7 @@ public record ResponseSpec(
         name = name.isEmpty() ? String.join("_", observables) + "_" + reduction.label() : name;
     }
 
-    /** @throws IllegalArgumentException with one sentence, if the reduction does not read what is stated */
+    /** @throws IllegalArgumentException with one sentence, if the reduction cannot read what is stated */
     void requireRead() {
         if (reduction != Reduction.ORDER && observables.size() > 1) {
             throw new IllegalArgumentException("found " + observables.size() + " observables with the reduction "
@@ -54,6 +54,9 @@ public record ResponseSpec(
         if (reduction != Reduction.AT_SHARE && share != 1) {
             throw new IllegalArgumentException("found a share with the reduction " + reduction.label()
                     + ", which reads none, expected it with at_share");
+        }
+        if (!(share > 0 && share <= 1)) {
+            throw new IllegalArgumentException("found the share " + share + ", expected more than 0 to 1");
         }
     }
 
@@ -87,7 +90,7 @@ public record ResponseSpec(
                 .filter(observable -> Double.isNaN(breath.value(observable, 0)))
                 .findFirst()
                 .map(observable -> "expected a body that has " + observable)
-                .orElse("expected a breath with a " + reduction.label() + " of " + String.join(", ", observables));
+                .orElse("expected a breath that gives " + reduction.label() + " of " + String.join(", ", observables));
     }
 
     /** Whether only a breath with a hold has the response. */

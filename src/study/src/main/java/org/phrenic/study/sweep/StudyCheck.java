@@ -46,7 +46,8 @@ final class StudyCheck {
         }
         long size = study.design().size(study.factors());
         if (size < 1 || size > MOST_POINTS) {
-            throw yaml.bad("design", "found a design of " + size + " runs, expected 1 to " + MOST_POINTS);
+            String found = (size < DesignSpec.MOST_COUNTED ? "" : "at least ") + size;
+            throw yaml.bad("design", "found a design of " + found + " runs, expected 1 to " + MOST_POINTS);
         }
     }
 

@@ -73,6 +73,26 @@ class StudyCheckTest {
                 .hasSize(2);
     }
 
+    /** Such as 50 for 50 %: no run of the study would have the response. */
+    @ParameterizedTest
+    @ValueSource(strings = {"50.0", "1.5", "0.0", "-0.5"})
+    void aShareThatNoBreathHasIsRefusedBeforeAnyRun(String share) {
+        refused(
+                DEPTHS + GRID + "responses:\n  - {observable: liver_si_mm, against: dome_right_mm, "
+                        + "reduction: at_share, share: " + share + "}\n",
+                "line 5, key 'responses[0]': found the share " + share + ", expected more than 0 to 1");
+    }
+
+    @Test
+    void aDesignOfTooManyRunsIsRefusedWithTheirNumberAsFarAsItIsCounted() {
+        String two = "factors:\n  - {key: chest_share, range: [0.4, 0.6], levels: 10000}\n"
+                + "  - {key: left_over_right, range: [0.8, 1.4], levels: 10000}\n";
+        refused(two + GRID + RESPONSE, "found a design of 100000000 runs, expected 1 to 1000000");
+        String four = two + "  - {key: muscle_activation, range: [0.6, 0.8], levels: 10000}\n"
+                + "  - {key: greatest_pressure_kpa, range: [1.2, 2.4], levels: 10000}\n";
+        refused(four + GRID + RESPONSE, "found a design of at least 1099511627776 runs, expected 1 to 1000000");
+    }
+
     @Test
     void creepIsRefusedUnlessABreathOfTheStudyHasAHold() {
         String told = "found creep, expected a breath with a hold";
