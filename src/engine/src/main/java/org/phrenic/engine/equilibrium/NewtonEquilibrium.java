@@ -80,11 +80,11 @@ public final class NewtonEquilibrium {
      * Outcome of a solve.
      *
      * @param converged whether forces balance to the tolerance
-     * @param activeSetSettled whether the active set is consistent with the solution
+     * @param activeSetSettled whether the active set is consistent with the solution; false without one
      * @param residualsMn residual force on free nodes, rms, before each Newton step of the last round and after the
      *     last step, mN
-     * @param activeRows active rows at the end
-     * @param activeSetChanges rows whose active state is inconsistent with the solution
+     * @param activeRows active rows of the solution
+     * @param activeSetChanges rows whose active state is inconsistent with the solution; 0 without one
      */
     public record Result(
             boolean converged, boolean activeSetSettled, double[] residualsMn, int activeRows, int activeSetChanges) {}
@@ -143,23 +143,20 @@ public final class NewtonEquilibrium {
         }
         List<Double> history = new ArrayList<>();
         boolean converged = newton(toleranceMn, history);
-        int rounds = 1;
-        boolean settled = false;
-        while (converged && !settled && rounds < mostRounds) {
-            changed = rows.updateActiveSet(0, lambda, PULL_MN);
-            settled = changed == 0;
-            if (!settled) {
-                rounds++;
-                history.clear();
-                converged = newton(toleranceMn, history);
-            }
+        int activeRows = rows.activeCount();
+        changed = converged ? rows.updateActiveSet(0, lambda, PULL_MN) : 0;
+        for (int round = 1; changed > 0 && round < mostRounds; round++) {
+            history.clear();
+            converged = newton(toleranceMn, history);
+            activeRows = rows.activeCount();
+            changed = converged ? rows.updateActiveSet(0, lambda, PULL_MN) : 0;
         }
         return new Result(
                 converged,
-                settled,
+                converged && changed == 0,
                 history.stream().mapToDouble(Double::doubleValue).toArray(),
-                rows.activeCount(),
-                settled ? 0 : changed);
+                activeRows,
+                changed);
     }
 
     private boolean newton(double toleranceMn, List<Double> history) {

@@ -133,6 +133,7 @@ class NewtonEquilibriumTest {
         NewtonEquilibrium.Result result =
                 new NewtonEquilibrium(system, 0, all(system)).findEquilibrium(TOLERANCE_MN, 1);
         assertThat(result.converged()).isTrue();
+        assertThat(result.activeSetSettled()).as("nothing is near the ceiling").isTrue();
         double[] r = result.residualsMn();
         assertThat(r).hasSizeGreaterThan(3);
         int last = r.length - 1;
@@ -140,6 +141,21 @@ class NewtonEquilibriumTest {
         assertThat(Math.log(r[last] / r[last - 1]) / Math.log(r[last - 1] / r[last - 2]))
                 .isGreaterThan(1.6);
         assertThat(r[last]).isLessThan(TOLERANCE_MN);
+    }
+
+    /** After one round, in which nothing binds, what lies beyond the ceiling is what would have to. */
+    @Test
+    void whatWouldChangeIsWhatContradictsTheSolution() {
+        ParticleSystem system = pressed(2.5);
+        NewtonEquilibrium.Result result =
+                new NewtonEquilibrium(system, 0, all(system)).findEquilibrium(TOLERANCE_MN, 1);
+        double[] x = system.positions();
+        int beyond = (int)
+                IntStream.range(0, SIDE * SIDE).filter(i -> x[3 * i + 2] > 2.5).count();
+        assertThat(result.converged()).isTrue();
+        assertThat(result.activeSetSettled()).isFalse();
+        assertThat(result.activeRows()).isZero();
+        assertThat(result.activeSetChanges()).isEqualTo(beyond).isPositive();
     }
 
     @Test

@@ -154,7 +154,7 @@ public final class ErrorReport {
         double percent = study.percent(lag.heldRmsMm());
         String outcome = newton.converged() ? "converged to" : "not converged,";
         double residual = newton.residualsMn()[newton.residualsMn().length - 1];
-        String more = newton.activeSetSettled() ? "" : ", " + newton.activeSetChanges() + " more would change";
+        String more = newton.activeSetChanges() == 0 ? "" : ", " + newton.activeSetChanges() + " more would change";
         return format(distances, lag.timeS(), lag.heldRmsMm(), percent, lag.heldMaxMm(), lag.rmsMm())
                 + format(
                         " Newton: %s %.1g mN a node, %d constraints bind%s;",
