@@ -46,9 +46,7 @@ final class LabelFolder {
         Optional<LabelVolume> merged() {
             if (labelled.size() == 1 && labelled.get(0).hasOwnLabels()) {
                 LabelVolume volume = LabelVolumeFiles.read(labelled.get(0).file());
-                List<String> all = new ArrayList<>(notes);
-                all.addAll(volume.notes());
-                return Optional.of(new LabelVolume(volume.grid(), volume.names(), all));
+                return Optional.of(volume.withNotesBefore(notes));
             }
             return labelled.isEmpty() ? Optional.empty() : Optional.of(painted(folder, labelled, notes));
         }
@@ -94,7 +92,7 @@ final class LabelFolder {
         Contents own = contents(folder);
         if (own.labelled().isEmpty()) {
             Optional<Path> inner = levels > 0 ? InnerFolders.ofLabels(folder) : Optional.empty();
-            return inner.map(path -> read(path, levels - 1))
+            return inner.map(path -> read(path, levels - 1).withNotesBefore(own.notes()))
                     .orElseThrow(() -> own.several().isEmpty()
                             ? none(folder)
                             : own.several().get(0));
@@ -124,8 +122,8 @@ final class LabelFolder {
             String beside = InnerFolders.listed(
                     own.labelled().stream().map(LabelRuns::file).toList());
             if (own.isUnnamed()) {
-                masks.notes().add(beside + " is left out, as " + inner.getFileName() + " holds masks with names");
-                return masks.merged();
+                own.notes().add(beside + " is left out, as " + inner.getFileName() + " holds masks with names");
+                return masks.merged().map(volume -> volume.withNotesBefore(own.notes()));
             }
             List<LabelRuns> all = new ArrayList<>(own.labelled());
             all.addAll(masks.labelled());

@@ -1,5 +1,6 @@
 package org.phrenic.mesh.io.volume;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
@@ -28,6 +29,13 @@ public record LabelVolume(LabelGrid grid, Map<Integer, String> names, List<Strin
     public LabelVolume {
         names = Collections.unmodifiableMap(new TreeMap<>(names));
         notes = List.copyOf(notes);
+    }
+
+    /** A copy with further notes before its own. */
+    LabelVolume withNotesBefore(List<String> further) {
+        List<String> all = new ArrayList<>(further);
+        all.addAll(notes);
+        return new LabelVolume(grid, names, all);
     }
 
     /** Whether a name is a mere number, as programs give to labels without a name: Segment 1, Label 2, 3. */

@@ -60,6 +60,25 @@ class DataSetFolderTest {
         assertIsOfMasks(folder.resolve("s0011"));
     }
 
+    /** Whether the labels are those of the folder within, or of it in place of a volume beside it. */
+    @Test
+    void aFileBesideTheFolderOfTheLabelsIsNotLeftOutWithoutAWord() throws IOException {
+        Path scan = folder.resolve("scan");
+        masks("scan/segmentations");
+        byte[] vectors = VolumeSamples.nifti(
+                INT16, ByteOrder.LITTLE_ENDIAN, h -> h.putShort(40, (short) 5).putShort(50, (short) 3));
+        Files.write(scan.resolve("field.nii"), vectors);
+        volume("scan/ct.nii.gz", INT16, v -> v - 1000);
+        String[] notes = {
+            "ct.nii.gz is an image and is left out", "field.nii has several values a voxel and is left out"
+        };
+        assertThat(assertIsOfMasks(scan).notes()).containsExactly(notes);
+        volume("scan/labels.nii.gz", UINT8, v -> v < 4 ? 5 : v > 20 ? 8 : 0);
+        assertThat(assertIsOfMasks(scan).notes())
+                .contains(notes)
+                .contains("labels.nii.gz is left out, as segmentations holds masks with names");
+    }
+
     /** A volume of numbers says less than masks with names, as in a case of AbdomenAtlas. */
     @Test
     void masksWithNamesArePreferredToOneVolumeOfNumbers() throws IOException {
