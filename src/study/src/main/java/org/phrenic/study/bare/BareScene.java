@@ -19,7 +19,7 @@ public record BareScene(TriangleMesh mesh, int[] fixed, int[] loaded, int[] link
      * @param fixed file of vertex indices, one per line
      * @param loaded file of vertex indices, one per line
      * @param links file of vertex indices, two per line; null for no links
-     * @throws org.phrenic.format.BadInputException with one sentence, if a file is invalid
+     * @throws org.phrenic.file.BadInputException with one sentence, if a file is invalid
      */
     public static BareScene read(Path mesh, Path fixed, Path loaded, Path links) {
         TriangleMesh surface = MeshFiles.read(mesh);

@@ -88,7 +88,7 @@ record RegressionReference(String specification, int nodeCount, int[] nodes, Lis
     /**
      * Reads the references of a scene.
      *
-     * @throws org.phrenic.format.BadInputException with one sentence, if values are missing or belong to another scene
+     * @throws org.phrenic.file.BadInputException with one sentence, if values are missing or belong to another scene
      */
     static RegressionReference read(YamlMap yaml, RegressionScene scene) {
         yaml.requireOnly(KEYS);
@@ -98,14 +98,15 @@ record RegressionReference(String specification, int nodeCount, int[] nodes, Lis
                     "found references of another scene (" + yaml.text("of") + "), expected " + scene.specification()
                             + "; --write-references makes them anew");
         }
-        int inAll = (int) yaml.integer("nodes_in_all");
-        int[] nodes =
-                Arrays.stream(numbers(yaml, "nodes", -1)).mapToInt(n -> (int) n).toArray();
-        for (int node : nodes) {
-            if (node < 0 || node >= inAll) {
-                throw yaml.bad("nodes", "found node " + node + ", expected 0 to " + (inAll - 1));
-            }
-        }
+        int inAll = yaml.wholeInt("nodes_in_all");
+        int[] nodes = Arrays.stream(numbers(yaml, "nodes", -1))
+                .mapToInt(node -> {
+                    if (node < 0 || node >= inAll) {
+                        throw yaml.bad("nodes", "found node " + node + ", expected 0 to " + (inAll - 1));
+                    }
+                    return (int) node;
+                })
+                .toArray();
         List<Frame> frames = new ArrayList<>();
         for (YamlMap map : yaml.maps("frames")) {
             map.requireOnly(FRAME_KEYS);

@@ -321,6 +321,15 @@ class RegressionTest {
                     .hasMessageContaining("small.yaml")
                     .hasMessageNotContaining("\n");
         }
+        // 2^32 more than a node of the scene.
+        Files.writeString(file, whole.replaceFirst("(?m)^(?<key>nodes: \\D?)\\d+", "${key}4294967297"));
+        assertThatThrownBy(() -> of(folder, scene).check(List.of(), SILENT))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found node 4294967297, expected 0 to ");
+        Files.writeString(file, whole.replaceFirst("nodes_in_all: \\d+", "nodes_in_all: 4294967297"));
+        assertThatThrownBy(() -> of(folder, scene).check(List.of(), SILENT))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("nodes_in_all");
         Files.writeString(file, whole.replace("material=paper", "material=physical"));
         assertThatThrownBy(() -> of(folder, scene).check(List.of(), SILENT))
                 .isInstanceOf(BadInputException.class)
