@@ -36,9 +36,11 @@ final class CurveLegend extends ScrollablePanel {
         curves.forEach(curve -> add(curve, shown.contains(curve.column())));
     }
 
-    /** Adds a curve, if it is not listed. */
+    /** Adds a curve; of one that is listed, ticks the box or not. */
     void add(PlotCurve curve, boolean show) {
-        if (rows.containsKey(curve)) {
+        CurveRow listed = rows.get(curve);
+        if (listed != null) {
+            listed.box.setSelected(show);
             return;
         }
         JCheckBox box = new JCheckBox(curve.label(), show);

@@ -107,13 +107,19 @@ public final class PlotDock extends JPanel implements Session.Listener {
         return tools;
     }
 
-    /** Plots the displacement of a vertex too, up positive; a fifth point replaces the oldest. */
-    public void trackPoint(int surface, int vertex) {
-        pointTracker.track(surface, vertex).ifPresent(curve -> {
+    /**
+     * Plots the displacement of a vertex too, up positive; a fifth point replaces the oldest.
+     *
+     * @return the label of its curve; empty while there is no scene
+     */
+    public Optional<String> trackPoint(int surface, int vertex) {
+        Optional<PlotCurve> tracked = pointTracker.track(surface, vertex);
+        tracked.ifPresent(curve -> {
             ring.clearColumn(curve.index());
             legend.add(curve, true);
             onCurveSelection();
         });
+        return tracked.map(PlotCurve::label);
     }
 
     /**

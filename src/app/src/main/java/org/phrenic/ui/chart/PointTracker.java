@@ -45,7 +45,6 @@ final class PointTracker {
         Surface picked = scene.surfaces().get(surface);
         PlotCurve curve = PlotCurve.ofPoint(slot);
         tracks[slot] = new Track(curve, surface, vertex, heightMm(picked, surface, vertex));
-        session.note(curve.label() + " of the plot follows " + picked.name() + ".");
         return Optional.of(curve);
     }
 

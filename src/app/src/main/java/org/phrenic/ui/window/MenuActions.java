@@ -16,7 +16,6 @@ import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.Camera;
-import org.phrenic.scene.camera.PickResult;
 import org.phrenic.ui.access.NeedleController;
 import org.phrenic.ui.access.PickMode;
 import org.phrenic.ui.access.RehearsalController;
@@ -304,11 +303,11 @@ final class MenuActions {
     }
 
     private void plotPickedPoint() {
-        Optional<PickResult> pick = window.view().picked();
-        pick.ifPresent(p -> window.docks().plots().trackPoint(p.index(), p.vertex()));
-        window.session()
-                .note(pick.map(p -> "Plotting a point of " + p.displayName() + ".")
-                        .orElse("Click on a structure first, then plot that point."));
+        Optional<String> follows = window.view().picked().flatMap(p -> window.docks()
+                .plots()
+                .trackPoint(p.index(), p.vertex())
+                .map(point -> point + " of the plot follows " + p.displayName() + "."));
+        window.session().note(follows.orElse("Click on a structure first, then plot that point."));
     }
 
     /**

@@ -420,6 +420,22 @@ class DocksTest {
         assertThat(lines).hasSizeGreaterThan(20);
     }
 
+    /** A fifth point takes the row of the first, whose box may be empty. */
+    @Test
+    void aPointThatIsPickedIsDrawnThoughAnEarlierOneWasHidden() {
+        PlotDock dock = on(() -> new PlotDock(session));
+        List<String> labels = new ArrayList<>();
+        for (int i = 0; i < 4; i++) {
+            int vertex = 100 * i;
+            labels.add(on(() -> dock.trackPoint(0, vertex)).orElseThrow());
+        }
+        assertThat(labels).containsExactly("Point 1", "Point 2", "Point 3", "Point 4");
+        JCheckBox first = WindowHarness.find(dock, JCheckBox.class, "Point 1").orElseThrow();
+        EventThread.run(() -> first.setSelected(false));
+        assertThat(on(() -> dock.trackPoint(0, 500))).hasValue("Point 1");
+        assertThat(on(first::isSelected)).isTrue();
+    }
+
     @Test
     void theBreathIsShadedBehindTheCurves() {
         PlotDock dock = on(() -> new PlotDock(session));
