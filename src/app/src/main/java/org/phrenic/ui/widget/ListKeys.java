@@ -1,12 +1,13 @@
 package org.phrenic.ui.widget;
 
+import java.awt.Component;
 import java.awt.event.ActionEvent;
 import java.util.List;
 import javax.accessibility.Accessible;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
-import javax.swing.ComboBoxModel;
 import javax.swing.JComboBox;
+import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.plaf.basic.ComboPopup;
 
@@ -30,30 +31,46 @@ public final class ListKeys {
     public static <B extends JComboBox<?>> B chooseByEnter(B box) {
         MOVES.forEach(move -> box.getActionMap().put(move, new Move(box, move)));
         box.setKeySelectionManager((key, model) -> {
-            goTo(box, key, model);
+            goTo(box, key);
             return -1;
         });
         return box;
     }
 
     /** Goes on to the next entry of the list that begins with a letter. */
-    private static void goTo(JComboBox<?> box, char key, ComboBoxModel<?> model) {
+    private static void goTo(JComboBox<?> box, char key) {
         Accessible popup = box.getUI().getAccessibleChild(box, 0);
         if (!box.isShowing() || !(popup instanceof ComboPopup shown)) {
             return;
         }
         box.setPopupVisible(true);
         JList<?> list = shown.getList();
-        int size = model.getSize();
+        int next = next(box, list.getSelectedIndex(), key);
+        if (next >= 0) {
+            list.setSelectedIndex(next);
+            list.ensureIndexIsVisible(next);
+        }
+    }
+
+    /** The next entry after another one that is shown with a letter at its beginning; -1 without one. */
+    static int next(JComboBox<?> box, int after, char key) {
+        int size = box.getItemCount();
         for (int i = 1; i <= size; i++) {
-            int index = (list.getSelectedIndex() + i) % size;
-            String text = String.valueOf(model.getElementAt(index));
+            int index = (after + i) % size;
+            String text = shownText(box, index);
             if (!text.isEmpty() && Character.toLowerCase(text.charAt(0)) == Character.toLowerCase(key)) {
-                list.setSelectedIndex(index);
-                list.ensureIndexIsVisible(index);
-                return;
+                return index;
             }
         }
+        return -1;
+    }
+
+    /** The text that an entry has in the list: an entry may be stored otherwise than it is shown. */
+    private static <T> String shownText(JComboBox<T> box, int index) {
+        T entry = box.getItemAt(index);
+        Component shown =
+                box.getRenderer().getListCellRendererComponent(new JList<>(box.getModel()), entry, index, false, false);
+        return shown instanceof JLabel label ? String.valueOf(label.getText()) : String.valueOf(entry);
     }
 
     /** Opens the list where it is closed, and else moves within it as usual. */
