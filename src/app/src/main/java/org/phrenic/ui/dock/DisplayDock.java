@@ -45,6 +45,9 @@ import org.phrenic.ui.widget.ScrollablePanel;
  */
 public final class DisplayDock extends ScrollablePanel implements Session.Listener {
     private static final int SLIDER_MAX = 1000;
+    /** Distance of the ends of the clip plane's way from the surfaces at rest, mm: a deep breath moves them by 30. */
+    private static final double CLIP_MARGIN_MM = 50;
+
     private static final List<ColourField> FIELDS =
             List.of(ColourField.NONE, ColourField.DISPLACEMENT, ColourField.STRAIN, ColourField.DISTANCE);
 
@@ -328,8 +331,8 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         }
         double removed = clipSlider.getValue() / (double) SLIDER_MAX;
         double share = selected.forwards ? removed : 1 - removed;
-        double low = bounds[selected.axis];
-        double place = low + share * (bounds[3 + selected.axis] - low);
+        double low = bounds[selected.axis] - CLIP_MARGIN_MM;
+        double place = low + share * (bounds[3 + selected.axis] + CLIP_MARGIN_MM - low);
         clipSlider.setToolTipText(Numbers.format("Where the plane is: %.0f mm", place));
         Controls.tellValue(clipSlider, Numbers.format("%.0f mm", place));
         ClipPlane plane = selected.plane.apply(place);

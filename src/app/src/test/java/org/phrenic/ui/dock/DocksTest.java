@@ -24,6 +24,7 @@ import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
+import javax.swing.JSlider;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import javax.swing.SwingUtilities;
@@ -55,8 +56,11 @@ import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.style.ColourField;
+import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunHistory;
+import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
+import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.chart.BreathComparison;
 import org.phrenic.ui.chart.PhaseColours;
 import org.phrenic.ui.chart.PlotDock;
@@ -784,6 +788,45 @@ class DocksTest {
         assertThat(on(() -> colours(dock).getSelectedItem())).isEqualTo("No colours");
         assertThat(looks.style().clip()).isEmpty();
         assertThat(looks.style().field()).isEqualTo(ColourField.NONE);
+    }
+
+    /** Sternum and ribs move forward beyond all that is there at rest. */
+    @Test
+    void atTheLeftEndAClipPlaneCutsNothingAwayInADeepBreath() {
+        AppearanceModel looks = on(AppearanceModel::new);
+        DisplayDock dock = on(() -> showDock(looks, null));
+        JComboBox<?> clip =
+                WindowHarness.find(dock, JComboBox.class, "Clip plane").orElseThrow();
+        JSlider slider = WindowHarness.find(dock, JSlider.class, "Place of the clip plane")
+                .orElseThrow();
+        EventThread.run(() -> {
+            clip.setSelectedIndex(clip.getItemCount() - 2);
+            slider.setValue(0);
+            session.change("Deep", Assignment.read("test", "preset", "deep"));
+        });
+        assertThat(clip.getSelectedItem()).hasToString("From the front");
+        double planeMm = -looks.style().clip().orElseThrow().offsetMm();
+        breathe(3.5);
+        assertThat(on(DocksTest::foremostMm)).isGreaterThan(planeMm);
+    }
+
+    /** The foremost place of a rigid surface in the recorded frames, LPS, mm. */
+    private static double foremostMm() {
+        LiveScene scene = session.scene().orElseThrow();
+        Frame frame = scene.newFrame().get();
+        double foremost = Double.POSITIVE_INFINITY;
+        for (int f = 0; f < session.live().history().frames(); f++) {
+            session.live().history().frame(f, frame);
+            for (int s = 0; s < scene.surfaces().size(); s++) {
+                Surface surface = scene.surfaces().get(s);
+                double[] rest = surface.rest().positions();
+                for (int k = 0; surface.motion() == Surface.Motion.RIGID && k < rest.length; k += 3) {
+                    float[] p = frame.pose(s);
+                    foremost = Math.min(foremost, p[4] * rest[k] + p[5] * rest[k + 1] + p[6] * rest[k + 2] + p[7]);
+                }
+            }
+        }
+        return foremost;
     }
 
     @Test
