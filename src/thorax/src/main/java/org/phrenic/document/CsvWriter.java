@@ -53,12 +53,16 @@ public final class CsvWriter {
         try (CSVPrinter printer = new CSVPrinter(text, FORMAT)) {
             printer.printRecord(header);
             for (List<?> row : rows) {
-                printer.printRecord(row);
+                printer.printRecord(row.stream().map(CsvWriter::cell));
             }
         } catch (IOException impossible) {
             throw new UncheckedIOException("a StringBuilder takes all text", impossible);
         }
         return text.toString();
+    }
+
+    private static Object cell(Object value) {
+        return value instanceof Double number ? number(number, ALL_DIGITS) : value;
     }
 
     /**

@@ -3,6 +3,7 @@ package org.phrenic.motion;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.phrenic.document.CsvTable;
@@ -44,9 +45,11 @@ final class MotionPoints {
         seen = SEEN.stream().anyMatch(table::has)
                 ? SEEN.stream().map(table::numbers).toList()
                 : List.of();
+        List<String> named = texts(table, "name");
+        List<String> stated = texts(table, "structure");
         for (int i = 0; i < x.length; i++) {
-            String name = table.has("name") ? table.texts("name").get(i) : "";
-            String structure = table.has("structure") ? table.texts("structure").get(i) : "";
+            String name = named.get(i);
+            String structure = stated.get(i);
             names.add(name.isEmpty() ? Integer.toString(i + 1) : name);
             places.add(new double[] {x[i], y[i], z[i]});
             try {
@@ -62,6 +65,11 @@ final class MotionPoints {
                     .map(s -> motion.surfaces().get(s).name())
                     .orElseGet(() -> motion.softTissueAt(places.get(places.size() - 1))));
         }
+    }
+
+    /** The cells of a column; empty ones without it. */
+    private static List<String> texts(CsvTable table, String column) {
+        return table.has(column) ? table.texts(column) : Collections.nCopies(table.rowCount(), "");
     }
 
     /** Adds where the points are now; returns their distances from where they were seen, if that is known. */

@@ -78,6 +78,14 @@ class CsvTest {
     }
 
     @Test
+    void aNumberThatIsNotThereIsAnEmptyCellInATableOfAnyCells() {
+        String text = CsvWriter.format(
+                List.of("name", "from_mm", "to_mm"),
+                List.of(List.of("liver", Double.NaN, 1.5), List.of("spleen", -2.0, 7)));
+        assertThat(text).isEqualTo("name,from_mm,to_mm\nliver,,1.5\nspleen,-2.0,7\n");
+    }
+
+    @Test
     void numbersAreWrittenAlikeWhateverTheLocale() {
         Map<String, double[]> columns = new LinkedHashMap<>();
         columns.put("time_s", new double[] {0, 0.001, 1.0 / 3});
