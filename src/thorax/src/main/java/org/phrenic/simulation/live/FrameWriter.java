@@ -51,10 +51,13 @@ final class FrameWriter implements AutoCloseable {
         }
     }
 
-    /** Ends the thread after the task at work. */
+    /** Ends the thread after the task at work, whose exception is thrown here. */
     @Override
     public void close() {
-        finish();
-        worker.shutdown();
+        try {
+            finish();
+        } finally {
+            worker.shutdown();
+        }
     }
 }

@@ -241,7 +241,10 @@ final class RunningScene implements AutoCloseable {
 
     @Override
     public void close() {
-        writer.close();
-        simulation.close();
+        try {
+            writer.close();
+        } finally {
+            simulation.close();
+        }
     }
 }

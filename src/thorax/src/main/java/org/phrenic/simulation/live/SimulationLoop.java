@@ -227,7 +227,7 @@ final class SimulationLoop implements Runnable {
         notifyListener();
     }
 
-    /** Replaces the running scene and closes the previous one. */
+    /** Replaces the running scene and closes the previous one; what ended its last frame is thrown at the end. */
     void replaceScene(RunningScene made) {
         RunningScene old = running;
         settings.sceneStarted(made.simulation.settings());
@@ -235,15 +235,18 @@ final class SimulationLoop implements Runnable {
         divergence = Optional.empty();
         frameFailure = "";
         synchronizedSettings = made.simulation.settings();
-        if (old != null) {
-            old.close();
+        try {
+            if (old != null) {
+                old.close();
+            }
+        } finally {
+            pacer.start(0, 0);
+            threadChooser.reset();
+            made.simulation.system().workers().useCallerOnly(true);
+            updateStatus();
+            listener.ready(made.scene);
+            notifyListener();
         }
-        pacer.start(0, 0);
-        threadChooser.reset();
-        made.simulation.system().workers().useCallerOnly(true);
-        updateStatus();
-        listener.ready(made.scene);
-        notifyListener();
     }
 
     /** Goes on after the simulation was put back to its start. */

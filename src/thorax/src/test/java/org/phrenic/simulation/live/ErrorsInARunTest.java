@@ -87,6 +87,31 @@ class ErrorsInARunTest extends LiveRunEvents {
         requireToldAndAlive();
     }
 
+    /** The run is paused at its start, so that no other frame comes between that one and the scene that follows. */
+    @Test
+    void aSceneTakesThePlaceOfOneWhoseLastFrameHadNoMemory() throws InterruptedException {
+        start();
+        next(scenes);
+        run.restart(StepListener.Trigger.every(100), fullMemory(true));
+        assertThat(run.commandHash()).as("the run has begun again").hasSize(64);
+        run.change(List.of(Assignment.parse("links_per_node=2")));
+        assertThat(next(scenes).id()).isEqualTo(2);
+        assertThat(next(failures)).startsWith("The simulation stopped").contains("not enough memory");
+    }
+
+    @Test
+    void theThreadOfFramesEndsAfterOneThatFailed() throws InterruptedException {
+        AtomicReference<Thread> thread = new AtomicReference<>();
+        FrameWriter writer = new FrameWriter();
+        writer.start(() -> {
+            thread.set(Thread.currentThread());
+            throw new OutOfMemoryError("Java heap space");
+        });
+        assertThatExceptionOfType(OutOfMemoryError.class).isThrownBy(writer::close);
+        thread.get().join(TimeUnit.SECONDS.toMillis(PATIENCE_S));
+        assertThat(thread.get().isAlive()).isFalse();
+    }
+
     @Test
     void aLoadThatEndsWithAnErrorIsToldAndIsOver() throws InterruptedException {
         ofNextBody.set(new NoClassDefFoundError("org/phrenic/Missing"));
