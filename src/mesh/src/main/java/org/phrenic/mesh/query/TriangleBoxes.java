@@ -46,7 +46,7 @@ abstract class TriangleBoxes {
         int n = mesh.triangleCount();
         order = new int[n];
         Arrays.setAll(order, i -> i);
-        // Median splits leave each leaf more than half full.
+        // Median splits leave each leaf at least half full.
         int most = Math.max(1, 4 * n / LEAF_TRIANGLES + 2);
         child = new int[most];
         count = new int[most];

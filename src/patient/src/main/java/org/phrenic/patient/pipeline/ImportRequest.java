@@ -10,8 +10,8 @@ import org.phrenic.patient.label.GeometryOverride;
  *
  * @param file the label volume
  * @param name name of the body
- * @param labels label table: a CSV file, {@code totalsegmentator}, or {@code lungs} for a mask of both lungs; empty
- *     guesses
+ * @param labels label table: a CSV file, the name of a tool or data set such as {@code totalsegmentator}, or
+ *     {@code lungs} for a mask of both lungs; empty guesses
  * @param edgeMm edge length of the triangles, mm; empty uses a length by structure (see
  *     {@link org.phrenic.patient.ScanImport})
  * @param geometry axes and spacing of the volume where the file states them wrongly; without axes those of the file are
