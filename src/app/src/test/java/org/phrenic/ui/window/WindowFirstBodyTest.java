@@ -28,6 +28,10 @@ class WindowFirstBodyTest {
         EventThread.until("the end of loading", () -> !session.live().isLoading());
         PhrenicWindow window = EventThread.get(() -> new PhrenicWindow(WindowPreferences.unsaved(), session));
         try {
+            EventThread.until(
+                    "whether pictures can be drawn",
+                    () -> window.view().graphicsInfo().isPresent()
+                            || window.view().isUnavailable());
             assumeThat(window.view().isUnavailable()).isFalse();
             EventThread.until("the reason", () -> window.view().placeholder().contains(folder.toString()));
             assertThat(window.banner().message()).contains(folder.toString());

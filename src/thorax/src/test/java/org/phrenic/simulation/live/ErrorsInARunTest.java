@@ -74,7 +74,7 @@ class ErrorsInARunTest extends LiveRunEvents {
         start();
         next(scenes);
         run.play();
-        run.listenToSteps(StepListener.Trigger.every(100), fullMemory(false));
+        run.restart(StepListener.Trigger.every(100), fullMemory(false));
         requireToldAndAlive();
     }
 

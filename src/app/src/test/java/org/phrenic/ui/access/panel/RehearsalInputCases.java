@@ -142,11 +142,16 @@ abstract class RehearsalInputCases {
     /** Waits for the picture of the body at rest, in which places are where they are at rest; the run stands still. */
     private static void lookAtRest() throws InterruptedException {
         clinic.rest();
-        SceneViewport view = window.window().view();
+        // After the picture of this moment none of an earlier one is on its way.
+        requirePicture(window.session().live().recordedScenario().steps());
         WindowHarness.doOnEdt(() -> window.session().live().reset());
+        requirePicture(0);
+    }
+
+    private static void requirePicture(long step) throws InterruptedException {
+        SceneViewport view = window.window().view();
         RehearsalHarness.untilWhileItRuns(
-                "a picture of the body at rest",
-                () -> view.isUnavailable() || view.frame().orElseThrow().step() == 0);
+                "a picture of step " + step, () -> view.isUnavailable() || view.shownStep() == step);
     }
 
     @Test
