@@ -147,7 +147,7 @@ public final class RehearsalController implements Session.Listener {
 
     @Override
     public void onChange() {
-        if (isActive() && awaitsScene && !session.live().isLoading()) {
+        if (isActive() && awaitsScene && !session.live().isSceneComing(session.scene())) {
             loadingEnded();
         }
         preparation.recordBreathIfChanged();

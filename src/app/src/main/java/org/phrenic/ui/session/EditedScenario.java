@@ -152,12 +152,18 @@ final class EditedScenario {
         }
     }
 
-    /** Forgets the changes whose scene was to be loaded: that has failed, or is not wanted any more. */
+    /** Forgets the changes whose scene was to be loaded: it is not wanted any more. */
     void forgetLoading() {
+        forgetLoading(Long.MAX_VALUE);
+    }
+
+    /** Forgets the changes for which a scene, or one before it, was to be loaded: that has failed. */
+    void forgetLoading(long sceneId) {
         List<Pending> latestFirst = new ArrayList<>(loading.values());
+        latestFirst.removeIf(change -> change.sceneId > sceneId);
         Collections.reverse(latestFirst);
-        loading.clear();
+        loading.values().removeAll(latestFirst);
         latestFirst.forEach(change -> change.takeBack.run());
-        loaded = running;
+        loaded = loading.isEmpty() ? running : loaded;
     }
 }

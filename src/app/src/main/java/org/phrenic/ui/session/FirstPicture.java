@@ -9,10 +9,17 @@ final class FirstPicture {
     private static final long WAIT_S = 3;
 
     private final CountDownLatch drawn;
+    private final long longestS;
 
     /** @param isAwaited whether there will be a picture */
     FirstPicture(boolean isAwaited) {
+        this(isAwaited, WAIT_S);
+    }
+
+    /** @param longestS longest time for which the assembly waits, s */
+    FirstPicture(boolean isAwaited, long longestS) {
         drawn = new CountDownLatch(isAwaited ? 1 : 0);
+        this.longestS = longestS;
     }
 
     /** There is a picture, or there will be none. */
@@ -23,7 +30,7 @@ final class FirstPicture {
     /** Waits for the picture; an interrupted thread stays interrupted. */
     void await() {
         try {
-            drawn.await(WAIT_S, TimeUnit.SECONDS);
+            drawn.await(longestS, TimeUnit.SECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

@@ -78,7 +78,11 @@ public final class Session implements AutoCloseable {
 
     /** @param pictureFirst whether the first picture, of the body at rest, comes before the first scene is assembled */
     public Session(Scenario first, boolean pictureFirst) {
-        picture = new FirstPicture(pictureFirst);
+        this(first, new FirstPicture(pictureFirst));
+    }
+
+    Session(Scenario first, FirstPicture picture) {
+        this.picture = picture;
         live = new LiveRun(first, new RunListener());
         edited = new EditedScenario(first, live, edits, this::userScenario, () -> fire(Listener::onHoldEdited));
         lookingBack = new LookingBack(live);
@@ -318,9 +322,7 @@ public final class Session implements AutoCloseable {
         @Override
         public void failed(String sentence) {
             SwingUtilities.invokeLater(() -> {
-                if (!live.isLoading()) {
-                    edited.forgetLoading();
-                }
+                edited.forgetLoading(live.lastFailedSceneId());
                 firstFailure = Optional.of(new SessionMessage(SessionMessage.Kind.REFUSED, sentence));
                 reportRefusal(sentence);
             });

@@ -24,6 +24,9 @@ class SessionTest {
     /** The small scene is assembled in less. */
     private static final long UNDISTURBED_MS = 2_000;
 
+    /** Longer than any test waits, s. */
+    private static final long PICTURE_S = 600;
+
     private static final Scenario SMALL =
             Scenario.defaults().with("resolution=low", "mesh_vertices=2000", "lungs=off", "sternum=off", "liver=false");
 
@@ -53,6 +56,25 @@ class SessionTest {
             EventThread.until("a refusal", () -> !refused.get().isEmpty());
             EventThread.run(
                     () -> assertThat(session.edits().undoPresentationName()).isEmpty());
+        }
+    }
+
+    /** The opening has failed, which the window is yet to learn, when a change is made whose scene loads. */
+    @Test
+    void anOpeningThatFailsIsForgottenThoughAnotherSceneLoadsMeanwhile() {
+        try (Session session = running()) {
+            EventThread.run(() -> {
+                session.open(EditName.of("Open nothing"), SMALL.with("anatomy=" + folder));
+                waitWhileLoading(session);
+                change(session, "resolution", "medium");
+            });
+            // What was sent before the change has come.
+            EventThread.run(() -> {
+                assertThat(session.edits().undoPresentationName()).hasValue("Undo resolution");
+                session.edits().undo();
+                assertThat(session.edits().undoPresentationName()).isEmpty();
+            });
+            EventThread.until("the values", () -> "low".equals(value(session, "resolution")));
         }
     }
 
@@ -313,7 +335,7 @@ class SessionTest {
         CountDownLatch scene = new CountDownLatch(1);
         Session[] made = new Session[1];
         SwingUtilities.invokeAndWait(() -> {
-            made[0] = new Session(SMALL, true);
+            made[0] = new Session(SMALL, new FirstPicture(true, PICTURE_S));
             made[0].addListener(new Session.Listener() {
                 @Override
                 public void onBody(LiveScene atRest) {

@@ -13,6 +13,11 @@ record FollowedStepListener(StepListener first, BiConsumer<Frame, RespiratoryPha
     }
 
     @Override
+    public void onPause() {
+        first.onPause();
+    }
+
+    @Override
     public boolean needsFrame() {
         return first.needsFrame();
     }

@@ -1,7 +1,9 @@
 package org.phrenic.simulation.live;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Frame;
@@ -17,6 +19,9 @@ import org.phrenic.simulation.observe.Frame;
 public final class LiveRun implements AutoCloseable {
     /** What to do where memory is full, as a part of a sentence. */
     public static final String FREE_MEMORY = "choose a lower resolution or start Java with a larger -Xmx";
+
+    /** No scene has this {@link LiveScene#id}. */
+    public static final long NO_SCENE = 0;
 
     /** Receives events on the thread that causes them: simulation, loader or caller. It should return quickly. */
     public interface Listener {
@@ -46,15 +51,14 @@ public final class LiveRun implements AutoCloseable {
     private final RequestedSettings settings;
     private final SimulationLoop loop;
     private final Thread thread;
-    private SceneLoader loading;
-    private long sceneCount;
-    private boolean organs;
+    private final SceneLoads loads;
 
     /** Loads a scenario. The run is paused until {@link #play}. */
     public LiveRun(Scenario first, Listener listener) {
         this.listener = listener;
         settings = new RequestedSettings(first);
         loop = new SimulationLoop(settings, listener);
+        loads = new SceneLoads(settings, loop, listener);
         thread = new Thread(loop, "phrenic-simulation");
         thread.setDaemon(true);
         loop.commands.bindTo(thread);
@@ -78,7 +82,11 @@ public final class LiveRun implements AutoCloseable {
 
     private void setPlaying(boolean on) {
         loop.playing = on;
-        loop.commands.submit(loop::playOrPause);
+        loop.commands.submit(() -> {
+            // An end of the run before this may have paused it since.
+            loop.playing = on;
+            loop.playOrPause();
+        });
     }
 
     /** Performs one step if the run is paused. */
@@ -101,10 +109,16 @@ public final class LiveRun implements AutoCloseable {
         loop.commands.submit(this::restart);
     }
 
-    /** As {@link #reset}, and sets the step listener for the new run, replacing the previous one. */
+    /**
+     * As {@link #reset}, without a breath hold, and sets the step listener for the new run, replacing the previous one,
+     * which may have held the breath at the last moment.
+     */
     public void restart(StepListener.Trigger when, StepListener watch) {
         loop.commands.submit(() -> {
             loop.setStepListener(watch, when);
+            if (settings.current().hold()) {
+                settings.request(List.of(Assignment.of("restart", Breathing.HOLD, false)));
+            }
             restart();
         });
     }
@@ -114,7 +128,7 @@ public final class LiveRun implements AutoCloseable {
         if (loop.running != null && !isLoading() && loop.running.simulation.restart()) {
             loop.beginAgain();
         } else {
-            load(settings.current());
+            loads.loadCurrent();
         }
     }
 
@@ -149,94 +163,51 @@ public final class LiveRun implements AutoCloseable {
     }
 
     /** Loads this scene and later ones with the further organs of the body; false if the running one has them. */
-    public synchronized boolean showOrgans() {
-        boolean isComing = organs && isLoading();
-        organs = true;
-        if (!hasOrgans() && !isComing) {
-            load(settings.current());
-        }
-        return !hasOrgans();
+    public boolean showOrgans() {
+        return loads.showOrgans();
     }
 
     /** Whether the running scene has the further organs of its body. */
     public boolean hasOrgans() {
-        RunningScene running = loop.running;
-        return running != null && running.organs;
+        return loads.hasOrgans();
     }
 
     /** Loads another scene while the current one continues. Cancels a load in progress. */
-    public synchronized void load(Scenario scenario) {
-        if (loop.closed) {
-            return;
-        }
-        settings.beginLoading(scenario);
-        SceneLoader before = loading;
-        if (before != null) {
-            before.cancel();
-        }
-        long id = ++sceneCount;
-        loading = new SceneLoader(scenario, id, organs, listener, before, new SceneLoader.Outcome() {
-            @Override
-            public void loaded(RunningScene made) {
-                if (!loop.commands.submit(() -> acceptLoaded(made))) {
-                    made.close();
-                }
-            }
-
-            @Override
-            public void failed(RuntimeException why) {
-                loop.commands.submit(() -> {
-                    if (endLoading(id)) {
-                        loop.reportFailure(why);
-                    }
-                });
-            }
-        });
-        loading.start();
-    }
-
-    private void acceptLoaded(RunningScene made) {
-        if (endLoading(made.scene.id()) && !loop.closed) {
-            loop.replaceScene(made);
-        } else {
-            made.close();
-        }
-    }
-
-    /** Whether this load is the pending one; if so, it is marked as finished. */
-    private synchronized boolean endLoading(long id) {
-        boolean wanted = loading != null && loading.id() == id && !loading.isCancelled();
-        if (wanted) {
-            loading = null;
-            settings.endLoading();
-        }
-        return wanted;
+    public void load(Scenario scenario) {
+        loads.load(scenario);
     }
 
     /** {@link LiveScene#id} of the scene whose load began last. */
-    public synchronized long newestSceneId() {
-        return sceneCount;
+    public long newestSceneId() {
+        return loads.newestSceneId();
+    }
+
+    /** {@link LiveScene#id} of the scene that could not be loaded last; {@link #NO_SCENE} if all could. */
+    public long lastFailedSceneId() {
+        return loads.lastFailedSceneId();
     }
 
     /** Whether a scene is being loaded. */
-    public synchronized boolean isLoading() {
-        return loading != null && !loading.isCancelled();
+    public boolean isLoading() {
+        return loads.isLoading();
+    }
+
+    /**
+     * Whether a scene is on its way to who shows one: it is being loaded, or runs, and that is still to be told.
+     *
+     * @param shown the scene that is shown
+     */
+    public boolean isSceneComing(Optional<LiveScene> shown) {
+        boolean loading = isLoading();
+        RunningScene now = loop.running;
+        return loading
+                || (now == null ? NO_SCENE : now.scene.id())
+                        != shown.map(LiveScene::id).orElse(NO_SCENE);
     }
 
     /** Cancels a load in progress beside a scene, and restores the settings of that; false if there is none. */
     public boolean cancelLoading() {
-        synchronized (this) {
-            if (!isLoading() || loop.running == null) {
-                return false;
-            }
-            loading.cancel();
-            settings.endLoading();
-        }
-        loop.commands.submit(() -> {
-            loop.synchronizeSettings();
-            loop.notifyListener();
-        });
-        return true;
+        return loads.cancel();
     }
 
     /** Whether the run has diverged and has neither gone on nor begun again since. */
@@ -325,19 +296,8 @@ public final class LiveRun implements AutoCloseable {
     /** Ends all threads. */
     @Override
     public void close() {
-        SceneLoader last;
-        synchronized (this) {
-            loop.closed = true;
-            last = loading;
-            if (last != null) {
-                last.cancel();
-            }
-        }
-        loop.commands.wake();
         try {
-            if (last != null) {
-                last.join();
-            }
+            loads.close();
             if (Thread.currentThread() != thread) {
                 thread.join();
             }

@@ -53,10 +53,17 @@ final class RequestedSettings {
         return taken;
     }
 
-    /** Marks that another scenario is loading. */
-    synchronized void beginLoading(Scenario scenario) {
+    /** Marks that another scenario is loading; returns it. */
+    synchronized Scenario beginLoading(Scenario scenario) {
         current = scenario.withChanges(List.of());
         loading = true;
+        return scenario;
+    }
+
+    /** Marks that the scenario of the current settings is loading; returns it. */
+    synchronized Scenario beginLoading() {
+        loading = true;
+        return current;
     }
 
     /** Marks that a loaded scene is running. Changes requested since its loading began become pending. */

@@ -223,18 +223,26 @@ final class SimulationLoop implements Runnable {
         startPacing();
         if (running != null) {
             running.publish();
+            if (!playing && stepListener != null) {
+                stepListener.onPause();
+            }
         }
         notifyListener();
     }
 
-    /** Replaces the running scene and closes the previous one; what ended its last frame is thrown at the end. */
-    void replaceScene(RunningScene made) {
+    /** Makes a scene the running one; returns the former, null if there is none, for {@link #beginScene}. */
+    RunningScene take(RunningScene made) {
         RunningScene old = running;
         settings.sceneStarted(made.simulation.settings());
         running = made;
         divergence = Optional.empty();
         frameFailure = "";
         synchronizedSettings = made.simulation.settings();
+        return old;
+    }
+
+    /** Begins with the running scene, and closes the former one; what ended its last frame is thrown at the end. */
+    void beginScene(RunningScene old) {
         try {
             if (old != null) {
                 old.close();
@@ -242,9 +250,9 @@ final class SimulationLoop implements Runnable {
         } finally {
             pacer.start(0, 0);
             threadChooser.reset();
-            made.simulation.system().workers().useCallerOnly(true);
+            running.simulation.system().workers().useCallerOnly(true);
             updateStatus();
-            listener.ready(made.scene);
+            listener.ready(running.scene);
             notifyListener();
         }
     }

@@ -76,6 +76,12 @@ public interface StepListener {
     }
 
     /**
+     * Called when the run is paused, on the simulation's thread, while no other call is at work. The state that
+     * {@link #onStep} was given last is still there.
+     */
+    default void onPause() {}
+
+    /**
      * This listener, whose wishes hold, and after each state that it is given, another.
      *
      * @param other is given the same state and phase, on the same thread

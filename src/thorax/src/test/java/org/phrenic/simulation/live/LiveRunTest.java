@@ -267,6 +267,20 @@ class LiveRunTest extends LiveRunHarness {
         assertThat(undone).isEmpty();
     }
 
+    /** The listener of a run may hold the breath until the very step before the run begins again with another. */
+    @Test
+    void aHoldThatFallsDueAtTheLastMomentIsNotThatOfTheRunThatBegins() throws InterruptedException {
+        start();
+        next(scenes);
+        change("hold=true");
+        BlockingQueue<Boolean> held = new LinkedBlockingQueue<>();
+        run.restart(
+                StepListener.Trigger.every(0.1),
+                (frame, label) -> held.add(run.scenario().hold()));
+        assertThat(next(held)).isFalse();
+        assertThat(run.recordedScenario().toMap()).doesNotContainEntry("hold", true);
+    }
+
     @Test
     void aDivergenceIsOverOnceTheRunBeginsAgain() throws InterruptedException {
         diverge();

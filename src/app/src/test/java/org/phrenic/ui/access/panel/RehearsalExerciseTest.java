@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Collectors;
 import javax.swing.JComboBox;
 import javax.swing.JSlider;
@@ -191,6 +192,38 @@ class RehearsalExerciseTest {
         WindowHarness.doOnEdt(() -> rehearsal().setAids(Aids.SEE_THROUGH));
         assertThat(first.plan().aids()).isEqualTo(Aids.SEE_THROUGH);
         assertThat(second.plan().aids()).isEqualTo(Aids.PICTURES);
+    }
+
+    /** Its scene runs, which the window is yet to learn, when Space is pressed twice. */
+    @Test
+    void anExerciseWhoseSceneBeginsIsNotTakenForOneWhoseSceneDoesNotCome() throws Exception {
+        String text = PLAN.replace("Own plan", "Opened").replace("mesh_vertices: 2000", "mesh_vertices: 2050");
+        RehearsalPlan opened = RehearsalPlan.read(Files.writeString(
+                folder.resolve("opened.yaml"), text.replace("[%s]", "[-90, 0, 50]") + "aids: pictures\nsteps: []\n"));
+        openPlan("Before", "steps: []\n");
+        Session session = clinic.window().session();
+        Session.Listener impatient = new Session.Listener() {
+            @Override
+            public void onLoading(String what, double share) {
+                session.removeListener(this);
+                while (session.live().isLoading()) {
+                    LockSupport.parkNanos(100_000);
+                }
+                session.togglePlay();
+                session.togglePlay();
+            }
+        };
+        WindowHarness.doOnEdt(() -> {
+            session.addListener(impatient);
+            rehearsal().open(opened);
+        });
+        clinic.until(
+                "an exercise",
+                () -> rehearsal().plan().stream().noneMatch(plan -> plan.title().equals("Before")) && clinic.isReady());
+        assertThat(WindowHarness.onEdt(() -> rehearsal().plan().orElseThrow().title()))
+                .isEqualTo("Opened");
+        assertThat(WindowHarness.onEdt(() -> rehearsal().pictures().aids())).isEqualTo(Aids.PICTURES);
+        openPlan("After", "steps: []\n");
     }
 
     /** Another exercise may be chosen by mistake, and its body may take long to load. */
