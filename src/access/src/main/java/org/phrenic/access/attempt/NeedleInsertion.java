@@ -258,6 +258,9 @@ public final class NeedleInsertion {
         turned = false;
         goal = Math.min(toDepthMm, needle.lengthMm());
         speed = goal == shaft.depth() ? 0 : speedMmPerS;
+        if (goal == 0 && speed == 0) {
+            shaft.remove();
+        }
     }
 
     /**

@@ -88,8 +88,16 @@ final class BreathCommands {
         }
         before = doing;
         breathBefore = breath;
-        for (Optional<BreathEvent.Kind> at = asked.poll(); at != null; at = asked.poll()) {
+        for (Optional<BreathEvent.Kind> at = asked.peek(); at != null; at = next()) {
             request(at, timeS);
+        }
+    }
+
+    /** Removes what is executed; null if nothing more is asked for. */
+    private Optional<BreathEvent.Kind> next() {
+        synchronized (asked) {
+            asked.remove();
+            return asked.peek();
         }
     }
 
@@ -106,5 +114,12 @@ final class BreathCommands {
     /** The end of a phase at which a breath is held, or will be, as asked for last; empty if it goes on. */
     Optional<BreathEvent.Kind> heldAt() {
         return heldAt;
+    }
+
+    /** Whether the breath is held, or will be, once all that was asked for is executed; on any thread. */
+    boolean isHeld() {
+        synchronized (asked) {
+            return heldAt.isPresent() || (asked.isEmpty() && run.scenario().hold());
+        }
     }
 }

@@ -68,6 +68,12 @@ final class HandOnNeedle {
         steps.add(timeS, new PlanStep.Place("by hand, place", entryRest, false, aim));
     }
 
+    /** Moves the tip of a placed needle to a depth. */
+    void advance(NeedleInsertion needle, double depthMm, double speedMmPerS, double timeS) {
+        needle.advance(depthMm, speedMmPerS);
+        steps.add(timeS, new PlanStep.Advance("by hand, advance", Optional.of(depthMm), speedMmPerS, false));
+    }
+
     /**
      * Turns the needle about its point on the skin.
      *

@@ -33,11 +33,6 @@ import org.phrenic.simulation.observe.Observation;
  * <p>Requests may be made from any thread and return immediately.
  */
 public final class LiveRehearsal implements StepListener {
-    /** Wall-clock time between two published states, ns. */
-    private static final long SHOW_NS = 40_000_000;
-    /** Wall-clock time after which the state is published even if nobody takes frames, ns. */
-    private static final long IDLE_NS = 120_000_000;
-
     private static final int BREATH = Observation.COLUMNS.indexOf("breath");
 
     private final LiveRun run;
@@ -50,7 +45,6 @@ public final class LiveRehearsal implements StepListener {
     private final NeedleObserver observer;
     private final HeldProbe probe;
     private final HandOnProbe hand;
-    private final AskedAngles turns = new AskedAngles();
     private final AskedMoves moves = new AskedMoves();
     private final RequestQueue requests = new RequestQueue();
     private final ManualStepRecorder steps = new ManualStepRecorder();
@@ -69,8 +63,7 @@ public final class LiveRehearsal implements StepListener {
 
     private final StepOrder order = new StepOrder();
     private boolean over;
-    private volatile long describedNs;
-    private volatile NeedleState state;
+    private final ShownNeedle shown;
 
     /**
      * @param run the run that the rehearsal is added to as a listener, every {@link Rehearsal#FRAME_INTERVAL_S}
@@ -97,13 +90,14 @@ public final class LiveRehearsal implements StepListener {
         probe = new HeldProbe(anatomy);
         hand = new HandOnProbe(probe, steps);
         grip = new HandOnNeedle(anatomy, steps);
+        shown = new ShownNeedle(observer, probe, grip, moves);
         breathing = new BreathCommands(run, steps, plan.reactionS());
     }
 
     /** While a needle by hand is in no body and nothing is asked of it, a frame changes nothing but what is shown. */
     @Override
     public boolean needsFrame() {
-        return isNeedleInUse() || System.nanoTime() - describedNs > IDLE_NS;
+        return isNeedleInUse() || shown.isOld();
     }
 
     private boolean isNeedleInUse() {
@@ -167,14 +161,20 @@ public final class LiveRehearsal implements StepListener {
             done = order.isLast(timeS) && act(1 + (int) frame.values()[BREATH]);
         }
         snapshots.observe(needle, frame, phase);
+        if (done || shown.isDue()) {
+            shown.describe(needle, frame, phase);
+        }
         if (done) {
+            // Who is told of the end finds the needle out.
             finish();
         }
-        if (state == null || done || System.nanoTime() - describedNs > SHOW_NS) {
-            describedNs = System.nanoTime();
-            turns.are(observer.angles(needle, grip.planned()));
-            state = observer.describe(needle, probe, grip.planned(), grip.aimedMm(), frame, phase);
-            moves.show();
+    }
+
+    /** Shows the needle as it is when the run stands still, however short a time ago it was shown. */
+    @Override
+    public void onPause() {
+        if (needle != null && frame != null) {
+            shown.describe(needle, frame, phase);
         }
     }
 
@@ -211,7 +211,6 @@ public final class LiveRehearsal implements StepListener {
 
     private boolean play(int breath) {
         requests.clear();
-        turns.drop();
         try {
             return !over && player.update(frame, phase, breath);
         } catch (BadInputException bad) {
@@ -237,15 +236,6 @@ public final class LiveRehearsal implements StepListener {
         return !over && !needle.shaft().isPlaced() && !needle.record().samples().isEmpty();
     }
 
-    private void turn(NeedleAngles to) {
-        try {
-            grip.turn(needle, to, timeS);
-        } finally {
-            turns.are(observer.angles(needle, grip.planned()));
-            turns.executed(to);
-        }
-    }
-
     /** Requests a breath hold at the next event of a kind, after the release of a held breath; empty only releases. */
     public void holdAt(Optional<BreathEvent.Kind> end) {
         breathing.ask(end);
@@ -254,6 +244,11 @@ public final class LiveRehearsal implements StepListener {
     /** The end of a phase at which the breath is held by hand, or will be; empty if it goes on. On any thread. */
     public Optional<BreathEvent.Kind> heldAt() {
         return breathing.heldAt();
+    }
+
+    /** Whether the breath is held, or will be, once all that was asked for is done. On any thread. */
+    public boolean isBreathHeld() {
+        return breathing.isHeld();
     }
 
     /**
@@ -267,21 +262,32 @@ public final class LiveRehearsal implements StepListener {
 
     /**
      * Moves the tip to a depth below the skin. If the needle is not placed, it is first placed on the skin, with its
-     * angles or, if it was aimed, pointed at the current position of the target.
+     * angles or, if it was aimed, pointed at the current position of the target; at a depth of 0 it stays out.
      *
      * @param speedMmPerS positive speed, mm/s
      */
     public void moveTo(double depthMm, double speedMmPerS) {
         requests.add(moves.counted(() -> {
-            if (!needle.shaft().isPlaced()) {
+            if (needle.shaft().isPlaced() || depthMm > 0) {
                 place();
+                grip.advance(needle, depthMm, speedMmPerS, timeS);
             }
-            needle.advance(depthMm, speedMmPerS);
-            steps.add(timeS, new PlanStep.Advance("by hand, advance", Optional.of(depthMm), speedMmPerS, false));
         }));
     }
 
+    /** As {@link #moveTo}, to where the needle passes nearest to the target when the request is executed. */
+    public void moveToTarget(double speedMmPerS) {
+        requests.add(moves.counted(() -> {
+            place();
+            grip.advance(needle, needle.targetDepthMm(), speedMmPerS, timeS);
+        }));
+    }
+
+    /** Places a needle that is not placed. */
     private void place() {
+        if (needle.shaft().isPlaced()) {
+            return;
+        }
         grip.requireEntry();
         if (over) {
             // A new attempt starts in the same run.
@@ -303,13 +309,15 @@ public final class LiveRehearsal implements StepListener {
      * requested between them.
      */
     public void turnTo(NeedleAngles to) {
-        turns.ask(to);
-        requests.addTurn(() -> turn(to));
+        requests.addTurn(() -> grip.turn(needle, to, timeS));
     }
 
-    /** Angles that the needle has been asked to have, or has. */
-    public NeedleAngles anglesAsked() {
-        return turns.askedOrNow();
+    /** Turns the needle from the angles that it has once all earlier requests are executed, degrees. */
+    public void turnBy(double axialDeg, double cranialDeg) {
+        requests.add(() -> {
+            NeedleAngles from = observer.angles(needle, grip.planned());
+            grip.turn(needle, from.turned(axialDeg, cranialDeg), timeS);
+        });
     }
 
     /** Puts the probe on the skin, moves it, or lifts it; the last of several moves within a frame counts. */
@@ -337,6 +345,6 @@ public final class LiveRehearsal implements StepListener {
 
     /** The current state; null before the first frame. */
     public NeedleState state() {
-        return state;
+        return shown.state();
     }
 }

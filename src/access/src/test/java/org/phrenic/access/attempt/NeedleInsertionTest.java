@@ -80,6 +80,18 @@ class NeedleInsertionTest {
         }
     }
 
+    /** On the skin it would keep its place, and the entry that is chosen next would not be where it goes in. */
+    @Test
+    void aNeedleThatIsTakenOutBeforeItIsInIsNotOnTheSkinAnyMore() {
+        NeedleInsertion session = session(20);
+        session.place(new double[] {0, 0, 0}, session.targetNow());
+        session.advance(30, AT_ONCE);
+        session.advance(0, AT_ONCE);
+        next(session);
+        assertThat(session.shaft().isPlaced()).isFalse();
+        assertThat(session.record().count(AttemptEvent.Kind.SKIN_PUNCTURE)).isZero();
+    }
+
     /**
      * The capsule lies in a depth of 40 mm and is pushed by 3.5 mm before it is cut; the target begins in one of 38 mm.
      */

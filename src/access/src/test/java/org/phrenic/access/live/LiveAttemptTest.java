@@ -2,6 +2,7 @@ package org.phrenic.access.live;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -174,6 +175,58 @@ class LiveAttemptTest {
         stopped.get(PATIENCE_S, TimeUnit.SECONDS);
     }
 
+    /**
+     * Keys come faster than the state is published: what was asked for before is what the next request goes on from.
+     */
+    @Test
+    void aRequestGoesOnFromTheRequestsBeforeItAndNotFromWhatIsShown() throws Exception {
+        Rehearsal live = live(plan("steps: []\n"), false, needle -> {
+            needle.enterAt(ENTRY, new NeedleAngles(90, 0));
+            when(needle, s -> s.hasNeedle() && s.angles().axialDeg() > 89);
+            needle.moveTo(0, 90);
+            needle.enterAt(ENTRY, new NeedleAngles(-31, 16));
+            needle.turnBy(1, 0);
+            needle.turnBy(0, 2);
+            needle.moveToTarget(150);
+            when(needle, s -> s.placed() && s.depthMm() > 1 && !s.moving());
+            needle.sample();
+            needle.moveTo(0, 300);
+        });
+        List<PlanStep> done = live.plan().steps().stream()
+                .filter(step -> !(step instanceof PlanStep.WaitSeconds))
+                .toList();
+        assertThat(done)
+                .extracting(step -> step.getClass().getSimpleName())
+                .as("a needle that is out stays out at a depth of 0")
+                .containsExactly("Place", "Advance", "Sample", "Advance");
+        NeedleAngles placed = ((PlanStep.Place) done.get(0)).aim().angles().orElseThrow();
+        assertThat(placed.axialDeg()).isCloseTo(-30, within(1e-9));
+        assertThat(placed.cranialDeg()).isCloseTo(18, within(1e-9));
+        assertThat(((PlanStep.Advance) done.get(1)).depthMm().orElseThrow())
+                .as("where this line passes nearest to the target; the former line leads away from it")
+                .isGreaterThan(40);
+    }
+
+    /** What is shown of a paused run, and is saved as a picture, is one moment. */
+    @Test
+    void thePausedRunShowsTheNeedleAsItIsThen() throws Exception {
+        live(plan("steps: []\n"), false, needle -> {
+            needle.enterAt(ENTRY, new NeedleAngles(-30, 18));
+            needle.moveTo(20, 20);
+            for (int time = 0; time < 5; time++) {
+                double depthMm = 2 + 2 * time;
+                when(needle, s -> s.depthMm() > depthMm);
+                run.pause();
+                // Answered after the pause.
+                double nowS = run.recordedScenario().steps() * run.status().dtS();
+                assertThat(needle.state().timeS()).isBetween(nowS - Rehearsal.FRAME_INTERVAL_S, nowS + 1e-9);
+                run.play();
+            }
+            needle.sample();
+            needle.moveTo(0, 300);
+        });
+    }
+
     private static NeedleSnapshot sample(Rehearsal rehearsal) {
         return rehearsal.snapshots().stream()
                 .filter(s -> s.name().equals("sample"))
@@ -229,6 +282,7 @@ class LiveAttemptTest {
     /** As the window does: the run that was looked at is at its start again, and then played by plan or by hand. */
     private Rehearsal live(RehearsalPlan plan, boolean played, Consumer<LiveRehearsal> hand) throws Exception {
         CompletableFuture<LiveAttempt> ended = new CompletableFuture<>();
+        CompletableFuture<LiveRehearsal> itself = new CompletableFuture<>();
         LiveRehearsal needle = new LiveRehearsal(
                 run,
                 new MovingAnatomy(scene.surfaces()),
@@ -236,7 +290,8 @@ class LiveAttemptTest {
                 plan,
                 study.target(),
                 played ? Optional.of(study.map()) : Optional.empty(),
-                new Ended(ended, stopped));
+                new Ended(itself, ended, stopped));
+        itself.complete(needle);
         StepListener watching = needle.andThen(
                 (frame, label) -> needle.imageMoment().ifPresent(moment -> moments.put(frame.timeS(), moment)));
         run.restart(StepListener.Trigger.every(Rehearsal.FRAME_INTERVAL_S), watching);
@@ -251,7 +306,10 @@ class LiveAttemptTest {
         }
     }
 
-    private record Ended(CompletableFuture<LiveAttempt> attempt, CompletableFuture<Void> stop)
+    private record Ended(
+            CompletableFuture<LiveRehearsal> needle,
+            CompletableFuture<LiveAttempt> attempt,
+            CompletableFuture<Void> stop)
             implements AttemptListener {
         @Override
         public void refused(String sentence) {
@@ -260,6 +318,9 @@ class LiveAttemptTest {
 
         @Override
         public void finished(LiveAttempt done) {
+            if (needle.join().state().placed()) {
+                refused("told of an end while the needle is shown in the body");
+            }
             attempt.complete(done);
         }
 

@@ -13,6 +13,7 @@ import org.phrenic.access.live.LiveAttempt;
 import org.phrenic.access.live.LiveRehearsal;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.path.TargetAccess;
+import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
@@ -35,8 +36,26 @@ final class AttemptRunner implements Session.Listener, AutoCloseable {
     private volatile LiveRehearsal rehearsal;
     /** Attempts whose reports are being composed. */
     private final List<FileWrites> unpublished = new ArrayList<>();
+    /** That of the present attempt. */
+    private ShownHelp help = new ShownHelp();
+
+    private boolean closed;
     /** Whether the attempt is played, so that its needle takes no commands. */
     private boolean isPlayed;
+
+    /** The most help that was shown in an attempt before another one began. */
+    private static final class ShownHelp {
+        private Optional<Aids> most = Optional.empty();
+
+        void end(Aids shown) {
+            most = Optional.of(shown);
+        }
+
+        /** Empty while no other attempt has begun. */
+        Optional<Aids> most() {
+            return most;
+        }
+    }
 
     AttemptRunner(Session session, BackgroundWorker work, RehearsalController controller) {
         this.session = session;
@@ -74,6 +93,9 @@ final class AttemptRunner implements Session.Listener, AutoCloseable {
             boolean played,
             Optional<EntrySelection.Entry> entry) {
         isPlayed = played;
+        help.end(controller.pictures().mostHelp());
+        ShownHelp shown = new ShownHelp();
+        help = shown;
         BooleanSupplier current = work.notDiscardedSince();
         controller.pictures().begin();
         AttemptListener listener = new AttemptListener() {
@@ -85,15 +107,9 @@ final class AttemptRunner implements Session.Listener, AutoCloseable {
             @Override
             public void finished(LiveAttempt attempt) {
                 SwingUtilities.invokeLater(() -> {
+                    Aids most = shown.most().orElseGet(controller.pictures()::mostHelp);
+                    publishReport(body, about, played ? plan : attempt.toPlan(plan.with(most)), attempt);
                     if (current.getAsBoolean()) {
-                        publishReport(
-                                body,
-                                about,
-                                played
-                                        ? plan
-                                        : attempt.toPlan(
-                                                plan.with(controller.pictures().mostHelp())),
-                                attempt);
                         controller.pictures().end();
                         controller.onAttemptEnded(played);
                     }
@@ -173,6 +189,9 @@ final class AttemptRunner implements Session.Listener, AutoCloseable {
 
     /** Hands on the report of a finished attempt once it is composed; a window that is closed meanwhile waits. */
     void publish(Callable<Rehearsal> report) {
+        if (closed) {
+            return;
+        }
         FileWrites composing = FileWrites.begin("the attempt");
         unpublished.add(composing);
         work.runAlways(
@@ -218,6 +237,7 @@ final class AttemptRunner implements Session.Listener, AutoCloseable {
 
     @Override
     public void close() {
+        closed = true;
         unpublished.forEach(FileWrites::end);
         unpublished.clear();
         sectionThread.shutdownNow();

@@ -60,7 +60,9 @@ public final class EntrySelection {
             return;
         }
         rehearsal.attempt.takeOver();
-        if (rehearsal.state().filter(s -> s.placed() && s.depthMm() > 0).isPresent()) {
+        boolean inBody =
+                rehearsal.state().filter(s -> s.placed() && s.depthMm() > 0).isPresent();
+        if (inBody || rehearsal.needle().awaitsMoves()) {
             session.note("Take the needle out first.");
             return;
         }

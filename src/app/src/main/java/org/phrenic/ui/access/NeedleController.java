@@ -65,8 +65,17 @@ public final class NeedleController {
                 && rehearsal.entrySelection().entry().isPresent();
     }
 
+    /** Whether a move was asked for that the state does not show. */
+    boolean awaitsMoves() {
+        return rehearsal.usableNeedle().filter(needle -> !needle.showsMoves()).isPresent();
+    }
+
     /** Moves the tip to a depth, mm; a needle outside of the body is placed on the skin first. */
     public void moveTo(double depthMm) {
+        moveTo(depthMm, needle -> needle.moveTo(commandedDepthMm, speedMmPerS));
+    }
+
+    private void moveTo(double depthMm, Consumer<LiveRehearsal> how) {
         if (canMove()) {
             double lengthMm = rehearsal.plan().orElseThrow().needle().lengthMm();
             commandedDepthMm = Math.max(0, Math.min(lengthMm, depthMm));
@@ -74,8 +83,8 @@ public final class NeedleController {
             if (!placed && commandedDepthMm > 0) {
                 rehearsal.pictures().place();
             }
-            if (commandedDepthMm > 0 || placed) {
-                command(needle -> needle.moveTo(commandedDepthMm, speedMmPerS));
+            if (commandedDepthMm > 0 || placed || awaitsMoves()) {
+                command(how);
             }
         } else if (rehearsal.usableNeedle().isPresent()) {
             session.note("Choose an entry first (E), or take the best path (B).");
@@ -85,11 +94,9 @@ public final class NeedleController {
     /** Moves the tip from its depth, or in the same direction from the depth that it moves to. */
     public void moveBy(double mm) {
         // A command takes until the next frame to show; steps in quick succession go on from it.
-        boolean shown =
-                rehearsal.usableNeedle().filter(LiveRehearsal::showsMoves).isPresent();
         NeedleState now = rehearsal.state().orElse(null);
         double depthMm = now == null || !now.placed() ? 0 : now.depthMm();
-        boolean isUnderWay = !shown || (now != null && now.moving());
+        boolean isUnderWay = awaitsMoves() || (now != null && now.moving());
         boolean goesOn = isUnderWay && (commandedDepthMm - depthMm) * mm >= 0;
         moveTo((goesOn ? commandedDepthMm : depthMm) + mm);
     }
@@ -105,7 +112,7 @@ public final class NeedleController {
 
     /** Moves the tip, forward or back, to where the needle passes nearest to the target. */
     public void moveToTarget() {
-        rehearsal.state().ifPresent(now -> moveTo(now.targetDepthMm()));
+        rehearsal.state().ifPresent(now -> moveTo(now.targetDepthMm(), needle -> needle.moveToTarget(speedMmPerS)));
     }
 
     public void setSpeedMmPerS(double speed) {
@@ -120,10 +127,9 @@ public final class NeedleController {
     /** Turns the needle by hand: in the axial plane, and toward the head, degrees. */
     public void turnBy(double axialDeg, double cranialDeg) {
         rehearsal
-                .usableNeedle()
-                .filter(needle ->
-                        rehearsal.state().filter(NeedleState::hasNeedle).isPresent())
-                .ifPresent(needle -> turnTo(needle.anglesAsked().turned(axialDeg, cranialDeg)));
+                .state()
+                .filter(NeedleState::hasNeedle)
+                .ifPresent(now -> command(needle -> needle.turnBy(axialDeg, cranialDeg)));
     }
 
     /** Turns the needle by hand to some angles. */
@@ -147,7 +153,8 @@ public final class NeedleController {
 
     /** Whether the breath is held, or will be at the next end of a phase. */
     public boolean isBreathHeld() {
-        return session.scenario().hold() || heldAt().isPresent();
+        return rehearsal.attempt.rehearsal().map(LiveRehearsal::isBreathHeld).orElseGet(() -> session.scenario()
+                .hold());
     }
 
     /** Holds the breath at end-expiration, or releases it. */

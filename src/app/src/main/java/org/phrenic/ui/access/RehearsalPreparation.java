@@ -109,10 +109,15 @@ final class RehearsalPreparation {
         rehearsal.showBody();
     }
 
-    /** Records the breath again if the breathing is not the recorded one. */
+    /**
+     * Records the breath again if the breathing is not the recorded one. A record that a change, or a hold, has come
+     * into is not that of a breath, also after the change is undone.
+     */
     void recordBreathIfChanged() {
-        boolean used = rehearsal.stage.canStartAttempt() || rehearsal.stage == RehearsalStage.MAPPING;
-        if (used && !breatheAlike(recorded, session.scenario())) {
+        boolean recording = rehearsal.stage == RehearsalStage.RECORDING_BREATH;
+        boolean used = recording || rehearsal.stage.canStartAttempt() || rehearsal.stage == RehearsalStage.MAPPING;
+        boolean held = recording && session.scenario().hold();
+        if (used && (held || !breatheAlike(recorded, session.scenario()))) {
             recordBreath();
         }
     }

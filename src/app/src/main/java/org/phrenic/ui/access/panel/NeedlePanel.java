@@ -92,6 +92,8 @@ final class NeedlePanel extends AccessPanel {
 
     @Override
     public void onTick(RunStatus status) {
+        // A sample is told of whichever tab is shown.
+        tellSamples(rehearsal.state().map(NeedleState::samples).orElse(0));
         if (isShowing()) {
             showNeedle();
         }
@@ -122,7 +124,6 @@ final class NeedlePanel extends AccessPanel {
                 .orElse(" "));
         loads.setText(
                 state.map(s -> text(s.load())).filter(text -> !text.isEmpty()).orElse(" "));
-        tellSamples(state.map(NeedleState::samples).orElse(0));
         setEnabled(state.isPresent() && isReady(), aim);
         setEnabled(placed.isPresent() && isReady(), sample, remove, withdraw);
     }

@@ -12,17 +12,20 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.IntPredicate;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.swing.JComponent;
 import javax.swing.JToggleButton;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.MethodOrderer;
 import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.Timeout;
+import org.phrenic.access.BreathMoment;
 import org.phrenic.access.path.SkinEntries;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.access.plan.Rehearsal;
@@ -145,6 +148,112 @@ class RehearsalWindowTest extends RehearsalProbeCases {
         assertThat(state().depthMm()).isCloseTo(10, within(0.1));
     }
 
+    /** A key is faster than the state of the needle is published. */
+    @Test
+    void aNeedleThatIsTakenOutRightAfterItIsPutInComesOutAndItsEntryStaysUntilThen() throws Exception {
+        clinic.begin();
+        double fromS = state().timeS();
+        WindowHarness.doOnEdt(() -> {
+            EntrySelection selection = rehearsal().entrySelection();
+            double[] entry = selection.entry().orElseThrow();
+            rehearsal().needle().moveTo(30);
+            selection.selectBest(true);
+            assertThat(window.window().banner().message()).contains("Take the needle out first");
+            assertThat(selection.entry()).containsSame(entry);
+            rehearsal().needle().moveTo(0);
+        });
+        // In this time the needle would be 30 mm in.
+        until("its way", () -> state().timeS() > fromS + 0.3);
+        assertThat(state().placed()).isFalse();
+    }
+
+    /** Who begins again at once has not seen yet that the needle is out. */
+    @Test
+    void anAttemptThatHasEndedIsKeptThoughTheNextIsBegunAtOnce() throws Exception {
+        sampleBeforeTheTarget();
+        int before = WindowHarness.onEdt(() -> attempts().attempts().size());
+        WindowHarness.doOnEdt(() -> {
+            rehearsal().needle().moveTo(0);
+            while (state().placed()) {
+                LockSupport.parkNanos(1_000_000);
+            }
+            // Answered after the step in which the attempt has ended.
+            window.session().live().recordedScenario();
+            rehearsal().retry();
+        });
+        until("its report", () -> attempts().attempts().size() > before);
+        clinic.ready();
+    }
+
+    /** After an attempt its report is shown instead of the needle. */
+    @Test
+    void aSampleOfAFurtherAttemptIsTold() throws Exception {
+        sampleBeforeTheTarget();
+        until("a word of it", () -> window.window().banner().message().startsWith("Sample taken"));
+        clinic.ended();
+        WindowHarness.doOnEdt(() -> {
+            window.session().note("Another one.");
+            rehearsal().needle().moveTo(12);
+        });
+        until("the needle in", () -> state().placed() && state().depthMm() > 11);
+        window.key("X");
+        until("a word of it", () -> window.window().banner().message().startsWith("Sample taken"));
+        clinic.ended();
+    }
+
+    private static void record(String depth) throws InterruptedException {
+        WindowHarness.doOnEdt(() -> window.session().change("Depth", Assignment.parse("depth=" + depth)));
+        until("another breath", () -> rehearsal().stage() != RehearsalStage.READY);
+        clinic.ready();
+    }
+
+    /** Steps, and changes between them, while a breath is recorded; the run goes on by these steps alone. */
+    private static void changeWhileRecording(String... depths) {
+        for (String depth : depths) {
+            WindowHarness.doOnEdt(() -> {
+                window.session().change("Depth", Assignment.parse("depth=" + depth));
+                // What follows from a change is done in an event of its own; a breath that is begun again plays.
+                SwingUtilities.invokeLater(window.session().live()::pause);
+            });
+            assertThat(WindowHarness.onEdt(() -> rehearsal().stage())).isEqualTo(RehearsalStage.RECORDING_BREATH);
+            for (int step = 0; step < 30; step++) {
+                window.session().live().stepOnce();
+            }
+            window.session().live().recordedScenario();
+        }
+    }
+
+    /** The moments of a breath that was changed on the way would be those of no breath that goes on. */
+    @Test
+    void aBreathThatIsChangedAndChangedBackWhileItIsRecordedIsRecordedAnew() throws Exception {
+        record("1.3");
+        List<BreathMoment> whole = WindowHarness.onEdt(
+                () -> rehearsal().study().orElseThrow().map().cycle());
+        record("1");
+        changeWhileRecording("1.3", "1", "1.3");
+        clinic.goOn();
+        clinic.ready();
+        List<BreathMoment> again = WindowHarness.onEdt(
+                () -> rehearsal().study().orElseThrow().map().cycle());
+        record("1");
+        assertThat(again).hasSameSizeAs(whole);
+        int liver = liverIndex();
+        for (int i = 0; i < whole.size(); i++) {
+            assertThat(again.get(i).frame().positions(liver))
+                    .as("moment %d", i)
+                    .isEqualTo(whole.get(i).frame().positions(liver));
+        }
+    }
+
+    private static int liverIndex() {
+        List<Surface> surfaces =
+                WindowHarness.onEdt(() -> window.session().scene().orElseThrow().surfaces());
+        return IntStream.range(0, surfaces.size())
+                .filter(i -> surfaces.get(i).kind() == StructureKind.LIVER)
+                .findFirst()
+                .orElseThrow();
+    }
+
     /** The skin nearest to the outermost place of a rib, whose bone the upright needle meets. */
     private static double[] skinOverRib() {
         return WindowHarness.onEdt(() -> {
@@ -251,6 +360,18 @@ class RehearsalWindowTest extends RehearsalProbeCases {
         assertThat(WindowHarness.onEdt(() -> rehearsal().needle().isBreathHeld()))
                 .as("after two presses within a frame")
                 .isFalse();
+        window.key("H");
+        until("a held breath", () -> state().label() == RespiratoryPhase.HOLD);
+        WindowHarness.doOnEdt(() -> {
+            rehearsal().needle().toggleHold();
+            rehearsal().needle().toggleHold();
+            assertThat(rehearsal().needle().heldAt())
+                    .as("released and held again within a frame")
+                    .isPresent();
+            rehearsal().needle().toggleHold();
+            assertThat(rehearsal().needle().isBreathHeld()).isFalse();
+        });
+        until("a breath that goes on", () -> state().label() != RespiratoryPhase.HOLD);
     }
 
     private static boolean repeats() {
