@@ -1,5 +1,6 @@
 package org.phrenic.ui.access;
 
+import java.awt.Point;
 import java.awt.event.MouseEvent;
 import java.util.Optional;
 import javax.swing.SwingUtilities;
@@ -34,6 +35,8 @@ final class HandTool {
     private int lastX;
     private int lastY;
     private boolean searching;
+    /** Where the mouse has gone during a search; empty if it has stayed. */
+    private Optional<Point> wanted = Optional.empty();
 
     HandTool(RehearsalController rehearsal, SceneViewport view) {
         this.rehearsal = rehearsal;
@@ -80,21 +83,28 @@ final class HandTool {
         lastY = e.getY();
         switch (held) {
             case NEEDLE -> rehearsal.state().filter(NeedleState::hasNeedle).ifPresent(state -> turnNeedle(state, e));
-            case PROBE -> slideProbe(e);
+            case PROBE -> slideProbe(e.getPoint());
             case PROBE_ANGLES -> rehearsal.probe().turn(0, DEG_PER_PX * dy, -DEG_PER_PX * dx);
             case NOTHING -> {}
         }
     }
 
     /** Slides the probe to the skin under the mouse; while a search is under way the last place counts. */
-    private void slideProbe(MouseEvent e) {
+    private void slideProbe(Point to) {
         if (searching) {
+            wanted = Optional.of(to);
             return;
         }
         searching = true;
-        view.pick(e.getX(), e.getY(), s -> s.kind() == StructureKind.SKIN ? 1 : 0, found -> {
+        view.pick(to.x, to.y, s -> s.kind() == StructureKind.SKIN ? 1 : 0, found -> {
             searching = false;
-            found.ifPresent(place -> rehearsal.probe().put(place.restPosition()));
+            Optional<Point> next = wanted;
+            wanted = Optional.empty();
+            // A probe that was lifted meanwhile stays lifted.
+            if (rehearsal.probe().hold().isPresent()) {
+                found.ifPresent(place -> rehearsal.probe().put(place.restPosition()));
+                next.ifPresent(this::slideProbe);
+            }
         });
     }
 

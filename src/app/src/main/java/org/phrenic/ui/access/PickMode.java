@@ -4,6 +4,8 @@ import java.awt.Cursor;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.ToDoubleFunction;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.scene.camera.PickResult;
 import org.phrenic.simulation.observe.Surface;
@@ -66,15 +68,20 @@ public final class PickMode implements SceneViewport.MouseTool {
     }
 
     @Override
-    public double pickOpacity(Surface surface) {
+    public ToDoubleFunction<Surface> pickOpacity() {
         StructureKind sought = mode == Kind.TARGET ? StructureKind.LIVER : StructureKind.SKIN;
-        return surface.kind() == sought ? 1 : 0;
+        return surface -> surface.kind() == sought ? 1 : 0;
     }
 
     @Override
-    public void picked(Optional<PickResult> pick) {
-        Kind what = mode;
-        if (what == Kind.NONE) {
+    public Consumer<Optional<PickResult>> receiver() {
+        Kind clicked = mode;
+        return pick -> picked(clicked, pick);
+    }
+
+    /** Takes what was clicked for something, unless a click is for something else by now. */
+    private void picked(Kind what, Optional<PickResult> pick) {
+        if (what == Kind.NONE || what != mode) {
             return;
         }
         toggle(Kind.NONE);

@@ -163,11 +163,11 @@ public final class SceneViewport extends JPanel implements Session.Listener {
     public interface MouseTool {
         boolean isPicking();
 
-        /** Opacity of a surface for the pick; 0 lets the ray through. */
-        double pickOpacity(Surface surface);
+        /** Opacity of surfaces for a pick that begins; 0 lets the ray through. */
+        ToDoubleFunction<Surface> pickOpacity();
 
-        /** Takes the result of the pick; empty if the ray hits nothing. */
-        void picked(Optional<PickResult> found);
+        /** Takes the result of a pick that begins; empty if the ray hits nothing. */
+        Consumer<Optional<PickResult>> receiver();
 
         /** Takes a turn of the wheel; false if it is for the camera. */
         boolean wheelTurned(MouseWheelEvent e);
@@ -199,7 +199,7 @@ public final class SceneViewport extends JPanel implements Session.Listener {
     /** A click: for the tool if it is picking, else it names the structure. */
     void click(int x, int y, boolean twice) {
         if (tool.isPresent() && tool.get().isPicking() && scene != null) {
-            pick(x, y, tool.get()::pickOpacity, tool.get()::picked);
+            pick(x, y, tool.get().pickOpacity(), tool.get().receiver());
         } else {
             pick(x, y, twice);
         }

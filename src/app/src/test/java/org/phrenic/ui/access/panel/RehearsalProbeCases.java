@@ -10,6 +10,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -132,6 +134,7 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
         clinic.until("slid", () -> Vectors.distance(probe().hold().pointRest(), first) > 4);
         window.mouse(view, at[0] + 20, at[1] + 12, MouseEvent.MOUSE_RELEASED);
         assertThat(place()[2]).as("dragged down").isLessThan(first[2]);
+        assertDraggedProbeEndsUnderTheMouse();
 
         window.key("K");
         clinic.until("an entry", () -> state().hasNeedle());
@@ -144,6 +147,31 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
         clinic.until(
                 "turned to the head",
                 () -> state().angles().cranialDeg() > before.angles().cranialDeg() + 3);
+    }
+
+    /** The mouse goes on and stops while the skin under it is still searched; then the probe is lifted meanwhile. */
+    private static void assertDraggedProbeEndsUnderTheMouse() throws Exception {
+        SceneViewport view = window.window().view();
+        double[] at = pixel(WindowHarness.onEdt(() -> probe().pose().face()));
+        double[] before = place();
+        window.mouse(view, at[0], at[1], MouseEvent.MOUSE_MOVED, MouseEvent.MOUSE_PRESSED);
+        window.mouse(view, at[0] - 4, at[1], MouseEvent.MOUSE_DRAGGED);
+        window.mouse(view, at[0] - 30, at[1] - 12, MouseEvent.MOUSE_DRAGGED, MouseEvent.MOUSE_RELEASED);
+        clinic.until(
+                "where the mouse has stopped",
+                () -> Vectors.distance(probe().hold().pointRest(), before) > 10);
+        double[] now = pixel(WindowHarness.onEdt(() -> probe().pose().face()));
+        WindowHarness.doOnEdt(() -> {
+            window.mouse(view, now[0], now[1], MouseEvent.MOUSE_MOVED, MouseEvent.MOUSE_PRESSED);
+            window.mouse(view, now[0] + 8, now[1], MouseEvent.MOUSE_DRAGGED);
+            rehearsal().probe().lift();
+            window.mouse(view, now[0] + 8, now[1], MouseEvent.MOUSE_RELEASED);
+        });
+        CompletableFuture<Boolean> searched = new CompletableFuture<>();
+        WindowHarness.doOnEdt(() -> view.pick((int) now[0], (int) now[1], s -> 1, found -> searched.complete(true)));
+        searched.get(60, TimeUnit.SECONDS);
+        assertThat(WindowHarness.onEdt(() -> rehearsal().probe().hold())).isEmpty();
+        putProbe();
     }
 
     @Test
@@ -171,7 +199,7 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
         window.key("shift I");
         clinic.until("10 mm in", () -> clinic.isAt(10));
         window.key("shift I");
-        clinic.until("20 mm in", () -> clinic.isAt(20) || !state().moving());
+        clinic.until("20 mm in", () -> clinic.isAt(20) || (state().depthMm() > 10.5 && !state().moving()));
         window.key("X");
         clinic.until("a sample", () -> state().samples() == 1);
         clinic.until("a word of it", () -> window.window().banner().message().startsWith("Sample taken"));
