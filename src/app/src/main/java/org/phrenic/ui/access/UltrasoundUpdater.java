@@ -29,6 +29,8 @@ final class UltrasoundUpdater {
     private final Consumer<Optional<UltrasoundShot>> listener;
     private Ultrasound ultrasound;
     private volatile boolean shown;
+    /** When what was shown last was taken, ns; used on the event dispatch thread. */
+    private long lastTakenNs = Long.MIN_VALUE;
 
     /**
      * @param frame of these surfaces; overwritten
@@ -75,9 +77,10 @@ final class UltrasoundUpdater {
     private void show(Optional<UltrasoundShot> shot, long takenNs) {
         double elapsedS = 1e-9 * (System.nanoTime() - takenNs);
         int delayMs = (int) Math.max(0, Math.round(1000 * (latencyS.getAsDouble() - elapsedS)));
-        // An image that is done after the probe was lifted is not shown.
+        // An image that is done after the probe was lifted, or after a later one was shown, is not shown.
         Timer timer = new Timer(delayMs, e -> {
-            if (shot.isPresent() == shown) {
+            if (shot.isPresent() == shown && takenNs >= lastTakenNs) {
+                lastTakenNs = takenNs;
                 listener.accept(shot);
             }
         });

@@ -31,7 +31,7 @@ import org.phrenic.scene.style.Transparency;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.observe.Overlay;
 import org.phrenic.simulation.observe.Surface;
-import org.phrenic.ui.session.BackgroundWorker;
+import org.phrenic.ui.session.LatestTask;
 import org.phrenic.ui.session.NumberFormats;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.view.AppearanceModel;
@@ -93,6 +93,10 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
             "Colours show",
             "What the colours show");
     private final JButton reference;
+    /** Names the surface that is measured from. */
+    private String referenceText = "Surface...";
+
+    private final transient LatestTask reading = new LatestTask();
     private final JComboBox<StructureItem> structure = Controls.describe(
             new JComboBox<>(), "Coloured structure", "Structure that carries the colours and the shape at rest");
     private final JTextField minimum =
@@ -129,7 +133,7 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         String[] readable = MeshFiles.READABLE.toArray(String[]::new);
         this.chooser = chooser == null ? () -> FileDialogs.open(this, "Surface to measure from", readable) : chooser;
         reference = Controls.button(
-                "Surface...",
+                referenceText,
                 "Surface from which distances are measured, such as the same organ in a scan (LPS, mm)",
                 () -> this.chooser.get().ifPresent(this::readReference));
         setName("show");
@@ -268,19 +272,21 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         }
     }
 
+    /** Reads the surface to measure from; the one that was chosen last counts. */
     private void readReference(Path file) {
-        String before = reference.getText();
         reference.setText("Reading " + file.getFileName());
-        BackgroundWorker.execute(
+        reading.execute(
                 () -> new DistanceField(MeshFiles.read(file)),
                 surface -> {
-                    reference.setText(file.getFileName() + "...");
+                    referenceText = file.getFileName() + "...";
+                    reference.setText(referenceText);
                     appearance.setReference(surface);
                     applyColours();
                 },
                 sentence -> {
-                    reference.setText(before);
-                    if (appearance.reference().isEmpty()) {
+                    reference.setText(referenceText);
+                    if (selectedField() == ColourField.DISTANCE
+                            && appearance.reference().isEmpty()) {
                         field.setSelectedIndex(0);
                     }
                     session.refuse(sentence);

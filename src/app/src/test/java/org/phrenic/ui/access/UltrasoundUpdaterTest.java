@@ -7,7 +7,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.phrenic.access.Needle;
 import org.phrenic.access.TargetLesion;
@@ -59,8 +61,12 @@ class UltrasoundUpdaterTest {
     }
 
     private static NeedleState state() {
+        return state(1);
+    }
+
+    private static NeedleState state(double timeS) {
         return new NeedleState(
-                1,
+                timeS,
                 RespiratoryPhase.PAUSE,
                 TARGET,
                 10,
@@ -80,6 +86,38 @@ class UltrasoundUpdaterTest {
                 new NeedleAngles(90, 45),
                 Optional.empty(),
                 NeedleLoad.NONE);
+    }
+
+    /** The latency is made shorter while an image waits, which then is the older one. */
+    @Test
+    void anImageDoesNotReplaceALaterOne() throws Exception {
+        List<Surface> surfaces = body();
+        Frame frame = Frame.still(surfaces);
+        List<Double> timesS = new CopyOnWriteArrayList<>();
+        CompletableFuture<Void> third = new CompletableFuture<>();
+        double[] latenciesS = {0.5, 0, 1};
+        AtomicInteger taken = new AtomicInteger();
+        UltrasoundUpdater updater = new UltrasoundUpdater(
+                work::add,
+                surfaces,
+                new TargetLesion(TARGET, 20),
+                Frame.still(surfaces),
+                () -> latenciesS[taken.get()],
+                shot -> {
+                    timesS.add(shot.orElseThrow().state().timeS());
+                    if (timesS.contains(3.0)) {
+                        third.complete(null);
+                    }
+                });
+        for (int i = 0; i < latenciesS.length; i++) {
+            taken.set(i);
+            updater.offer(frame, Optional.of(MOMENT), state(i + 1));
+            work.remove().run();
+            // Longer than the least time between two images.
+            Thread.sleep(50);
+        }
+        third.get(10, TimeUnit.SECONDS);
+        assertThat(timesS).containsExactly(2.0, 3.0);
     }
 
     @Test

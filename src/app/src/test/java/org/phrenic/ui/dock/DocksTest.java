@@ -239,8 +239,8 @@ class DocksTest {
         SliderRow row = row(dock, "depth");
         EventThread.run(() -> {
             row.slider().setValueIsAdjusting(true);
-            for (int place = SliderScale.POSITIONS / 2; place <= SliderScale.POSITIONS; place++) {
-                row.slider().setValue(place);
+            for (int part = 4; part <= 8; part++) {
+                row.slider().setValue(part * SliderScale.POSITIONS / 8);
             }
             row.slider().setValueIsAdjusting(false);
         });
@@ -542,7 +542,8 @@ class DocksTest {
     }
 
     private static void breathe(double seconds) {
-        double from = session.live().status().timeS();
+        // What has changed before is known to all when this is read.
+        double from = on(() -> session.live().status().timeS());
         EventThread.until("it has breathed", () -> session.live().status().timeS() > from + seconds);
     }
 
@@ -764,6 +765,45 @@ class DocksTest {
         assertThat(told).singleElement().asString().contains("scan.stl");
         assertThat(on(() -> colours(dock).getSelectedItem())).isEqualTo("No colours");
         assertThat(looks.style().field()).isEqualTo(ColourField.NONE);
+        EventThread.run(() -> session.removeListener(listener));
+    }
+
+    /** A large file is read for seconds: what is chosen meanwhile is what the user wants. */
+    @Test
+    void aSurfaceThatIsReadChangesNothingThatWasChosenMeanwhile(@TempDir Path folder) throws Exception {
+        Path broken = Files.writeString(folder.resolve("broken.stl"), "solid nothing");
+        Path scan = folder.resolve("scan.stl");
+        MeshFiles.write(scan, new TriangleMesh(new double[] {0, 0, 0, 9, 0, 0, 0, 9, 0}, new int[] {0, 1, 2}));
+        List<String> told = new ArrayList<>();
+        Session.Listener listener = new Session.Listener() {
+            @Override
+            public void onMessage(SessionMessage message) {
+                told.add(message.text());
+            }
+        };
+        AppearanceModel looks = on(AppearanceModel::new);
+        List<Path> files = new ArrayList<>(List.of(scan, broken, scan, broken));
+        DisplayDock dock = on(() -> new DisplayDock(session, looks, () -> Optional.of(files.remove(0))));
+        JButton other = WindowHarness.find(dock, JButton.class, "Surface to measure from")
+                .orElseThrow();
+        EventThread.run(() -> {
+            session.addListener(listener);
+            looks.setSurfaces(session.scene().orElseThrow().surfaces());
+            dock.onScene(session.scene().orElseThrow());
+            colours(dock).setSelectedItem("Distance to a surface");
+            other.doClick();
+            colours(dock).setSelectedItem(ColourField.STRAIN.label());
+        });
+        EventThread.until("the second is refused", () -> !told.isEmpty());
+        assertThat(on(() -> colours(dock).getSelectedItem())).isEqualTo(ColourField.STRAIN.label());
+        assertThat(looks.reference()).isEmpty();
+        assertThat(other.getText()).isEqualTo("Surface...");
+        EventThread.run(() -> colours(dock).setSelectedItem("Distance to a surface"));
+        EventThread.until("the surface is read", () -> looks.style().field() == ColourField.DISTANCE);
+        EventThread.run(other::doClick);
+        EventThread.until("the next is refused", () -> told.size() == 2);
+        assertThat(other.getText()).as("what distances are measured from").isEqualTo("scan.stl...");
+        assertThat(looks.style().field()).isEqualTo(ColourField.DISTANCE);
         EventThread.run(() -> session.removeListener(listener));
     }
 

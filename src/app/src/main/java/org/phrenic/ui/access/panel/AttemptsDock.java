@@ -86,6 +86,9 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
             "Write the report (HTML with pictures, and JSON) and the plan that repeats the attempt into a folder",
             () -> selected().ifPresent(this::save));
 
+    /** Whether a report is being written: another one, perhaps in the same folder, waits for its end. */
+    private boolean writing;
+
     private final WrappingLabel curve = WrappingLabel.secondary("Learning curve");
     private final JButton export = Controls.button(
             "Export CSV...", "Write the attempts of all sessions, a row each, into a file", () -> FileDialogs.save(
@@ -157,7 +160,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
     private void show(EndedAttempt attempt) {
         placeholder.setVisible(false);
         card.show(attempt);
-        save.setEnabled(true);
+        save.setEnabled(!writing);
         revalidate();
     }
 
@@ -225,22 +228,27 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
 
     private void save(Rehearsal attempt, String date) {
         chooser.get().ifPresent(folder -> {
-            save.setEnabled(false);
+            setWriting(true);
             session.note("Writing the report into " + folder + ".");
             writer.save(
                     attempt,
                     date,
                     folder,
                     missing -> {
-                        save.setEnabled(true);
+                        setWriting(false);
                         String saved = "Saved " + folder.resolve(AttemptReportWriter.PAGE);
                         session.note(saved + (missing.isEmpty() ? "." : " without all of its pictures: " + missing));
                     },
                     problem -> {
-                        save.setEnabled(true);
+                        setWriting(false);
                         session.refuse(problem);
                     });
         });
+    }
+
+    private void setWriting(boolean on) {
+        writing = on;
+        save.setEnabled(!on);
     }
 
     List<EndedAttempt> attempts() {

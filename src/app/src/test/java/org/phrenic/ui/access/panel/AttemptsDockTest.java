@@ -2,6 +2,7 @@ package org.phrenic.ui.access.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -9,10 +10,12 @@ import java.util.OptionalDouble;
 import javax.swing.JButton;
 import javax.swing.JTable;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.ui.access.AttemptReportWriter;
 import org.phrenic.ui.access.IdleRehearsal;
 import org.phrenic.ui.access.SampledAttempts;
+import org.phrenic.ui.session.EventThread;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.SessionMessage;
 import org.phrenic.ui.window.WindowHarness;
@@ -39,6 +42,27 @@ class AttemptsDockTest {
             });
             requireLastAttemptsWhole(dock);
         });
+    }
+
+    /** Pictures of two attempts in one folder would be mixed. */
+    @Test
+    void noSecondReportIsBegunWhileOneIsWritten(@TempDir Path folder) {
+        List<JButton> saves = new ArrayList<>();
+        IdleRehearsal.with((session, appearance, view, rehearsal) -> {
+            AttemptReportWriter writer = new AttemptReportWriter(view, 100, 1);
+            AttemptsDock dock = new AttemptsDock(session, rehearsal, writer, () -> Optional.of(folder));
+            dock.onAttemptEnded(SampledAttempts.rehearsal(SHORT));
+            dock.onAttemptEnded(SampledAttempts.rehearsal());
+            JTable table = WindowHarness.find(dock, JTable.class, "Attempts of this session")
+                    .orElseThrow();
+            JButton save =
+                    WindowHarness.find(dock, JButton.class, "Save report").orElseThrow();
+            save.doClick();
+            table.setRowSelectionInterval(0, 0);
+            assertThat(save.isEnabled()).isFalse();
+            saves.add(save);
+        });
+        EventThread.until("the end of the first", saves.get(0)::isEnabled);
     }
 
     private void requireLastAttemptsWhole(AttemptsDock dock) {
