@@ -1,7 +1,6 @@
 package org.phrenic.study.error;
 
 import static org.phrenic.file.Numbers.format;
-import static org.phrenic.file.Numbers.trimmed;
 
 import java.math.BigDecimal;
 import java.math.MathContext;

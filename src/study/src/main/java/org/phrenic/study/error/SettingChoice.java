@@ -5,7 +5,6 @@ import static org.phrenic.file.Numbers.format;
 import org.phrenic.file.Numbers;
 import org.phrenic.scenario.Scenario;
 
-
 /**
  * The cheapest measured setting that keeps an error.
  *
