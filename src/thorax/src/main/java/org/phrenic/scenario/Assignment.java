@@ -42,8 +42,9 @@ public record Assignment(String origin, Setting<?> setting, Object value) {
             Setting<?> setting = Settings.find(key);
             return new Assignment(origin, setting, setting.read(yaml, folder));
         } catch (BadInputException e) {
-            // The value comes from no file, so the message omits the line number.
-            throw new BadInputException(e.getMessage().replace(origin + ": line 1, key", origin + ": key"), e);
+            // The value comes from no file and its quotes from here, so the message omits line number and quotes.
+            String message = e.getMessage().replace(origin + ": line 1, key", origin + ": key");
+            throw new BadInputException(message.replace(": found the quoted text '", ": found '"), e);
         }
     }
 

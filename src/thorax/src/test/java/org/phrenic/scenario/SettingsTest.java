@@ -71,6 +71,16 @@ class SettingsTest {
         assertThat(message.contains("expected at least 0,")).as(message).isEqualTo(setting.minimum() == 0);
     }
 
+    /** On a command line nobody has quoted it. */
+    @Test
+    void aValueThatIsNoNumberIsStatedAsItWasTyped() {
+        for (String typed : List.of("1,5", "80 %", "it's")) {
+            assertThatThrownBy(() -> Scenario.defaults().with("depth=" + typed))
+                    .isInstanceOf(BadInputException.class)
+                    .hasMessageContaining(": key 'depth': found '" + typed + "', expected a number");
+        }
+    }
+
     private static Scenario with(Setting<?> setting, String value) {
         return Scenario.defaults().with(List.of(Assignment.read("test", setting.key(), value)));
     }
