@@ -67,7 +67,7 @@ public final class LungSplitter {
             if (second > 0 && (isLarge || erosion == 0)) {
                 Place large = Place.of(segmentation, region, piece, first);
                 Place small = Place.of(segmentation, region, piece, second);
-                if (erosion > 0 ? small.isBeside(large) : isLarge || isCollapsed(segmentation, small, large)) {
+                if (isLarge ? small.isBeside(large) : isCollapsed(segmentation, small, large)) {
                     divide(segmentation, region, piece, large, small, notes);
                     return Optional.empty();
                 }

@@ -94,6 +94,16 @@ class LungSplitterTest {
         assertThat(notes).singleElement().asString().startsWith("lungs: 259 ml that lie apart from both lungs");
     }
 
+    /** The lobes of one lung lie apart where fluid fills the fissure between them. */
+    @Test
+    void lobesOneAboveTheOtherAreNoTwoLungs() {
+        box(1, 10, 5, 3, 18, 20, 16);
+        box(1, 10, 5, 23, 18, 20, 16);
+        Segmentation s = segmentation();
+        assertThat(LungSplitter.split(s, notes).orElseThrow()).contains("does not lie beside it, expected both lungs");
+        assertThat(count(s, LabelTable.LUNGS)).isEqualTo(2 * 18 * 20 * 16);
+    }
+
     /** A lung with a waist parts into an upper and a lower half, which are no lungs of two sides. */
     @Test
     void theHalvesOfOneLungAreNoTwoLungs() {
