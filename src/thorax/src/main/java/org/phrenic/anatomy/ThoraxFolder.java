@@ -93,6 +93,9 @@ public final class ThoraxFolder {
         yaml.requireOnly(List.of("name", "axes", "units", "structures", "not_in_scan"));
         List<String> notes = new ArrayList<>();
         List<Found> found = found(folder, yaml, synonyms, notes);
+        if (whole) {
+            requireDifferentNames(folder, found);
+        }
         List<Structure> raw = read(found);
         if (raw.isEmpty()) {
             throw new BadInputException(
@@ -122,7 +125,11 @@ public final class ThoraxFolder {
                 yaml.text("name", FileNames.ofBody(folder)),
                 structures,
                 notes,
-                yaml.has("not_in_scan") ? Set.copyOf(yaml.texts("not_in_scan")) : Set.of());
+                yaml.has("not_in_scan")
+                        ? yaml.texts("not_in_scan").stream()
+                                .map(StructureName::usual)
+                                .collect(Collectors.toSet())
+                        : Set.of());
     }
 
     /** The files whose names are those of structures; adds a note on each other one. */
@@ -151,9 +158,20 @@ public final class ThoraxFolder {
             if (twin != null) {
                 throw duplicateStructure(folder, twin, entry.getValue());
             }
-            found.add(new Found(structure, name, entry.getValue()));
+            found.add(new Found(StructureName.usual(structure), name, entry.getValue()));
         }
         return found;
+    }
+
+    /** Refuses two files whose names are two spellings of one. */
+    private static void requireDifferentNames(Path folder, List<Found> found) {
+        Map<String, Path> seen = new HashMap<>();
+        for (Found f : found) {
+            Path twin = seen.putIfAbsent(f.name(), f.file());
+            if (twin != null) {
+                throw duplicateStructure(folder, twin, f.file());
+            }
+        }
     }
 
     /**
@@ -279,6 +297,19 @@ public final class ThoraxFolder {
             return Files.exists(folder.resolve(INDEX_FILE)) || files.anyMatch(ThoraxFolder::isPart);
         } catch (IOException | UncheckedIOException unlisted) {
             return Files.exists(folder.resolve(INDEX_FILE));
+        }
+    }
+
+    /** Whether a folder has the index of a body or the mesh of a diaphragm: what is to be imported has neither. */
+    public static boolean isWhole(Path folder) {
+        try (Stream<Path> files = Files.list(folder)) {
+            return Files.exists(folder.resolve(INDEX_FILE))
+                    || files.filter(ThoraxFolder::isPart)
+                            .map(file -> StructureName.parse(FileNames.withoutExtension(file)))
+                            .anyMatch(name -> name.filter(n -> n.kind() == StructureKind.DIAPHRAGM)
+                                    .isPresent());
+        } catch (IOException | UncheckedIOException e) {
+            throw new BadInputException(folder + ": cannot be listed: " + e.getMessage(), e);
         }
     }
 

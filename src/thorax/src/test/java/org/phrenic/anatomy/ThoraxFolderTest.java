@@ -128,6 +128,41 @@ class ThoraxFolderTest {
         refused("rib_05_R.ply", "rib_5_R.stl", "one file a structure");
     }
 
+    /** Other code finds a structure by its name: the portal vein by its wall, the colon where a body is completed. */
+    @Test
+    void structuresAreNamedInTheUsualSpellingWhateverThatOfTheirFiles() throws IOException {
+        write(BoxBody.structures());
+        MeshFiles.write(folder.resolve("Portal_Vein.stl"), BoxBody.box(0, 0, 0, 1));
+        MeshFiles.write(folder.resolve("Lung_r_MIDDLE.stl"), BoxBody.box(0, 0, 0, 1));
+        Files.writeString(folder.resolve("thorax.yaml"), "not_in_scan: [Rib_5_r, The breath]");
+        Thorax thorax = ThoraxFolder.load(folder);
+        assertThat(thorax.structures())
+                .extracting(Structure::name)
+                .contains("portal_vein", "lung_R_middle", "rib_05_R")
+                .doesNotContain("Portal_Vein");
+        assertThat(thorax.isInScan(thorax.find("rib_05_R").orElseThrow())).isFalse();
+        assertThat(thorax.notInScan()).contains("The breath");
+    }
+
+    @Test
+    void twoFilesWhoseNamesDifferInCaseAloneAreRefused() {
+        write(BoxBody.structures());
+        MeshFiles.write(folder.resolve("Heart.stl"), BoxBody.box(0, 0, 0, 1));
+        MeshFiles.write(folder.resolve("heart.ply"), BoxBody.box(0, 0, 0, 1));
+        refused("Heart.stl", "heart.ply", "one file a structure");
+    }
+
+    /** What a folder of meshes is, is told by the names of its meshes, not by what else lies there. */
+    @Test
+    void aFolderWithTheMeshOfADiaphragmIsAWholeBody() throws IOException {
+        Files.writeString(folder.resolve("notes-on-diaphragm.txt"), "none");
+        Files.writeString(folder.resolve("._diaphragm.stl"), "macOS");
+        MeshFiles.write(folder.resolve("liver.stl"), BoxBody.box(0, 0, 0, 1));
+        assertThat(ThoraxFolder.isWhole(folder)).isFalse();
+        MeshFiles.write(folder.resolve("Diaphragm.stl"), BoxBody.box(0, 0, 0, 1));
+        assertThat(ThoraxFolder.isWhole(folder)).isTrue();
+    }
+
     @Test
     void aBodyWithoutADiaphragmIsRefused() {
         write(BoxBody.structures().stream()
