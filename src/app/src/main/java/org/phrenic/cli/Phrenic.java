@@ -1,17 +1,14 @@
 package org.phrenic.cli;
 
 import java.io.PrintWriter;
-import java.nio.charset.Charset;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.phrenic.cli.option.VersionProvider;
-import org.phrenic.cli.report.ConsoleCharset;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.cli.report.HeadlessRun;
 import org.phrenic.document.report.Disclaimer;
-import org.phrenic.file.StandardOutput;
 import org.phrenic.ui.window.WindowStart;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -69,30 +66,12 @@ public final class Phrenic implements Callable<Integer> {
         printLogWithoutClasses();
         writeNumbersAsInFiles();
         keepToSupportedMemory();
-        StandardOutput results = new StandardOutput();
-        Charset charset = ConsoleCharset.ofProcess();
-        PrintWriter out = new PrintWriter(results, true, charset);
-        PrintWriter err = new PrintWriter(System.err, true, charset);
-        int code = ExitCode.BAD_INPUT;
-        if (SubCommands.needNoWindow(args)) {
-            System.setProperty("java.awt.headless", "true");
-        } else {
-            WindowStart.nameApplication();
+        if (!hasLibraries()) {
+            System.err.println("phrenic: found phrenic.jar without its folder lib, expected both side by side, as in"
+                    + " target or in the zip");
+            System.exit(ExitCode.BAD_INPUT);
         }
-        if (hasLibraries()) {
-            code = execute(out, err, args);
-        } else {
-            err.println("phrenic: found phrenic.jar without its folder lib, expected both side by side, as in target or"
-                    + " in the zip");
-        }
-        out.flush();
-        if (results.failure().isPresent()) {
-            err.println("phrenic: the results could not be printed: "
-                    + results.failure().get());
-            code = code == ExitCode.SUCCESS ? ExitCode.FAILURE : code;
-        }
-        err.flush();
-        System.exit(code);
+        System.exit(CommandProcess.run(args));
     }
 
     /** Lets the log on stderr consist of messages, without class and level, unless a format is set. */

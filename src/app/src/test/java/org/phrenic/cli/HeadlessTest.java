@@ -172,6 +172,34 @@ class HeadlessTest {
                 .startsWith("phrenic: the results could not be printed: ");
     }
 
+    /** As with phrenic.jar alone, copied away from the folder with the jars that it needs. */
+    @Test
+    void withoutItsLibrariesTheProgramSaysWhatItNeeds() throws Exception {
+        Process process = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        SHORT_LIVED,
+                        "-cp",
+                        Path.of(Phrenic.class
+                                        .getProtectionDomain()
+                                        .getCodeSource()
+                                        .getLocation()
+                                        .toURI())
+                                .toString(),
+                        Phrenic.class.getName(),
+                        "--help")
+                .redirectOutput(folder.resolve("stdout").toFile())
+                .redirectError(folder.resolve("stderr").toFile())
+                .start();
+        boolean ended = process.waitFor(PATIENCE_S, TimeUnit.SECONDS);
+        process.destroyForcibly();
+        assertThat(ended).isTrue();
+        assertThat(Files.readAllLines(folder.resolve("stderr")))
+                .singleElement()
+                .asString()
+                .startsWith("phrenic: found phrenic.jar without its folder lib, expected both side by side");
+        assertThat(process.exitValue()).isEqualTo(ExitCode.BAD_INPUT);
+    }
+
     /** Starts {@code render} in a process without a display and returns its exit code. */
     private int render(Map<String, String> environment, String... options) throws IOException, InterruptedException {
         List<String> arguments = new ArrayList<>(COARSE_RENDER);
