@@ -100,6 +100,11 @@ public final class BodyThumbnails implements AutoCloseable {
         }
     }
 
+    /** Whether no body has been added. */
+    public synchronized boolean isEmpty() {
+        return rows.isEmpty();
+    }
+
     /**
      * Writes the sheet as PNG.
      *

@@ -1,18 +1,17 @@
 package org.phrenic.cli.bench;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.cli.option.CoarseResolutionOption;
 import org.phrenic.cli.option.OptionValues;
 import org.phrenic.cli.option.ProvenanceOption;
@@ -24,6 +23,9 @@ import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
+import org.phrenic.mesh.io.raster.VolumeSource;
+import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
@@ -67,6 +69,7 @@ final class BenchBodiesCommand extends ReportingCommand {
             Set.of("preset", "trace", "anatomy", "resolution", "duration_s", "steps", "threads", "changes", "hold");
 
     private static final int MAX_BODIES = 10_000;
+    private static final int USUAL_SEED = 1;
     private static final int THUMBNAIL_WIDTH = 220;
     private static final int THUMBNAIL_HEIGHT = 250;
 
@@ -82,8 +85,8 @@ final class BenchBodiesCommand extends ReportingCommand {
             description = "So many bodies of random size and shape, made from the two virtual ones.")
     private String random = "0";
 
-    @Option(names = "--seed", paramLabel = "N", description = "Seed of the random bodies (default ${DEFAULT-VALUE}).")
-    private String seed = "1";
+    @Option(names = "--seed", paramLabel = "N", description = "Seed of the random bodies (default 1).")
+    private String seed;
 
     @Option(names = "--extremes", description = "Heavy bodies, high livers, barrel chests.")
     private boolean extremes;
@@ -146,18 +149,40 @@ final class BenchBodiesCommand extends ReportingCommand {
             throw new BadInputException("--complete " + complete + ": found neither a scan nor --cuts, expected a body"
                     + " that is imported");
         }
+        requireUse();
         Scenario scenario = scenario();
-        BodyStudy study = pictures ? pictured(scenario) : run(scenario, BodyStudy.Witness.NONE);
+        BodyStudy study = pictures ? pictured(scenario) : written(run(scenario, BodyStudy.Witness.NONE));
         BodyReport report = new BodyReport(study);
-        if (out != null) {
-            writePages(out, "bodies", report.document(provenance.lines()));
-            AtomicFile.write(out.resolve("bodies.csv"), report.csv());
-            JsonWriter.write(out.resolve("bodies.json"), report.values());
-        }
         print(
                 report.values(),
                 () -> TextTable.ofNumbers(report.table()) + "\n" + withDisclaimer(report.summary() + ".\n"));
         return study.passes() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
+    }
+
+    /** Refuses options that would have no effect. */
+    private void requireUse() {
+        if (seed != null && randomBodies() == 0) {
+            throw new BadInputException("--seed " + seed + ": found it without --random, expected both");
+        }
+        boolean isMade = extremes || randomBodies() > 0;
+        if (cuts != null && !isMade && !bodies.isEmpty() && bodies.stream().allMatch(BenchBodiesCommand::isScan)) {
+            throw new BadInputException("--cuts " + cuts + ": found scans alone, expected a body that is no scan");
+        }
+    }
+
+    private int randomBodies() {
+        return OptionValues.integer("--random", random, 0, MAX_BODIES);
+    }
+
+    /** Writes the report, if one is asked for. */
+    private BodyStudy written(BodyStudy study) {
+        if (out != null) {
+            BodyReport report = new BodyReport(study);
+            writePages(out, "bodies", report.document(provenance.lines()));
+            AtomicFile.write(out.resolve("bodies.csv"), report.csv());
+            JsonWriter.write(out.resolve("bodies.json"), report.values());
+        }
+        return study;
     }
 
     private BodyStudy run(Scenario scenario, BodyStudy.Witness witness) {
@@ -165,16 +190,19 @@ final class BenchBodiesCommand extends ReportingCommand {
         return BodyStudy.of(scenario, cases(scenario), atATime, witness, progress("bodies done"));
     }
 
+    /** The report is written before the sheet of pictures, which many bodies make too large for an image. */
     private BodyStudy pictured(Scenario scenario) throws NoGraphicsException {
         try (BodyThumbnails thumbnails = new BodyThumbnails(THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT)) {
-            BodyStudy study = run(scenario, (body, when, surfaces, meshes) -> {
+            BodyStudy study = written(run(scenario, (body, when, surfaces, meshes) -> {
                 if (!when.equals(BreathDepth.QUIET.preset())) {
                     thumbnails.add(body, when.equals("rest") ? "at rest" : "inspired", surfaces, meshes);
                 }
-            });
-            thumbnails.write(
-                    out.resolve("bodies.png"),
-                    study.bodies().stream().map(BodyResult::name).toList());
+            }));
+            if (!thumbnails.isEmpty()) {
+                thumbnails.write(
+                        out.resolve("bodies.png"),
+                        study.bodies().stream().map(BodyResult::name).toList());
+            }
             return study;
         }
     }
@@ -187,11 +215,12 @@ final class BenchBodiesCommand extends ReportingCommand {
     }
 
     private List<BodyCase> cases(Scenario scenario) {
+        List<BodyCut> wanted = cuts == null ? List.of() : wantedCuts();
         List<BodyCase> cases = new ArrayList<>();
         List<BodyCase> scans = new ArrayList<>();
         for (String body : bodies) {
             if (isScan(body)) {
-                scans.add(ImportedBodies.scan(Path.of(body), template(body), scansFolder()));
+                scans.add(ImportedBodies.scan(FileNames.path(body), template(body), scansFolder()));
             } else {
                 Scenario on = scenario.with(List.of(Assignment.read(body, "anatomy", body)));
                 cases.add(new BodyCase(body, "as it is", 1, () -> SimulationRun.loadThorax(on)));
@@ -202,14 +231,18 @@ final class BenchBodiesCommand extends ReportingCommand {
         }
         cases.addAll(RandomBodies.series(
                 scenario,
-                OptionValues.integer("--random", random, 0, MAX_BODIES),
-                OptionValues.integer("--seed", seed, 0, Integer.MAX_VALUE)));
+                randomBodies(),
+                seed == null ? USUAL_SEED : OptionValues.integer("--seed", seed, 0, Integer.MAX_VALUE)));
         if (cases.isEmpty() && scans.isEmpty()) {
             throw new ParameterException(commandLine(), "found no body, expected BODY, --random or --extremes");
         }
-        Stream<BodyCase> sources =
-                cuts == null ? cases.stream() : cases.stream().flatMap(source -> simulatedScans(source).stream());
+        Stream<BodyCase> sources = cuts == null
+                ? cases.stream()
+                : cases.stream()
+                        .flatMap(source ->
+                                ImportedBodies.cuts(source, wanted, template(source.name()), scansFolder()).stream());
         List<BodyCase> all = Stream.concat(sources, scans.stream()).toList();
+        (cuts == null ? scans : all).forEach(this::requireOtherFolders);
         Set<String> names = new HashSet<>();
         for (BodyCase body : all) {
             if (!names.add(body.name())) {
@@ -220,22 +253,26 @@ final class BenchBodiesCommand extends ReportingCommand {
         return all;
     }
 
-    /** Whether a body is a file, or a folder of meshes without a diaphragm. */
+    /** Refuses to write a body that is imported over one that is read. */
+    private void requireOtherFolders(BodyCase imported) {
+        Path[] read = Stream.concat(bodies.stream(), Stream.ofNullable(complete))
+                .map(FileNames::path)
+                .toArray(Path[]::new);
+        ImportedBodies.folders(scansFolder(), imported.name())
+                .forEach(written -> ReportFolder.requireNotRead("--out", written, read));
+    }
+
+    /** Whether a body is a file or a volume, or a folder of volumes or of meshes without a diaphragm. */
     private static boolean isScan(String body) {
-        Path path = Path.of(body);
-        if (!Files.isDirectory(path)) {
-            return Files.exists(path);
+        Path path = FileNames.path(body);
+        if (Files.isDirectory(path)) {
+            return !ThoraxFolder.isWhole(path) && (LabelVolumeFiles.isVolume(path) || ThoraxFolder.isBody(path));
         }
-        try (Stream<Path> files = Files.list(path)) {
-            List<Path> all = files.toList();
-            return !all.isEmpty()
-                    && all.stream().noneMatch(file -> file.getFileName()
-                            .toString()
-                            .toLowerCase(Locale.ROOT)
-                            .matches("thorax\\.yaml|.*diaphragm.*"));
-        } catch (IOException e) {
-            throw new BadInputException(body + ": cannot be read: " + e.getMessage(), e);
+        boolean isVolume = LabelVolumeFiles.isVolume(path);
+        if (isVolume && !Files.exists(VolumeSource.of(path).path())) {
+            throw new BadInputException(body + ": found no such file, expected a body");
         }
+        return isVolume || Files.exists(path);
     }
 
     private Path scansFolder() {
@@ -253,11 +290,10 @@ final class BenchBodiesCommand extends ReportingCommand {
         return () -> SimulationRun.loadThorax(with);
     }
 
-    private List<BodyCase> simulatedScans(BodyCase source) {
-        List<BodyCut> wanted = cuts.equals("all")
+    private List<BodyCut> wantedCuts() {
+        return cuts.equals("all")
                 ? List.of(BodyCut.values())
                 : OptionValues.split(cuts).stream().map(BenchBodiesCommand::cut).toList();
-        return ImportedBodies.cuts(source, wanted, template(source.name()), scansFolder());
     }
 
     private static BodyCut cut(String label) {
