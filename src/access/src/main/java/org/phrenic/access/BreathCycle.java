@@ -9,7 +9,7 @@ import org.phrenic.simulation.observe.Frame;
 /** Records the body at evenly spaced moments of one breath. {@link CycleRecorder} does the same during a live run. */
 public final class BreathCycle {
     public static final int PHASES = 20;
-    /** Maximum recording time, s; also used for breathing patterns without a period. */
+    /** Maximum recording time, s, of a breath or, without a period, of the duration of the scenario. */
     private static final double MAX_DURATION_S = 40;
 
     private BreathCycle() {}

@@ -2,7 +2,7 @@ package org.phrenic.engine.math;
 
 import java.util.Arrays;
 
-/** OrderStatistic of values. */
+/** Values by their place in the order of all. */
 public final class OrderStatistic {
     private OrderStatistic() {}
 

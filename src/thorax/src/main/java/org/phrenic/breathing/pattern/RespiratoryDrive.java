@@ -46,7 +46,10 @@ final class RespiratoryDrive {
         state.ribTurnRate = CURVE.slope(volume * depth) * volume * rate;
     }
 
-    /** Largest possible depth: the lower of the depths of full activation and full rib rotation. */
+    /**
+     * Largest possible depth: the least of those of full activation, of full rib rotation and of the full pressure,
+     * taken to rise in proportion to the depth.
+     */
     double maxDepth() {
         return 1 / Math.max(Math.max(effort, pressure), Math.max(volume, Double.MIN_NORMAL));
     }
