@@ -29,7 +29,6 @@ class BenchAccessCommandTest {
         assertThat(folder.resolve("out/imaging.md")).content().contains("## Not imaged");
     }
 
-    /** Ribs and bowel lie on ways of a plan that avoids lungs alone; what is tried is what the plan avoids. */
     @Test
     void aPlanWhoseNeedleIsTooShortIsReportedWithoutATime() throws IOException {
         Path plan = folder.resolve("short.yaml");

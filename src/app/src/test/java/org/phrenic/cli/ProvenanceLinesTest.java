@@ -120,6 +120,8 @@ class ProvenanceLinesTest {
         assertThat(line(List.of("validate", "--anatomy", path, "--anatomy", "virtual/adult-female")))
                 .isEqualTo(
                         "With: phrenic validate --anatomy " + folder.getFileName() + " --anatomy virtual/adult-female");
+        assertThat(line(List.of("validate", "--set", "anatomy=" + path)))
+                .isEqualTo("With: phrenic validate --set anatomy=" + folder.getFileName());
         assertThat(line(List.of("bench", "organs", path)))
                 .isEqualTo("With: phrenic bench organs " + folder.getFileName());
     }

@@ -121,11 +121,12 @@ public final class YamlMap {
                 .toList();
     }
 
-    /** Whether the value of {@code key} can be read as a finite number. */
+    /** Whether the value of {@code key} is a list. */
     public boolean isList(String key) {
         return has(key) && values.get(key).isList();
     }
 
+    /** Whether the value of {@code key} can be read as a finite number. */
     public boolean isNumber(String key) {
         return has(key) && values.get(key).isNumber();
     }

@@ -318,10 +318,9 @@ public final class RehearsalReport {
         List<List<String>> rows = new ArrayList<>();
         for (int m = 0; m < path.analyses().size(); m++) {
             BreathMoment moment = path.cycle().get(m);
-            String reasons = String.join(", ", path.reasons(m));
-            String free = reasons.isEmpty() ? "free" : reasons;
+            String reasons = path.reasons(m).isEmpty() ? "free" : String.join(", ", path.reasons(m));
             rows.add(List.of(
-                    number(moment.timeS()), moment.label().label(), free, PathAdvice.margin(path.marginsMm()[m])));
+                    number(moment.timeS()), moment.label().label(), reasons, PathAdvice.margin(path.marginsMm()[m])));
         }
         document.table("", Column.list("# Time, s | Breathing | Path | # Margin, mm"), rows);
     }

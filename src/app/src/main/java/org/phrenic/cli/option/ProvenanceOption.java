@@ -59,7 +59,7 @@ public final class ProvenanceOption {
         parsed.matchedPositionals().stream()
                 .distinct()
                 .flatMap(argument -> argument.originalStringValues().stream())
-                .map(value -> ShellWord.quoted(nameOnDisk(value)))
+                .map(value -> ShellWord.quoted(withNames(value)))
                 .forEach(words::add);
         for (OptionSpec option : new LinkedHashSet<>(parsed.matchedOptions())) {
             String name = option.longestName();
@@ -77,10 +77,17 @@ public final class ProvenanceOption {
 
     private static String stated(ArgSpec option, String value, boolean named) {
         if (!option.type().equals(Path.class)) {
-            return nameOnDisk(value);
+            return withNames(value);
         }
         Path path = Path.of(value);
         return Files.isDirectory(path) && !named ? option.paramLabel() : String.valueOf(path.getFileName());
+    }
+
+    /** Text in which a file or folder that is there, also behind {@code key=}, is its name. */
+    private static String withNames(String text) {
+        int value = text.indexOf('=') + 1;
+        String named = nameOnDisk(text);
+        return named.equals(text) && value > 0 ? text.substring(0, value) + nameOnDisk(text.substring(value)) : named;
     }
 
     /** The name of a file or folder that is there; any other text as it is. */

@@ -119,6 +119,7 @@ public final class FitSearch {
             return ended.equals(Ending.EVALUATIONS.label) || isOutOfTime();
         }
 
+        /** Whether the limit of time ended the search. */
         public boolean isOutOfTime() {
             return ended.equals(Ending.TIME.label);
         }

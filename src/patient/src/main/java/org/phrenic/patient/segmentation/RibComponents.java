@@ -18,7 +18,7 @@ import org.phrenic.patient.label.LabelTable;
  * leaves of a rib that passes through it.
  */
 final class RibComponents {
-    /** Parts smaller than this share of the median part, or of the twelfth of many, are fragments. */
+    /** Parts smaller than this share of the usual one are fragments. */
     private static final double FRAGMENT = 0.05;
 
     private static final int MIN_VOXELS = 20;
@@ -122,9 +122,7 @@ final class RibComponents {
                 .filter(rib -> rib.voxels.size() >= MIN_VOXELS)
                 .sorted(Comparator.comparingInt((Rib rib) -> -rib.voxels.size()))
                 .toList();
-        int large = parts.isEmpty()
-                ? 0
-                : parts.get(Math.min(parts.size() / 2, 11)).voxels.size();
+        int large = RibSides.usualSize(parts, FRAGMENT);
         for (Rib rib : byComponent.values()) {
             boolean whole = rib.voxels.size() >= Math.max(MIN_VOXELS, FRAGMENT * large);
             (whole ? ribs : fragments).add(rib);

@@ -42,6 +42,29 @@ final class RibSides {
         medianLeft = median(Side.LEFT);
     }
 
+    /**
+     * Size of the usual part, in voxels: of the median one, or the twelfth of many, of those that are no specks beside
+     * the parts that have half of all voxels.
+     *
+     * @param parts the largest first
+     * @param speck size of a speck over that of the smallest of these parts
+     */
+    static int usualSize(List<RibComponents.Rib> parts, double speck) {
+        long total = parts.stream().mapToLong(part -> part.voxels.size()).sum();
+        long sum = 0;
+        int half = 0;
+        for (int i = 0; i < parts.size() && 2 * sum < total; i++) {
+            half = parts.get(i).voxels.size();
+            sum += half;
+        }
+        double least = speck * half;
+        int[] sizes = parts.stream()
+                .mapToInt(part -> part.voxels.size())
+                .filter(size -> size >= least)
+                .toArray();
+        return sizes.length == 0 ? 0 : sizes[Math.min(sizes.length / 2, 11)];
+    }
+
     /** Median x of the centres of the ribs whose label names a side, mm; NaN if there is none. */
     private double median(Side side) {
         double[] x = ribs.stream()

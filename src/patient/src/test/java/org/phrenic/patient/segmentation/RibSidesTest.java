@@ -126,6 +126,10 @@ class RibSidesTest {
             cage.labels[v] = upper ? 0 : cage.labels[v];
         }
         cage.withVertebrae(8).ball(78, 36, 44, 2.2, CageVoxels.rib(9, true));
+        // As many specks in the soft tissue as the scan shows ribs.
+        for (int i = 0; i < 12; i++) {
+            cage.ball(20 + 4 * i, 22, 10 + 2 * (i % 3), 1.8, CageVoxels.rib(9, true));
+        }
         Set<String> both = ribs(true, 8);
         both.addAll(ribs(false, 8));
         assertThat(named(cage, LabelTable.RIBS)).isEqualTo(both);

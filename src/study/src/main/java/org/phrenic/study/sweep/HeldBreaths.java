@@ -59,10 +59,10 @@ final class HeldBreaths {
         return Assignment.read("factor '" + factor.key() + "'", factor.key(), value);
     }
 
-    /** Whether a change on the way holds the breath, or sets a preset or a recording with a hold. */
+    /** Whether a change on the way holds the breath; with another preset the breath that is measured ends. */
     private static boolean holds(Scenario scenario, ScheduledChange change) {
         Assignment assignment = change.assignment();
-        return KEYS.contains(assignment.key())
+        return assignment.key().equals(Breathing.HOLD.key())
                 && isHeld(scenario.withChanges(List.of()).with(List.of(assignment)));
     }
 

@@ -3,9 +3,11 @@ package org.phrenic.study.access;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.MovingAnatomy;
@@ -56,19 +58,23 @@ class WayCheckTest {
         withBones.add(scaled(StructureKind.BONE, "outer", 2));
         try (Workers workers = Workers.of(1)) {
             anatomy.update(still.frame());
-            AccessMap map = AccessMap.of(
-                    anatomy,
-                    List.of(still),
-                    TargetLesion.at(anatomy, IN_LIVER, 10),
-                    new Needle(18, 300),
-                    NoGoZone.defaults(),
-                    workers);
+            AccessMap map = map(anatomy, still, NoGoZone.defaults(), workers);
             WayCheck check = WayCheck.of(withBones, map);
             assertThat(check.ways()).isPositive();
             assertThat(check.crossing()).isEqualTo(check.ways());
             assertThat(check.crossed()).isEqualTo(Map.of("inner", check.ways(), "outer", check.ways()));
             assertThat(check.passes()).isFalse();
+            WayCheck bonesAllowed = WayCheck.of(withBones, map(anatomy, still, EnumSet.of(NoGoZone.LUNG), workers));
+            assertThat(bonesAllowed.ways()).isPositive();
+            assertThat(bonesAllowed.crossing())
+                    .as("of what a plan does not avoid")
+                    .isZero();
         }
+    }
+
+    private static AccessMap map(MovingAnatomy anatomy, BreathMoment still, Set<NoGoZone> avoided, Workers workers) {
+        return AccessMap.of(
+                anatomy, List.of(still), TargetLesion.at(anatomy, IN_LIVER, 10), new Needle(18, 300), avoided, workers);
     }
 
     /** The liver of the virtual man, so many times as large about a place in it. */

@@ -101,13 +101,13 @@ class StudyCheckTest {
         refused("design: {kind: list, columns: [depth, preset], points: [[1, quiet], [1.2, deep]]}\n" + CREEP, told);
         // Its closed glottis is no hold that a breath ends with.
         refused("settings: {preset: cough}\n" + DEPTHS + GRID + CREEP, told);
+        refused("settings: {changes: [\"1600:preset=hold-inspiration\"]}\n" + DEPTHS + GRID + CREEP, told);
         String held = "settings: {preset: hold-inspiration}\n";
         refused("settings: {changes: [\"1600:hold=false\"]}\n" + DEPTHS + GRID + CREEP, told);
         refused(held + "factors:\n  - {key: preset, values: [quiet, deep]}\n" + GRID + CREEP, told);
         for (String study : List.of(
                 held + DEPTHS + GRID,
                 "settings: {changes: [\"1600:hold=true\"]}\n" + DEPTHS + GRID,
-                "settings: {changes: [\"1600:preset=hold-inspiration\"]}\n" + DEPTHS + GRID,
                 "factors:\n  - {key: preset, values: [quiet, hold-inspiration]}\n" + GRID,
                 "factors:\n  - {key: preset, values: [quiet, deep]}\n  - {key: hold, values: [false, true]}\n" + GRID,
                 "design: {kind: list, columns: [depth, preset], points: [[1, quiet], [1, hold-inspiration]]}\n")) {

@@ -27,6 +27,10 @@ public final class TracePattern implements BreathingPattern {
     private static final double PROMINENCE = 0.4;
     /** Rise of an end of the recording over the next end-expiration beyond which it lies within a breath. */
     private static final double CUT = 0.2;
+    /** Time within which the signal moves by more than {@link #MOVING} unless the breath rests, s. */
+    private static final double MOVING_S = 0.3;
+
+    private static final double MOVING = 0.05;
 
     private final BreathingTrace trace;
     private final boolean loops;
@@ -48,7 +52,7 @@ public final class TracePattern implements BreathingPattern {
         this.trace = trace;
         drive = new RespiratoryDrive(parameters);
         double[] amplitude = trace.normalised().amplitude();
-        int[] restful = endExpirations(amplitude);
+        int[] restful = endExpirations(amplitude, trace.timeS());
         int first = restful[0];
         int last = restful[restful.length - 1];
         startS = trace.timeS()[first];
@@ -163,23 +167,30 @@ public final class TracePattern implements BreathingPattern {
      * breaths. Breaths are detected by prominence, not by level, because the level drifts. A breath within which the
      * recording begins or ends is left out if another is left.
      */
-    private static int[] endExpirations(double[] depth) {
+    private static int[] endExpirations(double[] depth, double[] timeS) {
         int[] found = troughs(depth);
-        int first = found.length > 2 && isWithinBreath(depth, 0, found[0], found[1]) ? 1 : 0;
+        int first = found.length > 2 && isWithinBreath(depth, timeS, 0, found[0], found[1]) ? 1 : 0;
         int last = found.length - 1;
-        if (last - first > 1 && isWithinBreath(depth, depth.length - 1, found[last], found[last - 1])) {
+        if (last - first > 1 && isWithinBreath(depth, timeS, depth.length - 1, found[last], found[last - 1])) {
             last--;
         }
         return Arrays.copyOfRange(found, first, last + 1);
     }
 
     /**
-     * Whether an outer trough only ends the recording: it lies clearly above the next one, and no sample from the end
-     * of the recording to it lies clearly above it.
+     * Whether an outer trough only ends the recording: it lies clearly above the next one, no sample from the end of
+     * the recording to it lies clearly above it, and the signal moves at that end.
      */
-    private static boolean isWithinBreath(double[] depth, int end, int trough, int next) {
+    private static boolean isWithinBreath(double[] depth, double[] timeS, int end, int trough, int next) {
         double highest = depth[highest(depth, Math.min(end, trough), Math.max(end, trough))];
-        return depth[trough] > depth[next] + CUT && highest < depth[trough] + CUT;
+        int inward = end == 0 ? 1 : -1;
+        int later = end;
+        while (Math.abs(timeS[later] - timeS[end]) < MOVING_S && later + inward >= 0 && later + inward < depth.length) {
+            later += inward;
+        }
+        return depth[trough] > depth[next] + CUT
+                && highest < depth[trough] + CUT
+                && Math.abs(depth[later] - depth[end]) > MOVING;
     }
 
     private static int[] troughs(double[] depth) {

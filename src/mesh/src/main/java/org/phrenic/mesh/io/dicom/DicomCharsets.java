@@ -40,6 +40,8 @@ final class DicomCharsets {
     private static final Pattern ESCAPE = Pattern.compile("\u001b\\$?[()\\-.][@-~]");
     /** Half-width katakana, which stand beside the sets of two bytes in Japanese names. */
     private static final String KATAKANA = "JIS_X0201";
+
+    private static final byte ESC = 0x1b;
     /** Bytes of half-width katakana are above it. */
     private static final int LAST_OF_ASCII = 0x7f;
 
@@ -59,17 +61,22 @@ final class DicomCharsets {
 
     /** The text of bytes, without the escape sequences in it. */
     static String text(byte[] bytes, Charset charset) {
-        Charset of = isKatakana(bytes, charset) ? Charset.forName(KATAKANA) : charset;
-        return ESCAPE.matcher(new String(bytes, of)).replaceAll("");
+        StringBuilder text = new StringBuilder();
+        int from = 0;
+        for (int i = 1; i <= bytes.length; i++) {
+            if (i == bytes.length || bytes[i] == ESC) {
+                byte[] piece = Arrays.copyOfRange(bytes, from, i);
+                text.append(new String(piece, isKatakana(piece, charset) ? Charset.forName(KATAKANA) : charset));
+                from = i;
+            }
+        }
+        return ESCAPE.matcher(text).replaceAll("");
     }
 
-    /** Whether bytes without an escape sequence are of no character of ISO-2022-JP, which has 7 bits. */
+    /** Whether bytes, which an escape sequence may begin, are of no character of ISO-2022-JP, which has 7 bits. */
     private static boolean isKatakana(byte[] bytes, Charset charset) {
         boolean eightBits = false;
         for (byte one : bytes) {
-            if (one == '\u001b') {
-                return false;
-            }
             eightBits |= Byte.toUnsignedInt(one) > LAST_OF_ASCII;
         }
         return eightBits && charset.name().equals("ISO-2022-JP") && Charset.isSupported(KATAKANA);

@@ -169,8 +169,7 @@ final class StructureSet {
         int beyond = 0;
         int across = 0;
         for (double[] points : closed) {
-            double height = grid.index(2, points[0], points[1], points[2]);
-            double slice = Math.rint(height);
+            double slice = Math.rint(grid.index(2, points[0], points[1], points[2]));
             if (!isInSlice(grid, slice, points)) {
                 across++;
                 continue;
@@ -184,7 +183,8 @@ final class StructureSet {
                 whole &= isOn(corners[2 * c], grid.columns()) && isOn(corners[2 * c + 1], grid.rows());
             }
             if (within) {
-                bySlice.computeIfAbsent((int) slice, none -> new SlicePlane()).add(height - slice, corners);
+                bySlice.computeIfAbsent((int) slice, none -> new SlicePlane())
+                        .add(meanHeight(grid, points) - slice, corners);
             }
             beyond += whole ? 0 : 1;
         }
@@ -204,6 +204,15 @@ final class StructureSet {
         Map<Integer, List<double[]>> corners = new TreeMap<>();
         bySlice.forEach((slice, plane) -> corners.put(slice, plane.contours()));
         return corners;
+    }
+
+    /** Mean height of the corners of a contour, slices. */
+    private static double meanHeight(SliceGrid grid, double[] points) {
+        double sum = 0;
+        for (int p = 0; p < points.length; p += 3) {
+            sum += grid.index(2, points[p], points[p + 1], points[p + 2]);
+        }
+        return 3 * sum / points.length;
     }
 
     private static boolean isInSlice(SliceGrid grid, double slice, double[] points) {

@@ -23,6 +23,9 @@ class DicomCharsetsTest {
         byte[] zou = {(byte) 0xbf, (byte) 0xde, (byte) 0xb3};
         assertThat(DicomCharsets.text(zou, DicomCharsets.of("ISO 2022 IR 13\\ISO 2022 IR 87")))
                 .isEqualTo("\uff7f\uff9e\uff73");
+        byte[] both = {(byte) 0xbf, (byte) 0xde, '=', 0x1b, 0x24, 0x42, 0x3b, 0x33, 0x45, 0x44, 0x1b, 0x28, 0x4a};
+        assertThat(DicomCharsets.text(both, DicomCharsets.of("ISO 2022 IR 13\\ISO 2022 IR 87")))
+                .isEqualTo("\uff7f\uff9e=\u5c71\u7530");
     }
 
     /** Bytes of the examples of PS3.5, annexes I.2 and K.2, which a sequence of escape begins. */

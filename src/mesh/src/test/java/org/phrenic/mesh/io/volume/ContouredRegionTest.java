@@ -63,6 +63,13 @@ class ContouredRegionTest {
                 .as("a hole stays, what comes twice does not")
                 .containsExactly(8.0, 3.0);
         assertThat(hole.leftOut()).isEqualTo(1);
+        SlicePlane apart = new SlicePlane();
+        apart.add(0, circle(15, 30, 5).get(0));
+        apart.add(0.03, circle(45, 30, 6).get(0));
+        apart.add(0.2, circle(45, 50, 4).get(0));
+        assertThat(apart.contours())
+                .as("two lungs of a plane by rounding, and what lies beside them")
+                .hasSize(3);
     }
 
     /** Of an oblique cone drawn in every fourth slice, radius and centre change linearly from slice to slice. */
