@@ -17,6 +17,7 @@ import org.phrenic.file.Numbers;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.fit.search.SearchSpace;
 import org.phrenic.mesh.query.DistanceSummary;
+import org.phrenic.scenario.RunSettings;
 
 /** The result of a fit as tables, as a document and as JSON values. */
 public record FitReport(FitResult result) {
@@ -140,7 +141,7 @@ public record FitReport(FitResult result) {
         FitSetup setup = result.setup();
         ReportDocument page = new ReportDocument(
                 "Fit to a second breath level",
-                "The body " + setup.base().anatomy()
+                "The body " + RunSettings.bodyLabel(setup.base().anatomy())
                         + " breathed in and held, with the parameters that bring its surfaces nearest to"
                         + " those given.");
         page.paragraph(summary());

@@ -13,6 +13,7 @@ import org.phrenic.access.plan.RobotOperator;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.file.BadInputException;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
@@ -94,7 +95,7 @@ public final class ExerciseStudy {
         double median = 0.5 * (mm[(attempts - 1) / 2] + mm[attempts / 2]);
         return new Result(
                 plan.title(),
-                plan.scenario().anatomy(),
+                RunSettings.bodyLabel(plan.scenario().anatomy()),
                 access.target().diameterMm(),
                 held,
                 attempts,

@@ -9,6 +9,7 @@ import java.util.Map;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.scenario.RunSettings;
 
 /** A sensitivity study as Markdown and as values for JSON. */
 public record SensitivityReport(Sensitivity sensitivity) {
@@ -49,7 +50,7 @@ public record SensitivityReport(Sensitivity sensitivity) {
                 "Which parameter moves which observable",
                 "Change of the observable in per cent for one per cent of the parameter, each parameter alone between"
                         + " nine and eleven tenths of its value (or to the end of its range); preset "
-                        + sensitivity.preset() + ", " + sensitivity.anatomy()
+                        + sensitivity.preset() + ", " + RunSettings.bodyLabel(sensitivity.anatomy())
                         + ". A parameter whose value is 0 has no per cent and is left out.");
         report.points(provenance.toArray(String[]::new));
         Attempts.addFailures(report, "Not computed", sensitivity.failures());

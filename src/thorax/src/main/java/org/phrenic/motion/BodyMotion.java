@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.StructureName;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.BoundingBoxes;
@@ -112,8 +113,9 @@ public final class BodyMotion implements AutoCloseable {
      * @throws BadInputException if the body has no such structure
      */
     public int structure(String name) {
+        String usual = StructureName.usual(name);
         for (int i = 0; i < surfaces.size(); i++) {
-            if (surfaces.get(i).name().equalsIgnoreCase(name)) {
+            if (surfaces.get(i).name().equalsIgnoreCase(usual)) {
                 return i;
             }
         }

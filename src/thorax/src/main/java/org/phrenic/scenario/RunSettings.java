@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.document.YamlMap;
+import org.phrenic.file.FileNames;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.parameter.Effect;
@@ -107,5 +108,10 @@ public final class RunSettings {
             list.add(ScheduledChange.parse(text, origin, problem -> yaml.bad(key, problem), folder));
         }
         return list;
+    }
+
+    /** A body in a report: the name of a virtual one, of any other that of its folder without where it lies. */
+    public static String bodyLabel(String anatomy) {
+        return VIRTUAL_BODIES.contains(anatomy) ? anatomy : FileNames.ofBody(Path.of(anatomy));
     }
 }

@@ -192,7 +192,8 @@ public final class PlanPlayer {
                         + (map.counts().inReach() == 0
                                 ? ": found the needle too short to reach the target from anywhere on the skin,"
                                         + " expected a longer one"
-                                : ": found no free path to the target from anywhere on the skin, expected one")));
+                                : ": found no free path to the target from anywhere on the skin"
+                                        + (place.atEndExpiration() ? " at end-expiration" : "") + ", expected one")));
     }
 
     private double[] point(PlanStep.Aim aim) {

@@ -1,6 +1,5 @@
 package org.phrenic.access.plan;
 
-import java.nio.file.Path;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
@@ -33,8 +32,8 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.document.report.ReportDocument.Picture;
-import org.phrenic.file.FileNames;
 import org.phrenic.file.Numbers;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Surface;
 
@@ -159,8 +158,7 @@ public final class RehearsalReport {
         RehearsalPlan plan = rehearsal.plan();
         ReportDocument document = new ReportDocument(plan.title(), plan.description());
         document.remark(headline());
-        String anatomy = plan.scenario().anatomy();
-        String body = plan.scenario().isVirtual() ? anatomy : FileNames.ofBody(Path.of(anatomy));
+        String body = RunSettings.bodyLabel(plan.scenario().anatomy());
         document.paragraph("Date: " + date + ". Body: " + body + ". Breathing: " + breathing(plan.scenario())
                 + ". Help: " + plan.aids().label().toLowerCase(Locale.ROOT) + ".");
         goals(document);

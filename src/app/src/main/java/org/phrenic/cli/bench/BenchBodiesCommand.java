@@ -65,6 +65,9 @@ import picocli.CommandLine.Parameters;
         })
 final class BenchBodiesCommand extends ReportingCommand {
     /** Scenario keys that the command sets. */
+    /** Most bodies on a sheet of pictures, which is kept in memory. */
+    private static final int MOST_PICTURED = 300;
+
     private static final Set<String> RESERVED =
             Set.of("preset", "trace", "anatomy", "resolution", "duration_s", "steps", "threads", "changes", "hold");
 
@@ -75,8 +78,8 @@ final class BenchBodiesCommand extends ReportingCommand {
 
     @Parameters(
             paramLabel = "BODY",
-            description = "A thorax folder, virtual/adult-male or virtual/adult-female; a label volume or a folder of "
-                    + "meshes without a diaphragm is imported (needs --out).")
+            description = "A thorax folder, virtual/adult-male or virtual/adult-female; a label volume, a folder of "
+                    + "masks or one of meshes without a diaphragm is imported (needs --out).")
     private List<String> bodies = new ArrayList<>();
 
     @Option(
@@ -187,10 +190,15 @@ final class BenchBodiesCommand extends ReportingCommand {
 
     private BodyStudy run(Scenario scenario, BodyStudy.Witness witness) {
         int atATime = OptionValues.threads(threads, 1);
-        return BodyStudy.of(scenario, cases(scenario), atATime, witness, progress("bodies done"));
+        List<BodyCase> cases = cases(scenario);
+        if (pictures && cases.size() > MOST_PICTURED) {
+            throw new BadInputException(
+                    "--pictures: found " + cases.size() + " bodies, expected at most " + MOST_PICTURED);
+        }
+        return BodyStudy.of(scenario, cases, atATime, witness, progress("bodies done"));
     }
 
-    /** The report is written before the sheet of pictures, which many bodies make too large for an image. */
+    /** The report is written before the sheet of pictures. */
     private BodyStudy pictured(Scenario scenario) throws NoGraphicsException {
         try (BodyThumbnails thumbnails = new BodyThumbnails(THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT)) {
             BodyStudy study = written(run(scenario, (body, when, surfaces, meshes) -> {

@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.phrenic.document.ShellWord;
 import org.phrenic.document.report.MachineLine;
+import org.phrenic.mesh.io.raster.VolumeSource;
 import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -94,7 +95,8 @@ public final class ProvenanceOption {
     private static String nameOnDisk(String text) {
         try {
             Path path = Path.of(text);
-            boolean isThere = !text.isEmpty() && Files.exists(path);
+            boolean isThere = !text.isEmpty()
+                    && (Files.exists(path) || Files.exists(VolumeSource.of(path).path()));
             return isThere && path.getFileName() != null ? path.getFileName().toString() : text;
         } catch (InvalidPathException none) {
             return text;

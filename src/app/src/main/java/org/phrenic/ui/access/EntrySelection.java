@@ -125,7 +125,8 @@ public final class EntrySelection {
             (atEndExpiration ? map.bestAt(0, margin) : map.best(margin))
                     .ifPresentOrElse(
                             vertex -> select(map.pointAtRest(vertex)),
-                            () -> session.note("No place on the skin has a free path to this target."));
+                            () -> session.note("No place on the skin has a free path to this target"
+                                    + (atEndExpiration ? " at end-expiration." : ".")));
         }
     }
 

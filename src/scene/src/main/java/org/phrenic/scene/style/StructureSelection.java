@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.StructureName;
 import org.phrenic.document.KeySuggestion;
 import org.phrenic.simulation.observe.Surface;
 
@@ -51,7 +52,7 @@ public final class StructureSelection {
      * @throws IllegalArgumentException if it selects none; the message suggests the most similar name
      */
     public Set<String> resolve(String text) {
-        Set<String> found = byWord.get(word(text));
+        Set<String> found = byWord.getOrDefault(word(text), byWord.get(word(StructureName.usual(word(text)))));
         if (found == null) {
             throw new IllegalArgumentException("found '" + text + "', which names no structure of this body, "
                     + KeySuggestion.nearest(word(text), byWord.keySet())

@@ -24,6 +24,7 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.model.organ.OrganSettings;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.study.Attempts;
 
 /**
@@ -159,7 +160,7 @@ public record AccessReport(List<AccessStudy.Result> results, List<String> failur
         double[] range = rehearsal.map().motion().rangeMm();
         return List.of(
                 rehearsal.plan().title(),
-                rehearsal.plan().scenario().anatomy(),
+                RunSettings.bodyLabel(rehearsal.plan().scenario().anatomy()),
                 OrganSettings.meshLabel(rehearsal.plan().scenario()),
                 format("%.0f", rehearsal.target().diameterMm()),
                 format("%.1f", rehearsal.map().motion().excursionMm()),

@@ -16,6 +16,7 @@ import org.phrenic.access.ultrasound.ProbeOnSkin;
 import org.phrenic.access.ultrasound.ProbePose;
 import org.phrenic.access.ultrasound.Ultrasound;
 import org.phrenic.access.ultrasound.UltrasoundSettings;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
@@ -94,7 +95,8 @@ public final class ImagingStudy {
             int triangles = scene.surfaces().stream()
                     .mapToInt(s -> s.rest().triangles().length / 3)
                     .sum();
-            return new Result(scenario.anatomy(), triangles, radiographs, images, beside, factor);
+            return new Result(
+                    RunSettings.bodyLabel(scenario.anatomy()), triangles, radiographs, images, beside, factor);
         }
     }
 

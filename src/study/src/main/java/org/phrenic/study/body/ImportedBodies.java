@@ -122,7 +122,7 @@ public final class ImportedBodies {
         String name = scanName(file);
         return new BodyCase(
                 name,
-                "scan " + file.getFileName(),
+                "scan " + (Files.isDirectory(file) ? FileNames.ofBody(file) : file.getFileName()),
                 1,
                 () -> imported(ImportRequest.of(file, name, Optional.empty(), template.get()), folder));
     }

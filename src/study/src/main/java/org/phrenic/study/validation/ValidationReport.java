@@ -10,6 +10,7 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.study.Attempts;
 import org.phrenic.study.ReportNumbers;
 import org.phrenic.study.validation.Finding.Verdict;
@@ -56,8 +57,8 @@ public record ValidationReport(Validation validation) {
         long within = body.count(Verdict.WITHIN);
         long out = body.count(Verdict.OUT);
         long misses = body.findings().stream().filter(Finding::isMiss).count();
-        return body.anatomy() + ": " + within + " within, " + out + " out (" + misses + " of these S or R+), "
-                + body.count(Verdict.NOT_MEASURABLE) + " not measurable here";
+        return RunSettings.bodyLabel(body.anatomy()) + ": " + within + " within, " + out + " out (" + misses
+                + " of these S or R+), " + body.count(Verdict.NOT_MEASURABLE) + " not measurable here";
     }
 
     /**
@@ -79,7 +80,7 @@ public record ValidationReport(Validation validation) {
                         Arrays.stream(Verdict.values()).map(v -> Column.number(v.label())))
                 .toList();
         for (Validation.Body body : validation.bodies()) {
-            report.section(body.anatomy());
+            report.section(RunSettings.bodyLabel(body.anatomy()));
             report.paragraph(summary(body) + ".");
             report.table(
                     "",

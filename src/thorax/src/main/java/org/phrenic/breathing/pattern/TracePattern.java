@@ -27,8 +27,8 @@ public final class TracePattern implements BreathingPattern {
     private static final double PROMINENCE = 0.4;
     /** Rise of an end of the recording over the next end-expiration beyond which it lies within a breath. */
     private static final double CUT = 0.2;
-    /** Time within which the signal moves by more than {@link #MOVING} unless the breath rests, s. */
-    private static final double MOVING_S = 0.3;
+    /** Share of a breath at an end of the recording within which the signal moves by {@link #MOVING} or rests. */
+    private static final double MOVING_SHARE = 0.1;
 
     private static final double MOVING = 0.05;
 
@@ -183,14 +183,24 @@ public final class TracePattern implements BreathingPattern {
      */
     private static boolean isWithinBreath(double[] depth, double[] timeS, int end, int trough, int next) {
         double highest = depth[highest(depth, Math.min(end, trough), Math.max(end, trough))];
-        int inward = end == 0 ? 1 : -1;
-        int later = end;
-        while (Math.abs(timeS[later] - timeS[end]) < MOVING_S && later + inward >= 0 && later + inward < depth.length) {
-            later += inward;
-        }
         return depth[trough] > depth[next] + CUT
                 && highest < depth[trough] + CUT
-                && Math.abs(depth[later] - depth[end]) > MOVING;
+                && isMoving(depth, timeS, end, MOVING_SHARE * Math.abs(timeS[trough] - timeS[next]));
+    }
+
+    /** Whether the mean of the signal changes from one half of a time at an end of the recording to the other. */
+    private static boolean isMoving(double[] depth, double[] timeS, int end, double withinS) {
+        double[] sum = new double[2];
+        int[] count = new int[2];
+        for (int i = 0; i < depth.length; i++) {
+            double share = Math.abs(timeS[i] - timeS[end]) / withinS;
+            if (share < 1) {
+                int half = share < 0.5 ? 0 : 1;
+                sum[half] += depth[i];
+                count[half]++;
+            }
+        }
+        return count[1] > 0 && Math.abs(sum[0] / count[0] - sum[1] / count[1]) > MOVING;
     }
 
     private static int[] troughs(double[] depth) {

@@ -39,6 +39,9 @@ final class NrrdReader {
 
     private static final String VALUE = "_labelvalue";
     private static final String LAYER = "_layer";
+    /** How keys of segments begin. */
+    private static final String OF_SEGMENT = "segment";
+
     private static final Pattern SEGMENT = Pattern.compile("(segment(\\d{1,5}))_(?:name|layer|id)");
 
     private final VolumeSource source;
@@ -103,7 +106,10 @@ final class NrrdReader {
                 }
                 int at = pair > 0 ? pair : colon;
                 String key = text.substring(0, at);
-                header.put(pair > 0 ? key : spaced(key), text.substring(at + (pair > 0 ? 2 : 1)));
+                // A pair of another kind than a segment's is no field, though it may have the name of one.
+                if (pair <= 0 || key.strip().toLowerCase(Locale.ROOT).startsWith(OF_SEGMENT)) {
+                    header.put(pair > 0 ? key : spaced(key), text.substring(at + (pair > 0 ? 2 : 1)));
+                }
             }
             text = header.line(in);
         }

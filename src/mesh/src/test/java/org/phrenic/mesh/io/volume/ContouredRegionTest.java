@@ -67,9 +67,13 @@ class ContouredRegionTest {
         apart.add(0, circle(15, 30, 5).get(0));
         apart.add(0.03, circle(45, 30, 6).get(0));
         apart.add(0.2, circle(45, 50, 4).get(0));
+        apart.add(0.2, circle(45, 50, 2).get(0));
         assertThat(apart.contours())
-                .as("two lungs of a plane by rounding, and what lies beside them")
-                .hasSize(3);
+                .as("two lungs of a plane by rounding, and what lies beside them, with its hole")
+                .hasSize(4);
+        assertThat(kept(new SlicePlane(), new double[] {-0.09, 5.1}, new double[] {0, 5}, new double[] {0.09, 4.9}))
+                .as("planes a tenth of a slice apart")
+                .containsExactly(5.0);
     }
 
     /** Of an oblique cone drawn in every fourth slice, radius and centre change linearly from slice to slice. */

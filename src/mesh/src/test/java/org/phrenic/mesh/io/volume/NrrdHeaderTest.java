@@ -79,6 +79,13 @@ class NrrdHeaderTest {
         }
     }
 
+    /** Metadata as SimpleITK writes them: a pair is no field, whatever its key. */
+    @Test
+    void pairsDoNotReplaceFields() {
+        String header = VolumeSamples.nrrd("short", "raw") + "type:=CT\nencoding:=none\nsizes:=9 9 9\n\n";
+        assertIsSample(read("pairs.nrrd", header, SHORTS));
+    }
+
     @Test
     void tooFewBytesBeforeTheEndOfTheDataAreRefused() {
         String header = VolumeSamples.nrrd("short", "gzip") + "byte skip: -1\n\n";
