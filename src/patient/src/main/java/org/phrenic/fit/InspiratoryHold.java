@@ -79,7 +79,7 @@ public final class InspiratoryHold implements AutoCloseable {
     }
 
     /** Time from rest to the comparison of a breath of the search, s. */
-    static double searchedAtS(Scenario base) {
+    public static double searchedAtS(Scenario base) {
         return afterInspiration(SEARCHED_SHARE * base.get(Materials.MATERIAL).heldRestS());
     }
 

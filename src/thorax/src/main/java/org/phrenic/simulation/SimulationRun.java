@@ -79,8 +79,7 @@ public final class SimulationRun {
         thorax.notes().forEach(progress::note);
         try (Simulation simulation = Simulation.of(scenario, thorax, UserCache.ofUser(), progress)) {
             UserCache.ofUser().takeNotes().forEach(progress::note);
-            Stepper stepper = simulation.stepper();
-            if (stepper.substeps() > 1) {
+            if (!simulation.stabilityMessage().isEmpty()) {
                 progress.note(simulation.stabilityMessage());
             }
             double untilFirstStep = (System.nanoTime() - begun) * 1e-9;

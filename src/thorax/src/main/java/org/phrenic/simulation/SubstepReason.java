@@ -1,6 +1,7 @@
 package org.phrenic.simulation;
 
 import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.engine.integrator.StabilityLimit;
 import org.phrenic.engine.integrator.Stepper;
 import org.phrenic.file.Numbers;
 
@@ -26,8 +27,12 @@ public record SubstepReason(
     static SubstepReason of(Stepper stepper) {
         double dt = stepper.dt();
         IntegratorKind kind = stepper.integrator().kind();
-        double limit = stepper.limit().largestStep(kind);
-        String message = stepper.limit().describe(kind, dt);
+        // Where the sheet takes whole steps, the limit of sternum and cartilages decides.
+        StabilityLimit deciding = stepper.substeps() > 1
+                ? stepper.limit()
+                : stepper.limit().apart().orElse(stepper.limit());
+        double limit = deciding.largestStep(kind);
+        String message = deciding.describe(kind, dt);
         int sternum = stepper.substeps() * stepper.stepsApart();
         String cause = stepper.substepRefinementReason();
         return new SubstepReason(dt, stepper.substeps(), sternum, limit, kind.label(), message, cause);
@@ -38,6 +43,9 @@ public record SubstepReason(
         String reason = cause.isEmpty()
                 ? limitMessage
                 : Numbers.format("time step %.6g s is too long for what the scene has become (%s)", dtS, cause);
+        if (substeps == 1) {
+            return reason + ": sternum and cartilages make " + sternumSubsteps + " substeps";
+        }
         String own = sternumSubsteps == substeps ? "" : ", those of sternum and cartilages into " + sternumSubsteps;
         return reason + ": split into " + substeps + " substeps" + own;
     }

@@ -242,7 +242,7 @@ public record RehearsalPlan(
         Needle standard = Needle.standard();
         try {
             return new Needle(
-                    (int) needle.integer("gauge", standard.gauge()),
+                    needle.has("gauge") ? needle.wholeInt("gauge") : standard.gauge(),
                     needle.number("length_mm", standard.lengthMm()),
                     needle.number("core_mm", 0));
         } catch (IllegalArgumentException none) {

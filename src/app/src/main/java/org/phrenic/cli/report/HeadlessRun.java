@@ -2,6 +2,7 @@ package org.phrenic.cli.report;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.phrenic.cli.chart.RunChart;
@@ -31,13 +32,17 @@ public final class HeadlessRun {
         stdout.flush();
         Path observables = out.resolve("observables.csv");
         System.setProperty("java.awt.headless", "true");
+        List<String> made = new ArrayList<>(List.of("Numbers"));
         if (Annotations.hasFonts()) {
+            made.add("curves");
             RunChart.write(observables, TITLE, out.resolve("curves.png"));
         } else {
             stderr.println("This Java has no fonts: no curves are drawn.");
         }
-        pictures(scenario, endOfInspiration(CsvTable.read(observables)), out.resolve("pictures"), stderr);
-        stderr.println("Numbers, curves and pictures are in " + out + ".");
+        if (pictures(scenario, endOfInspiration(CsvTable.read(observables)), out.resolve("pictures"), stderr)) {
+            made.add("pictures");
+        }
+        stderr.println(String.join(", ", made).replaceFirst(", ([^,]*)$", " and $1") + " are in " + out + ".");
     }
 
     private static double endOfInspiration(CsvTable observables) {
@@ -51,7 +56,8 @@ public final class HeadlessRun {
         return time[most];
     }
 
-    private static void pictures(Scenario scenario, double inspiredS, Path folder, PrintWriter stderr) {
+    /** Returns whether they could be drawn. */
+    private static boolean pictures(Scenario scenario, double inspiredS, Path folder, PrintWriter stderr) {
         ConsoleProgress progress = new ConsoleProgress(stderr);
         try (ScenarioRenderer studio = ScenarioRenderer.open(scenario, progress)) {
             SceneStyle style = SceneStyle.atlas(studio.surfaces()).withSamples(SceneStyle.SMOOTH_SAMPLES);
@@ -62,8 +68,10 @@ public final class HeadlessRun {
                     studio.shot(shot, style).writePicture(folder.resolve(name), time);
                 }
             }
+            return true;
         } catch (NoGraphicsException none) {
             progress.note(none.getMessage());
+            return false;
         } finally {
             progress.end();
         }

@@ -178,11 +178,13 @@ public final class ParameterDock extends SessionDock {
     }
 
     private static String text(SubstepReason reason) {
-        String step = "Runs with " + reason.substeps() + " substeps, because the time step "
-                + NumberFormats.format(reason.dtS(), 3) + " s is ";
+        String substeps = reason.substeps() > 1
+                ? "Runs with " + reason.substeps() + " substeps"
+                : "Sternum and cartilages make " + reason.sternumSubsteps() + " substeps";
+        String step = substeps + ", because the time step " + NumberFormats.format(reason.dtS(), 3) + " s is ";
         return reason.cause().isEmpty()
-                ? step + "beyond the stability limit " + NumberFormats.format(reason.limitS(), 3) + " s of "
-                        + reason.integrator() + " for this scene."
+                ? step + (reason.dtS() > reason.limitS() ? "beyond" : "too near to") + " the stability limit "
+                        + NumberFormats.format(reason.limitS(), 3) + " s of " + reason.integrator() + " for this scene."
                 : step + "too long for what the scene has become.";
     }
 

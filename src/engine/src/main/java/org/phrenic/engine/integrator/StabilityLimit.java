@@ -199,8 +199,9 @@ public record StabilityLimit(
     /** One sentence that states the step and the limit. */
     public String describe(IntegratorKind kind, double dt) {
         String pattern =
-                "time step %.6g s is beyond the stability limit %.6g s of %s for this scene (highest frequency %.4g"
+                "time step %.6g s is %s the stability limit %.6g s of %s for this scene (highest frequency %.4g"
                         + " 1/s, Gershgorin bound %.4g 1/s)";
-        return String.format(Locale.ROOT, pattern, dt, largestStep(kind), kind.label(), omegaMax, omegaBound);
+        String where = dt > largestStep(kind) ? "beyond" : "too near to";
+        return String.format(Locale.ROOT, pattern, dt, where, largestStep(kind), kind.label(), omegaMax, omegaBound);
     }
 }

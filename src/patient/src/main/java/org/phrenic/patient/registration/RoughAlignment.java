@@ -32,7 +32,10 @@ final class RoughAlignment {
     private static final int POINTS = 120;
     /** The same of one structure that the scan cuts off. */
     private static final int CUT_POINTS = 12;
-    /** Landmarks of whole structures from which on truncated ones count by nearest points, not by their centroids. */
+    /**
+     * Landmarks of whole structures from which on truncated ones count by nearest points, as organs do and where there
+     * are any, not by their centroids.
+     */
     private static final int ENOUGH_LANDMARKS = 8;
 
     private final double plane;
@@ -114,7 +117,7 @@ final class RoughAlignment {
             cut.forEach(s -> known.add(centroid(s.template()), centroid(s.scan()), CUT_SIGMA_MM));
         }
         TemplateMap map = fit(known);
-        for (int i = 0; i < REFINEMENTS && !(organs.isEmpty() && cutPairs.isEmpty()); i++) {
+        for (int i = 0; i < REFINEMENTS && !organs.isEmpty(); i++) {
             PointPairs pairs = new PointPairs();
             pairs.addAll(known);
             for (SurfacePair pair : cutPairs) {

@@ -115,7 +115,7 @@ class BodyCompletionTest {
         Thorax template = thorax("adult-male");
         assertThatThrownBy(() -> BodyCompletion.complete(stretched(patient, 0.333, 0.333, 0.333), template))
                 .isInstanceOf(BadInputException.class)
-                .hasMessageMatching("found a body 0\\.3\\d times as large as adult-male, expected 0.5 to 1.7 times;"
+                .hasMessageMatching("found a body 0\\.3\\d\\d times as large as adult-male, expected 0.5 to 1.7 times;"
                         + " is the spacing right\\? see --spacing");
         assertThatThrownBy(() -> BodyCompletion.complete(stretched(patient, 1, 1, 2), template))
                 .isInstanceOf(BadInputException.class)

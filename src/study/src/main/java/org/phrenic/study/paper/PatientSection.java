@@ -147,7 +147,7 @@ record PatientSection(PatientResults results, ReportPictures pictures) {
         if (timed.isEmpty()) {
             return PaperTexts.notMeasured("patient-speed");
         }
-        double steps = InspiratoryHold.observedAtS(timed.get().fit().scenario())
+        double steps = InspiratoryHold.searchedAtS(timed.get().fit().scenario())
                 / timed.get().fit().scenario().timeStepS()
                 / timed.get().fit().search().cpuPerEvaluationS();
         return PaperTexts.claim("patient-speed", Verdict.SHOWN, grouped(steps) + " " + mesh(timed.get()));

@@ -62,18 +62,24 @@ public record ImportCostReport(String scan, String heap, List<ImportCost> costs)
         return new OrderedValues()
                 .with("scan", scan)
                 .with("heap", heap)
-                .with(
-                        "imports",
-                        costs.stream()
-                                .map(c -> new OrderedValues()
-                                        .with("voxels", c.size().toString())
-                                        .with("labels", c.labels())
-                                        .with("structures", c.structures())
-                                        .with("first_line_s", c.firstLineS())
-                                        .with("clock_s", c.clockS())
-                                        .with("processor_s", c.processorS())
-                                        .with("memory_mb", c.memoryMb()))
-                                .toList())
+                .with("imports", costs.stream().map(ImportCostReport::values).toList())
                 .with("notice", Disclaimer.TEXT);
+    }
+
+    /** Without processor time and memory where the system does not tell them. */
+    private static OrderedValues values(ImportCost cost) {
+        OrderedValues values = new OrderedValues()
+                .with("voxels", cost.size().toString())
+                .with("labels", cost.labels())
+                .with("structures", cost.structures())
+                .with("first_line_s", cost.firstLineS())
+                .with("clock_s", cost.clockS());
+        if (!Double.isNaN(cost.processorS())) {
+            values.put("processor_s", cost.processorS());
+        }
+        if (!Double.isNaN(cost.memoryMb())) {
+            values.put("memory_mb", cost.memoryMb());
+        }
+        return values;
     }
 }
