@@ -4,15 +4,21 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.IntUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.label.LabelTable;
 
 /** A cage whose ribs or vertebrae carry the label of their neighbour. */
 class VertebraNumberingTest {
     /** The slices below end with the heads of rib 8. */
     private static final int ABDOMEN = 58;
+
+    /** Column of the median plane. */
+    private static final double MIDDLE = 44.5;
 
     private static final int FIRST_LEFT = CageVoxels.rib(1, false);
     private static final int LAST_RIGHT = CageVoxels.rib(12, true);
@@ -106,6 +112,84 @@ class VertebraNumberingTest {
         assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
                 .contains("ribs, whose vertebrae lie one below their numbers", "22"));
         assertThat(counts(s)).isEqualTo(truth(CageVoxels.SLICES, "rib_12_L", "rib_12_R"));
+    }
+
+    /**
+     * Ribs that fall by another 0.4 mm for each millimetre beyond the transverse processes and, as segmentations leave
+     * them, end 51 mm from the median plane.
+     */
+    private static CageVoxels withSteepRibsThatEndFarFromTheSpine() {
+        CageVoxels cage = cage();
+        byte[] before = cage.labels.clone();
+        int slice = CageVoxels.COLUMNS * CageVoxels.ROWS;
+        for (int v = 0; v < before.length; v++) {
+            int label = before[v] & LabelGrid.MAX_BYTE_LABEL;
+            double mm = CageVoxels.SPACING_MM * Math.abs(v % CageVoxels.COLUMNS - MIDDLE);
+            int from = v + slice * (int) Math.round(0.4 * Math.min(30, Math.max(0, mm - 30)) / CageVoxels.SPACING_MM);
+            boolean isRib = label >= FIRST_LEFT && label <= LAST_RIGHT;
+            int rib = from < before.length ? before[from] & LabelGrid.MAX_BYTE_LABEL : 0;
+            if (label == 0 || isRib) {
+                cage.labels[v] = (byte) (mm >= 51 && rib >= FIRST_LEFT && rib <= LAST_RIGHT ? rib : 0);
+            }
+        }
+        return cage;
+    }
+
+    @Test
+    void numbersOfRibsThatEndFarFromTheSpineAreHeldAgainstWhereTheyWouldMeetIt() {
+        CageVoxels cage = withSteepRibsThatEndFarFromTheSpine();
+        assertThat(VertebraNumbering.check(scan(cage, CageVoxels.SLICES, label -> label)))
+                .isEmpty();
+        for (int down : new int[] {-1, 1}) {
+            assertThat(VertebraNumbering.check(scan(cage, CageVoxels.SLICES, vertebraeMoved(down))))
+                    .get()
+                    .asString()
+                    .contains(down < 0 ? "one below the ribs" : "one above the ribs");
+        }
+    }
+
+    /** A scan of the cage with small balls at heights in the spine, whose vertebrae have names so many levels lower. */
+    private static Segmentation named(int lower, Map<String, Integer> slices) {
+        TreeMap<Integer, String> names = new TreeMap<>(CageVoxels.table(false).structures());
+        for (int number = 1; number <= 12; number++) {
+            int level = number + lower;
+            names.put(
+                    CageVoxels.vertebra(number),
+                    level < 1
+                            ? "vertebra_C7"
+                            : level > 12 ? "vertebra_L01" : String.format(Locale.ROOT, "vertebra_T%02d", level));
+        }
+        CageVoxels cage = cage();
+        int label = 0;
+        for (Map.Entry<String, Integer> ball : new TreeMap<>(slices).entrySet()) {
+            label++;
+            names.put(label, ball.getKey());
+            cage.ball(MIDDLE, 50, ball.getValue(), 1, label);
+        }
+        return new Segmentation(cage.volume(), new LabelTable(names), "scan");
+    }
+
+    @Test
+    void discsAreNumberedAnewWithTheVertebraeAboutThem() {
+        Segmentation s = named(1, Map.of("disc_L1_L2", 23, "disc_T12_L1", 31, "disc_T10_T11", 47));
+        assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
+                .contains("vertebra_L01 is vertebra_T12 now"));
+        assertThat(s.labels("disc_T9_T10")).containsExactly(2);
+        assertThat(s.labels("disc_T12_L1")).containsExactly(1);
+        assertThat(s.labels("disc_T11_T12")).containsExactly(3);
+        assertThat(counts(s))
+                .containsKeys("disc_T9_T10", "disc_T11_T12", "disc_T12_L1")
+                .doesNotContainKey("disc_L1_L2");
+    }
+
+    @Test
+    void aLumbarVertebraThatBecomesSacralJoinsTheSacralOneWithItsLabels() {
+        Segmentation s = named(-1, Map.of("disc_L5_S1", 5, "vertebra_L05", 8, "vertebra_S1", 2));
+        assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
+                .contains("vertebra_T12 is vertebra_L01 now"));
+        assertThat(s.labels("vertebra_S1")).containsExactlyInAnyOrder(2, 3);
+        assertThat(s.labels("disc_L5_S1")).containsExactly(1);
+        assertThat(counts(s)).containsKeys("vertebra_S1", "disc_L5_S1").doesNotContainKey("vertebra_L05");
     }
 
     /** Where the scan cuts off the first ribs the length of the last one tells which numbers are right. */
