@@ -24,8 +24,16 @@ import org.phrenic.patient.PatientStructure;
  * @param descent mean descent of the mark from end-expiration, vertebrae
  * @param share that descent as a share of the descent to full inspiration, 0 at end-expiration
  * @param descentMm that descent, mm
+ * @param parted side of the lung whose base stands so much higher than the other one's that it does not lie on the
+ *     diaphragm, if no organ of the scan shows where that is; its base tells no level
  */
-public record BreathLevel(Mark mark, double right, double left, double descent, double share, double descentMm) {
+public record BreathLevel(
+        Mark mark, double right, double left, double descent, double share, double descentMm, Optional<Side> parted) {
+    /** A level read off both sides, or off one because the scan does not show the other. */
+    BreathLevel(Mark mark, double right, double left, double descent, double share, double descentMm) {
+        this(mark, right, left, descent, share, descentMm, Optional.empty());
+    }
+
     /** What the level is read from. */
     public enum Mark {
         /**
@@ -104,16 +112,27 @@ public record BreathLevel(Mark mark, double right, double left, double descent, 
         List<LungBase> right = bases(scanned, completed, Side.RIGHT);
         List<LungBase> left = bases(scanned, completed, Side.LEFT);
         double[] domes = {dome(right, scanned, Side.RIGHT, spine), dome(left, scanned, Side.LEFT, spine)};
+        List<LungBase> both = Stream.concat(right.stream(), left.stream()).toList();
+        boolean areCut = isCutBelow(scanned, Side.RIGHT) || isCutBelow(scanned, Side.LEFT);
+        Optional<Side> parted = areCut ? Optional.empty() : UnequalBases.parted(scanned.thorax(), both);
+        parted.ifPresent(side -> domes[side == Side.RIGHT ? 0 : 1] = Double.NaN);
         if (bones < LEAST_BONES) {
-            return measured(Mark.SHAPE, domes, spine).filter(BreathLevel::isInspired);
+            return measured(Mark.SHAPE, domes, spine)
+                    .filter(BreathLevel::isInspired)
+                    .map(level -> level.with(parted));
         }
         double[] borders = {border(scanned, Side.RIGHT), border(scanned, Side.LEFT)};
         double[] ends = {lowerEnd(scanned, Side.RIGHT), lowerEnd(scanned, Side.LEFT)};
-        boolean parted = Stream.concat(right.stream(), left.stream()).anyMatch(base -> !base.liesOnDiaphragm());
-        return measured(parted ? Mark.ORGANS : Mark.DOMES, domes, spine)
+        boolean byOrgans = both.stream().anyMatch(base -> !base.liesOnDiaphragm());
+        return measured(byOrgans ? Mark.ORGANS : Mark.DOMES, domes, spine)
                 .or(() -> measured(Mark.LOWER_BORDERS, borders, spine))
                 .or(() -> measured(Mark.DOMES, new double[] {topOfLiver(scanned), Double.NaN}, spine))
-                .or(() -> measured(Mark.LOWER_BORDERS, ends, spine).filter(BreathLevel::isInspired));
+                .or(() -> measured(Mark.LOWER_BORDERS, ends, spine).filter(BreathLevel::isInspired))
+                .map(level -> level.with(parted));
+    }
+
+    private BreathLevel with(Optional<Side> partedSide) {
+        return new BreathLevel(mark, right, left, descent, share, descentMm, partedSide);
     }
 
     /** @param heights of the mark on the right and the left, mm; NaN for none */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -83,16 +84,25 @@ public final class DiaphragmBuilder implements ImplicitSurface {
      * @throws IllegalArgumentException if the body lacks ribs, spine or lungs, or its sheet would pass through itself
      */
     public static TriangleMesh build(Thorax body) {
-        return build(body, Resolution.HIGH.diaphragmVertices());
+        return build(body, Optional.empty(), Resolution.HIGH.diaphragmVertices());
     }
 
     /** Builds a closed sheet of about so many vertices; see {@link #build(Thorax)}. */
     public static TriangleMesh build(Thorax body, int vertices) {
+        return build(body, Optional.empty(), vertices);
+    }
+
+    /**
+     * Builds a closed sheet of about so many vertices; see {@link #build(Thorax)}.
+     *
+     * @param parted as {@link BreathLevel#parted}
+     */
+    static TriangleMesh build(Thorax body, Optional<Side> parted, int vertices) {
         CageEnvelope cage = new CageEnvelope(body);
         Optional<TriangleMesh> withSlivers = Optional.empty();
         for (double smoothing : SMOOTHING_MM) {
             for (double depth : PIVOT_DEPTHS) {
-                DomeSurface.Shape shape = new DomeSurface.Shape(smoothing, depth);
+                DomeSurface.Shape shape = new DomeSurface.Shape(smoothing, depth, parted);
                 TriangleMesh dense = new DiaphragmBuilder(body, cage, shape).middleSurface();
                 TriangleMesh sheet = TwoFacedSheet.of(Remesher.toVertexCount(dense, vertices / 2), THICKNESS_MM);
                 if (SelfIntersections.count(sheet) > 0) {

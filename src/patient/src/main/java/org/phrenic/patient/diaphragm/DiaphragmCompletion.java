@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import org.phrenic.anatomy.MedianFrame;
+import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
@@ -27,8 +28,9 @@ public final class DiaphragmCompletion {
      * ({@link YieldToSheet}), as they do in a scene.
      *
      * @param moved whether the body was brought to end-expiration, and none of its organs lies where the scan shows it
+     * @param parted as {@link BreathLevel#parted}
      */
-    public static PatientBody complete(PatientBody body, boolean moved) {
+    public static PatientBody complete(PatientBody body, boolean moved, Optional<Side> parted) {
         if (hasUsable(body)) {
             return body;
         }
@@ -44,7 +46,7 @@ public final class DiaphragmCompletion {
         Thorax straight = frame.toFrame(bare);
         Structure sheet;
         try {
-            TriangleMesh built = DiaphragmBuilder.build(straight);
+            TriangleMesh built = DiaphragmBuilder.build(straight, parted, Resolution.HIGH.diaphragmVertices());
             sheet = new Structure(NAME, StructureKind.DIAPHRAGM, 0, Side.MIDLINE, frame.toScan(built));
             YieldToSheet contact = new YieldToSheet(bare, frame, built);
             rest.replaceAll(
@@ -56,8 +58,13 @@ public final class DiaphragmCompletion {
         rest.sort(Comparator.comparing(s -> s.structure().name()));
         List<String> notes =
                 new ArrayList<>(List.of("the diaphragm is built from the organs and bones that it touches"));
-        LungBase.of(straight).forEach(base -> base.note().ifPresent(notes::add));
+        UnequalBases.of(straight, parted).forEach(base -> base.note().ifPresent(notes::add));
         return new PatientBody(body.name(), rest, ExpectedStructures.missing(rest), body.notes()).withNotes(notes);
+    }
+
+    /** The same for a body whose lungs lie on the diaphragm, or of which organs show where it is. */
+    public static PatientBody complete(PatientBody body, boolean moved) {
+        return complete(body, moved, Optional.empty());
     }
 
     /** The body without the diaphragm of a template, which lies at none of its organs. */

@@ -3,8 +3,10 @@ package org.phrenic.patient.diaphragm;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.shape.ImplicitSurface;
@@ -61,12 +63,13 @@ final class DomeSurface implements ImplicitSurface {
      *
      * @param smoothingMm length L of the thin plate, mm
      * @param pivotDepth depth of the pivot below the highest base of a lung, in half-breadths of the cage
+     * @param parted side of the lung that does not lie on the diaphragm, if the other one tells
      */
-    record Shape(double smoothingMm, double pivotDepth) {}
+    record Shape(double smoothingMm, double pivotDepth, Optional<Side> parted) {}
 
     DomeSurface(Thorax body, CageEnvelope cage, double halfThickness, Shape shape) {
         this.halfThickness = halfThickness;
-        List<LungBase> bases = LungBase.of(body);
+        List<LungBase> bases = UnequalBases.of(body, shape.parted());
         if (bases.isEmpty()) {
             throw new IllegalArgumentException("the body has no lungs");
         }

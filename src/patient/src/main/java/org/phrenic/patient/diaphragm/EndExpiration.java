@@ -113,7 +113,7 @@ public final class EndExpiration {
         after = before.about(new Thorax(
                 completed.name(), skeleton.stream().map(s -> turned(s, s)).toList(), List.of()));
         List<Structure> lungs = completed.structuresOf(StructureKind.LUNG);
-        domes = LungBase.of(completed).stream()
+        domes = UnequalBases.of(completed, level.parted()).stream()
                 .mapToDouble(LungBase::dome)
                 .average()
                 .orElseThrow();

@@ -66,6 +66,8 @@ final class LungBase {
     private double dome;
     /** Height of the base above organs, mm, if it does not lie on the diaphragm; else 0. */
     private double partedMm;
+    /** Whether that is known from the base of the other lung alone. */
+    private boolean besideOther;
 
     /**
      * @param organs the organs below, if there are any
@@ -165,6 +167,29 @@ final class LungBase {
         return Optional.empty();
     }
 
+    /** Whether enough of the base lies above the roofs of organs for a judgement of the distance between. */
+    boolean liesAbove(TriangleTree organs) {
+        TriangleMesh lung = tree.mesh();
+        double[] roofs = MeshMeasure.triangleNormals(organs.mesh());
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        double[] cross = new double[3];
+        double base = 0;
+        double area = 0;
+        for (int t = 0; t < lung.triangleCount(); t++) {
+            double[] m = MeshMeasure.centroid(lung, t);
+            if (normals[3 * t + 2] <= ABOVE_ORGANS
+                    && tree.countAlongRay(m[0], m[1], m[2] - CLEAR_MM, 0, 0, -1, hit) == 0) {
+                double here = 0.5 * MeshMeasure.triangleCrossProduct(lung, t, cross);
+                base += here;
+                area += organs.nearestAlongRay(m[0], m[1], m[2] + PARTED_MM, 0, 0, -1, hit)
+                                && roofs[3 * hit.triangle + 2] > ROOF
+                        ? here
+                        : 0;
+            }
+        }
+        return area > LEAST_ABOVE * base;
+    }
+
     private static int[] sorted(double[] keys) {
         return IntStream.range(0, keys.length)
                 .boxed()
@@ -202,7 +227,7 @@ final class LungBase {
     }
 
     /** Those of some organs that the scan shows, as one surface. */
-    private static Optional<TriangleTree> inScan(Thorax body, List<Structure> organs) {
+    static Optional<TriangleTree> inScan(Thorax body, List<Structure> organs) {
         List<TriangleMesh> shown =
                 organs.stream().filter(body::isInScan).map(Structure::mesh).toList();
         return shown.isEmpty() ? Optional.empty() : Optional.of(new TriangleTree(MeshMerge.merge(shown)));
@@ -230,15 +255,36 @@ final class LungBase {
         return partedMm == 0;
     }
 
+    Side side() {
+        return side;
+    }
+
+    /** Highest point of the lung, mm. */
+    double apex() {
+        return tree.mesh().bounds()[5];
+    }
+
+    /** Lowers the dome by so much, since it is known from the base of the other lung alone. */
+    void lower(double mm) {
+        besideOther = true;
+        partedMm = mm;
+        dome -= mm;
+        top = dome;
+    }
+
     /** A note on a lung that does not lie on the diaphragm. */
     Optional<String> note() {
+        String text = besideOther
+                ? "the base of the %s lung stands %.0f mm higher than beside the other one in people, and the scan"
+                        + " labels no organ below it: the diaphragm is laid at the level of the other side, as with"
+                        + " fluid in the chest or lung without a label between; with a paresis of that half, or after"
+                        + " resection of a lobe, it lies higher"
+                : "the base of the %s lung reaches %.0f mm above the organs below the diaphragm: the diaphragm is"
+                        + " laid on these, as with fluid in the chest or lung without a label between; with"
+                        + " ascites without a label, or after resection of the liver, it lies higher";
         return liesOnDiaphragm()
                 ? Optional.empty()
-                : Optional.of(Numbers.format(
-                        "the base of the %s lung reaches %.0f mm above the organs below the diaphragm: the diaphragm is"
-                                + " laid on these, as with fluid in the chest or lung without a label between; with"
-                                + " ascites without a label, or after resection of the liver, it lies higher",
-                        side == Side.RIGHT ? "right" : "left", partedMm));
+                : Optional.of(Numbers.format(text, side == Side.RIGHT ? "right" : "left", partedMm));
     }
 
     /** Height of the top of the base, or of the organs below if it does not lie on the diaphragm, mm. */

@@ -13,6 +13,7 @@ import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.ScanFragments;
 import org.phrenic.patient.ScanImport;
 import org.phrenic.patient.SkinEnvelope;
+import org.phrenic.patient.diaphragm.BreathLevel;
 import org.phrenic.patient.diaphragm.DiaphragmCompletion;
 import org.phrenic.patient.diaphragm.SheetQuality;
 import org.phrenic.patient.label.GeometryOverride;
@@ -108,7 +109,8 @@ public final class ImportPipeline {
             throw new BadInputException(request.file() + ": " + problem.getMessage(), problem);
         }
         progress.stage("building the diaphragm from the organs and bones that it touches");
-        return resting.with(SkinEnvelope.complete(DiaphragmCompletion.complete(resting.body(), resting.moved())));
+        return resting.with(SkinEnvelope.complete(DiaphragmCompletion.complete(
+                resting.body(), resting.moved(), resting.level().flatMap(BreathLevel::parted))));
     }
 
     private static ScanAlignment.Aligned aligned(ImportRequest request, PatientBody scanned) {

@@ -1,10 +1,64 @@
 package org.phrenic.patient.diaphragm;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.PatientStructure;
 
 class BreathLevelTest {
+    private static final Set<StructureKind> SHOWN =
+            EnumSet.of(StructureKind.LUNG, StructureKind.RIB, StructureKind.VERTEBRA);
+
+    private static final Thorax MAN = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
+
+    /** Lungs, ribs and vertebrae of the virtual man, with a left lung so many times as tall. */
+    private static Optional<BreathLevel> level(double leftLung) {
+        List<PatientStructure> shown = MAN.structures().stream()
+                .filter(s -> SHOWN.contains(s.kind()))
+                .map(s -> s.kind() == StructureKind.LUNG && s.side() == Side.LEFT ? tall(s, leftLung) : s)
+                .map(s -> new PatientStructure(s, PatientStructure.Source.SCAN, Optional.empty(), Optional.empty()))
+                .toList();
+        PatientBody body = new PatientBody("patient", shown, List.of(), List.of());
+        return BreathLevel.of(body, body);
+    }
+
+    private static Structure tall(Structure lung, double times) {
+        double[] p = lung.mesh().positions().clone();
+        double apex = lung.mesh().bounds()[5];
+        for (int i = 2; i < p.length; i += 3) {
+            p[i] = apex - times * (apex - p[i]);
+        }
+        return lung.withMesh(lung.mesh().withPositions(p));
+    }
+
+    /** The base of a left lung above fluid, in a scan that labels no organ below. */
+    @Test
+    void aBaseFarAboveThatOfTheOtherLungDoesNotTellTheLevel() {
+        BreathLevel whole = level(1).orElseThrow();
+        BreathLevel fluid = level(0.65).orElseThrow();
+        assertThat(fluid.mark()).isEqualTo(BreathLevel.Mark.DOMES);
+        assertThat(fluid.right()).isEqualTo(whole.right());
+        assertThat(fluid.left()).isNaN();
+        assertThat(fluid.parted()).contains(Side.LEFT);
+        assertThat(fluid.descent()).isCloseTo(whole.descent(), within(0.5));
+        assertThat(fluid.stated()).doesNotContain("on the left");
+        assertThat(level(0.9).orElseThrow().left())
+                .as("less than two centimetres")
+                .isBetween(whole.left() - 1, whole.left());
+    }
+
     /** There is no T13: the vertebra below T12 is L1. */
     @Test
     void aLevelThatRoundsToTheVertebraBelowT12IsNamedAsThat() {

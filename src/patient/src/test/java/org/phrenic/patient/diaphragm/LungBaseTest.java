@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
@@ -13,6 +14,7 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.mesh.Shapes;
 import org.phrenic.mesh.TriangleMesh;
 
 class LungBaseTest {
@@ -49,6 +51,69 @@ class LungBaseTest {
                     LUNGS.stream().map(s -> stretched(s, dome, 2)).toList();
             assertThat(bases(steep).get(side).dome()).isCloseTo(dome, within(3.0));
         }
+    }
+
+    /** A lung whose points lie so many times as far below its apex. */
+    private static Structure shortened(Structure lung, double times) {
+        return stretched(lung, lung.mesh().bounds()[5], times);
+    }
+
+    private static Thorax body(Side side, double times) {
+        return new Thorax(
+                "lungs",
+                LUNGS.stream()
+                        .map(s -> s.side() == side ? shortened(s, times) : s)
+                        .toList(),
+                List.of());
+    }
+
+    /** A third of a lung is fluid or has no label, and no organ below tells that the diaphragm is lower. */
+    @Test
+    void aBaseFarAboveThatOfTheOtherLungDoesNotLieOnTheDiaphragm() {
+        List<LungBase> whole = bases(LUNGS);
+        for (Side side : new Side[] {Side.RIGHT, Side.LEFT}) {
+            Thorax fluid = body(side, 0.65);
+            assertThat(UnequalBases.parted(fluid, LungBase.of(fluid))).contains(side);
+            List<LungBase> parted = UnequalBases.of(fluid, Optional.of(side));
+            int at = side == Side.RIGHT ? 0 : 1;
+            assertThat(parted.get(at).liesOnDiaphragm()).isFalse();
+            assertThat(parted.get(at).dome())
+                    .as("dome beside the other one, mm")
+                    .isCloseTo(whole.get(at).dome(), within(10.0));
+            assertThat(parted.get(at).note()).hasValueSatisfying(note -> assertThat(note)
+                    .contains(at == 0 ? "the right lung" : "the left lung", "beside the other", "paresis"));
+            assertThat(parted.get(1 - at).note()).isEmpty();
+            assertThat(parted.get(1 - at).dome()).isEqualTo(whole.get(1 - at).dome());
+        }
+    }
+
+    @Test
+    void domesThatDifferAsThoseOfPeopleLieOnTheDiaphragm() {
+        assertThat(UnequalBases.parted(body(Side.LEFT, 1), bases(LUNGS))).isEmpty();
+        for (Side side : new Side[] {Side.RIGHT, Side.LEFT}) {
+            Thorax raised = body(side, 0.9);
+            assertThat(UnequalBases.parted(raised, LungBase.of(raised))).isEmpty();
+        }
+    }
+
+    /** A stomach below the left lung, which has risen with half of the diaphragm. */
+    @Test
+    void aBaseFarAboveThatOfTheOtherLungLiesOnTheDiaphragmIfAnOrganIsBelow() {
+        Thorax high = body(Side.LEFT, 0.65);
+        double dome = LungBase.of(high).get(1).dome();
+        List<Structure> all = new ArrayList<>(high.structures());
+        double[] box = all.stream()
+                .filter(s -> s.side() == Side.LEFT)
+                .findFirst()
+                .orElseThrow()
+                .mesh()
+                .bounds();
+        double radius = 0.5 * (box[3] - box[0]);
+        TriangleMesh ball =
+                Shapes.moved(Shapes.sphere(radius, 4), box[0] + radius, 0.5 * (box[1] + box[4]), dome - radius - 5);
+        all.add(new Structure("stomach", StructureKind.ORGAN, 0, Side.MIDLINE, ball));
+        Thorax risen = new Thorax("stomach", all, List.of());
+        assertThat(UnequalBases.parted(risen, LungBase.of(risen))).isEmpty();
     }
 
     /**
