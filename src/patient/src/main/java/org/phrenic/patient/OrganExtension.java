@@ -5,11 +5,11 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
+import org.phrenic.mesh.voxel.CutPlane;
 import org.phrenic.mesh.voxel.DistanceTransform;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.mesh.voxel.MeshVoxelizer;
 import org.phrenic.mesh.voxel.VoxelBox;
-import org.phrenic.patient.segmentation.CutPlane;
 
 /**
  * An organ that the end of a scan truncates, continued by a registered template. Its surface is the zero level of

@@ -6,7 +6,7 @@ import java.util.stream.Collectors;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
-import org.phrenic.patient.segmentation.CutPlane;
+import org.phrenic.mesh.voxel.CutPlane;
 
 /**
  * A structure of a patient's body and its source.

@@ -16,7 +16,7 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
 import org.phrenic.mesh.query.SurfaceDistance;
-import org.phrenic.patient.segmentation.CutPlane;
+import org.phrenic.mesh.voxel.CutPlane;
 
 /**
  * The organ is a sphere with a radius of 50 mm about the origin, which a scan cuts off at a height of 10 mm. The

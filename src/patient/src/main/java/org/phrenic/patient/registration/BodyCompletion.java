@@ -15,6 +15,7 @@ import org.phrenic.file.Numbers;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.query.DistanceSummary;
+import org.phrenic.mesh.voxel.CutPlane;
 import org.phrenic.patient.BodyPlausibility;
 import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.PatientBody;
@@ -23,7 +24,6 @@ import org.phrenic.patient.ScanFragments;
 import org.phrenic.patient.ShownPlaces;
 import org.phrenic.patient.TemplateParts;
 import org.phrenic.patient.label.LabelTable;
-import org.phrenic.patient.segmentation.CutPlane;
 
 /**
  * Completes a body from any field of view with the structures that are missing from its scan or truncated. A template

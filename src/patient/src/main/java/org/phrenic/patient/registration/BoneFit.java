@@ -10,8 +10,8 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
+import org.phrenic.mesh.voxel.CutPlane;
 import org.phrenic.patient.PatientBody;
-import org.phrenic.patient.segmentation.CutPlane;
 
 /**
  * Fits the bones of a template to those of a scan: vertebrae one by one, ribs along their courses, sternum and

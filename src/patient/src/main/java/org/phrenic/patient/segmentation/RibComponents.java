@@ -55,7 +55,7 @@ final class RibComponents {
 
     /** One rib: its voxels, and how many of them carry each segment number. */
     static final class Rib {
-        final IntList voxels = new IntList();
+        final IntList voxels;
         final TreeMap<Integer, Integer> segments = new TreeMap<>();
         /** Number of voxels, and sum of their heights (mm), in each direction about the body's long axis. */
         final int[] inDirection = new int[ANGLES];
@@ -64,7 +64,19 @@ final class RibComponents {
         /** Ends of the volume that the rib reaches, as {@link Segmentation#ends}. */
         int ends;
 
-        double[] centre = new double[3];
+        final double[] centre = new double[3];
+
+        Rib(Segmentation s, IntList voxels) {
+            this.voxels = voxels;
+            for (int i = 0; i < voxels.size(); i++) {
+                int voxel = voxels.get(i);
+                segments.merge(s.segmentAt(voxel), 1, Integer::sum);
+                ends |= s.ends(voxel);
+                for (int axis = 0; axis < 3; axis++) {
+                    centre[axis] += s.coordinate(voxel, axis) / voxels.size();
+                }
+            }
+        }
 
         /** Share of the rib's voxels that carry a segment number. */
         double share(int segment) {
@@ -96,42 +108,35 @@ final class RibComponents {
     private final Segmentation s;
     private final List<Rib> ribs = new ArrayList<>();
     private final List<Rib> fragments = new ArrayList<>();
+    private final String parted;
 
-    /** @param groupOfSegment 1 for each segment of a rib, otherwise 0 */
-    RibComponents(Segmentation s, byte[] groupOfSegment) {
+    /**
+     * @param groupOfSegment 1 for each segment of a rib, otherwise 0
+     * @param isParted whether ribs that hang together are parted
+     * @throws org.phrenic.file.BadInputException if they cannot be
+     */
+    RibComponents(Segmentation s, byte[] groupOfSegment, boolean isParted) {
         this.s = s;
-        VoxelRuns runs = new VoxelRuns(s, groupOfSegment, true);
-        TreeMap<Integer, Rib> byComponent = new TreeMap<>();
-        for (int run = 0; run < runs.count(); run++) {
-            Rib rib = byComponent.computeIfAbsent(runs.component(run), component -> new Rib());
-            rib.ends |= s.ends(runs.from(run)) | s.ends(runs.to(run) - 1);
-            for (int v = runs.from(run); v < runs.to(run); v++) {
-                rib.voxels.add(v);
-                rib.segments.merge(s.segmentAt(v), 1, Integer::sum);
-            }
-        }
-        double[] middle = new double[3];
-        for (Rib rib : byComponent.values()) {
-            for (int i = 0; i < rib.voxels.size(); i++) {
-                for (int axis = 0; axis < 3; axis++) {
-                    rib.centre[axis] += s.coordinate(rib.voxels.get(i), axis) / rib.voxels.size();
-                }
-            }
-        }
-        List<Rib> parts = byComponent.values().stream()
+        List<Rib> all = new VoxelRuns(s, groupOfSegment, true)
+                .voxels(run -> true).values().stream()
+                        .map(voxels -> new Rib(s, voxels))
+                        .toList();
+        List<Rib> parts = all.stream()
                 .filter(rib -> rib.voxels.size() >= MIN_VOXELS)
                 .sorted(Comparator.comparingInt((Rib rib) -> -rib.voxels.size()))
                 .toList();
         int large = RibSides.usualSize(parts, FRAGMENT);
-        for (Rib rib : byComponent.values()) {
-            boolean whole = rib.voxels.size() >= Math.max(MIN_VOXELS, FRAGMENT * large);
-            (whole ? ribs : fragments).add(rib);
+        for (Rib rib : all) {
+            (rib.voxels.size() >= Math.max(MIN_VOXELS, FRAGMENT * large) ? ribs : fragments).add(rib);
         }
         double acrossRibs =
                 ribs.stream().mapToDouble(rib -> rib.centre[0]).average().orElse(0);
         // Of the ribs of one side, the mean lies beside the axis about which they curve.
-        middle[0] = new RibSides(s, ribs).middle().orElse(acrossRibs);
-        middle[1] = ribs.stream().mapToDouble(rib -> rib.centre[1]).average().orElse(0);
+        double[] middle = {
+            new RibSides(s, ribs).middle().orElse(acrossRibs),
+            ribs.stream().mapToDouble(rib -> rib.centre[1]).average().orElse(0)
+        };
+        parted = isParted ? FusedRibs.part(s, ribs, middle[0]) : "";
         ribs.forEach(rib -> findAngles(rib, middle));
         joinPieces(middle[0]);
     }
@@ -187,7 +192,8 @@ final class RibComponents {
         double[] distances = a.voxels.size() > b.voxels.size() ? distances(a, b) : distances(b, a);
         double gap = Arrays.stream(distances).min().orElseThrow();
         boolean overriding = angle <= MAX_OVERRIDING_ANGLE && gap < OVERRIDING_MM;
-        return gap < NEAR_MM && (apart || overriding || shareBelow(distances, gap + BESIDE_MM) <= MAX_BESIDE);
+        long beside = Arrays.stream(distances).filter(d -> d < gap + BESIDE_MM).count();
+        return gap < NEAR_MM && (apart || overriding || beside / (double) distances.length <= MAX_BESIDE);
     }
 
     /** Whether the heights of two parts, continued toward each other, meet half way. */
@@ -195,19 +201,16 @@ final class RibComponents {
         for (int gap = 1; gap <= MAX_GAP; gap++) {
             for (int from = 0; from < ANGLES; from++) {
                 for (int step = -1; step <= 1; step += 2) {
-                    if (a.inDirection[from] > 0 && b.inDirection[wrapped(from + step * gap)] > 0) {
+                    int to = Math.floorMod(from + step * gap, ANGLES);
+                    if (a.inDirection[from] > 0 && b.inDirection[to] > 0) {
                         double ofA = continued(a, from, -step, 0.5 * gap);
-                        double ofB = continued(b, wrapped(from + step * gap), step, 0.5 * gap);
+                        double ofB = continued(b, to, step, 0.5 * gap);
                         return Math.abs(ofA - ofB) < IN_LINE_MM;
                     }
                 }
             }
         }
         return false;
-    }
-
-    private static int wrapped(int direction) {
-        return Math.floorMod(direction, ANGLES);
     }
 
     /**
@@ -217,11 +220,11 @@ final class RibComponents {
      */
     private static double continued(Rib rib, int end, int inward, double beyond) {
         int length = 0;
-        while (length < MOST_SLOPE && rib.inDirection[wrapped(end + inward * (length + 1))] > 0) {
+        while (length < MOST_SLOPE && rib.inDirection[Math.floorMod(end + inward * (length + 1), ANGLES)] > 0) {
             length++;
         }
         double height = rib.heightIn(end);
-        double slope = (height - rib.heightIn(wrapped(end + inward * length))) / length;
+        double slope = (height - rib.heightIn(Math.floorMod(end + inward * length, ANGLES))) / length;
         return length < LEAST_SLOPE ? Double.NaN : height + beyond * slope;
     }
 
@@ -232,10 +235,6 @@ final class RibComponents {
                 .map(shorter.voxels::get)
                 .mapToDouble(v -> distance(s.point(v), longer.voxels))
                 .toArray();
-    }
-
-    private static double shareBelow(double[] distances, double limit) {
-        return Arrays.stream(distances).filter(d -> d < limit).count() / (double) distances.length;
     }
 
     private static void append(Rib a, Rib b) {
@@ -265,6 +264,11 @@ final class RibComponents {
             ofB += b.inDirection[bin] > 0 ? 1 : 0;
         }
         return Math.max(0, common - 1) / (double) Math.min(ofA, ofB);
+    }
+
+    /** A clause to end a sentence with that says which ribs that hang together are parted; empty if there are none. */
+    String parted() {
+        return parted;
     }
 
     /** The ribs, without fragments. */

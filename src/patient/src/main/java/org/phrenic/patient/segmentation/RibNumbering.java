@@ -47,7 +47,7 @@ final class RibNumbering {
     private RibNumbering(Segmentation s, RibComponents components) {
         this.s = s;
         this.components = components;
-        isCommon = s.names().stream().anyMatch(LabelTable::isRibs);
+        isCommon = isCommon(s);
         sides = new RibSides(s, components.ribs());
         vertebrae = new VertebraHeights(s);
     }
@@ -59,13 +59,14 @@ final class RibNumbering {
      * @throws BadInputException with a message without the file's name, if the ribs cannot be told apart
      */
     static Optional<String> check(Segmentation s) {
-        RibComponents components = components(s);
+        RibComponents components = components(s, isCommon(s));
         Optional<String> reason = reason(s, components);
         if (reason.isEmpty()) {
             components.relabelBleeding();
             return Optional.empty();
         }
-        return Optional.of(new RibNumbering(s, components).renumber(reason.get()));
+        return Optional.of(
+                isCommon(s) ? new RibNumbering(s, components).renumber(reason.get()) : renumber(s, reason.get()));
     }
 
     /**
@@ -75,10 +76,14 @@ final class RibNumbering {
      * @return a note
      */
     static String renumber(Segmentation s, String found) {
-        return new RibNumbering(s, components(s)).renumber(found);
+        return new RibNumbering(s, components(s, true)).renumber(found);
     }
 
-    private static RibComponents components(Segmentation s) {
+    private static boolean isCommon(Segmentation s) {
+        return s.names().stream().anyMatch(LabelTable::isRibs);
+    }
+
+    private static RibComponents components(Segmentation s, boolean parted) {
         byte[] group = new byte[LabelGrid.MAX_BYTE_LABEL + 1];
         for (String name : s.names()) {
             boolean rib = LabelTable.isRibs(name)
@@ -87,12 +92,12 @@ final class RibNumbering {
                             .isPresent();
             group[s.find(name)] = (byte) (rib ? 1 : 0);
         }
-        return new RibComponents(s, group);
+        return new RibComponents(s, group, parted);
     }
 
     /** Why the labels do not number the ribs; empty if they do. */
     private static Optional<String> reason(Segmentation s, RibComponents components) {
-        if (s.names().stream().anyMatch(LabelTable::isRibs)) {
+        if (isCommon(s)) {
             return Optional.of("ribs");
         }
         Optional<Integer> divided = components.dividedSegment();
@@ -154,7 +159,8 @@ final class RibNumbering {
         apply(ribs, nameOf);
         return found + ": the " + numbered.size() + " connected ribs are numbered from top to bottom"
                 + told(ways)
-                + (stray > 0 ? "; " + stray + " parts of ribs away from their label's rib are left out" : "");
+                + (stray > 0 ? "; " + stray + " parts of ribs away from their label's rib are left out" : "")
+                + components.parted();
     }
 
     /** The ribs of a side from top to bottom. */
@@ -253,7 +259,8 @@ final class RibNumbering {
         if (n > RIBS || (isUnknown(n) && !vertebrae.areShown())) {
             throw new BadInputException(found + ", which cannot be told apart: found " + n + " connected ribs on the "
                     + side.name().toLowerCase(Locale.ROOT)
-                    + (n > RIBS ? ", expected at most 12" : " and no vertebrae, expected 12, or labelled vertebrae"));
+                    + (n > RIBS ? ", expected at most 12" : " and no vertebrae, expected 12, or labelled vertebrae")
+                    + components.parted());
         }
         double[][] least = new double[n][RIBS + 1];
         int[][] before = new int[n][RIBS + 1];

@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.voxel.CutPlane;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
 

@@ -19,9 +19,9 @@ import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.SelfIntersections;
+import org.phrenic.mesh.voxel.CutPlane;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
-import org.phrenic.patient.segmentation.CutPlane;
 
 /** The virtual man, and the same with lungs that reach farther down and a lower liver, as at inspiration. */
 class EndExpirationTest {

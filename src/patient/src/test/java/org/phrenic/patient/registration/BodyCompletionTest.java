@@ -27,11 +27,11 @@ import org.phrenic.mesh.edit.MeshRepair;
 import org.phrenic.mesh.query.DistanceSummary;
 import org.phrenic.mesh.query.SurfaceComparison;
 import org.phrenic.mesh.query.SurfaceDistance;
+import org.phrenic.mesh.voxel.CutPlane;
 import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.MeshedSegment;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
-import org.phrenic.patient.segmentation.CutPlane;
 
 /** The virtual adult female is the patient: of her a scan shows the lungs alone, and the rest is made of the male. */
 class BodyCompletionTest {

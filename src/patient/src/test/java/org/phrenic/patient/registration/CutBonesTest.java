@@ -20,11 +20,11 @@ import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.edit.MeshRepair;
 import org.phrenic.mesh.query.DistanceSummary;
+import org.phrenic.mesh.voxel.CutPlane;
 import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.MeshedSegment;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
-import org.phrenic.patient.segmentation.CutPlane;
 
 /** Of the virtual woman a scan shows the bones below a plane, and cuts those that pass through it. */
 class CutBonesTest {

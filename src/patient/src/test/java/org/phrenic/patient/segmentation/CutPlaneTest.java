@@ -11,6 +11,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.DistanceSummary;
+import org.phrenic.mesh.voxel.CutPlane;
 import org.phrenic.patient.MeshedSegment;
 import org.phrenic.patient.PatientStructure;
 

@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.mesh.voxel;
 
 import org.phrenic.mesh.Vectors;
 
