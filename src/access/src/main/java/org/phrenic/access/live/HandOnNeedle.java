@@ -89,6 +89,11 @@ final class HandOnNeedle {
         aimedMm = needle.targetDepthMm();
     }
 
+    /** Turns the needle from the angles that it has, degrees. */
+    void turnBy(NeedleInsertion needle, double axialDeg, double cranialDeg, double timeS) {
+        turn(needle, NeedleObserver.angles(needle, planned()).turned(axialDeg, cranialDeg), timeS);
+    }
+
     /** Points the needle at the current position of the target. */
     void aim(NeedleInsertion needle, double timeS) {
         if (!needle.shaft().isPlaced()) {

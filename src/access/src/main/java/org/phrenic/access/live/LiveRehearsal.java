@@ -172,9 +172,17 @@ public final class LiveRehearsal implements StepListener {
 
     /** Shows the needle as it is when the run stands still, however short a time ago it was shown. */
     @Override
-    public void onPause() {
-        if (needle != null && frame != null) {
-            shown.describe(needle, frame, phase);
+    public void onPause(Frame present, RespiratoryPhase doing) {
+        if (needle == null || !present.isOfSceneOf(ofScene)) {
+            return;
+        }
+        if (needle.shaft().isPlaced()) {
+            // What it does is recorded at the frames of its steps alone.
+            shown.describeAtPause(needle, frame, phase);
+        } else {
+            anatomy.update(present);
+            probe.update(present, needle);
+            shown.describeAtPause(needle, present, doing);
         }
     }
 
@@ -225,14 +233,7 @@ public final class LiveRehearsal implements StepListener {
     private boolean runRequests(int breath) {
         breathing.update(phase, breath, timeS);
         requests.add(() -> hand.move(timeS));
-        for (Optional<Runnable> next = requests.poll(); next.isPresent(); next = requests.poll()) {
-            try {
-                next.get().run();
-                snapshots.observe(needle, frame, phase);
-            } catch (BadInputException bad) {
-                listener.refused(bad.getMessage());
-            }
-        }
+        requests.runAll(() -> snapshots.observe(needle, frame, phase), listener::refused);
         return !over && !needle.shaft().isPlaced() && !needle.record().samples().isEmpty();
     }
 
@@ -314,10 +315,7 @@ public final class LiveRehearsal implements StepListener {
 
     /** Turns the needle from the angles that it has once all earlier requests are executed, degrees. */
     public void turnBy(double axialDeg, double cranialDeg) {
-        requests.add(() -> {
-            NeedleAngles from = observer.angles(needle, grip.planned());
-            grip.turn(needle, from.turned(axialDeg, cranialDeg), timeS);
-        });
+        requests.add(() -> grip.turnBy(needle, axialDeg, cranialDeg, timeS));
     }
 
     /** Puts the probe on the skin, moves it, or lifts it; the last of several moves within a frame counts. */

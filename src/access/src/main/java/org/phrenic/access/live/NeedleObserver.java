@@ -92,7 +92,7 @@ final class NeedleObserver {
     }
 
     /** Angles of the needle, or of the planned one. */
-    NeedleAngles angles(NeedleInsertion needle, Planned planned) {
+    static NeedleAngles angles(NeedleInsertion needle, Planned planned) {
         double[] target = needle.targetNow();
         if (needle.shaft().isPlaced()) {
             return NeedleAngles.of(needle.shaft().direction());

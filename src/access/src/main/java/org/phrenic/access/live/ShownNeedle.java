@@ -39,6 +39,11 @@ final class ShownNeedle {
 
     void describe(NeedleInsertion needle, Frame frame, RespiratoryPhase phase) {
         describedNs = System.nanoTime();
+        describeAtPause(needle, frame, phase);
+    }
+
+    /** Describes a needle of a paused run; another description is due as it would be without this one. */
+    void describeAtPause(NeedleInsertion needle, Frame frame, RespiratoryPhase phase) {
         state = observer.describe(needle, probe, grip.planned(), grip.aimedMm(), frame, phase);
         moves.show();
     }

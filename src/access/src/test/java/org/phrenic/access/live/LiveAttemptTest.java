@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
@@ -22,11 +23,14 @@ import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.CycleRecorder;
 import org.phrenic.access.MovingAnatomy;
+import org.phrenic.access.Needle;
 import org.phrenic.access.attempt.AttemptEvent;
 import org.phrenic.access.attempt.NeedleAngles;
+import org.phrenic.access.attempt.NeedleInsertion;
 import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.BreathEvent;
+import org.phrenic.access.plan.HeldProbe;
 import org.phrenic.access.plan.ImageMoment;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.PlanStep;
@@ -128,12 +132,18 @@ class LiveAttemptTest {
         Rehearsal live = live(practice, false, needle -> {
             // In again and again before it is there, aimed again, the breath held in between: all that a hand may do.
             when(needle, s -> s.timeS() > 0.1);
+            stepOnce();
+            run.play();
             needle.holdProbe(Optional.of(probe(0, 0)));
             needle.enterAt(ENTRY, new NeedleAngles(-20, 15));
             needle.turnTo(new NeedleAngles(-30, 18));
             when(needle, s -> s.probe().isPresent() && s.angles().axialDeg() < -29);
+            stepOnce();
+            run.play();
             needle.moveTo(20, 90);
             when(needle, s -> s.depthMm() > 4);
+            stepOnce();
+            run.play();
             needle.moveTo(12, 45);
             needle.holdAt(Optional.of(BreathEvent.Kind.END_INSPIRATION));
             assertThat(needle.heldAt()).as("asked for").contains(BreathEvent.Kind.END_INSPIRATION);
@@ -207,6 +217,93 @@ class LiveAttemptTest {
                 .isGreaterThan(40);
     }
 
+    /** Time of the paused run, s; everything that was asked of it before is done. */
+    private static double pausedAtS() {
+        return run.recordedScenario().steps() * run.status().dtS();
+    }
+
+    /** As the key for one step does it; the time that is reached, s. */
+    private static double stepOnce() {
+        run.pause();
+        run.stepOnce();
+        return pausedAtS();
+    }
+
+    /** A breath in and out, with the probe on the skin, may be gone through by single steps alone. */
+    @Test
+    void targetAndProbeOfAPausedRunAreThoseOfItsBodyAtEachStep() throws Exception {
+        live(plan("steps: []\n"), false, needle -> {
+            needle.holdProbe(Optional.of(probe(0, 0)));
+            needle.enterAt(ENTRY, new NeedleAngles(-30, 18));
+            when(needle, s -> s.probe().isPresent() && s.hasNeedle());
+            run.pause();
+            double pausedS = pausedAtS();
+            for (int step = 0; step < 12; step++) {
+                NeedleState shown = needle.state();
+                assertThat(shown.timeS()).isCloseTo(pausedS, within(1e-9));
+                Frame picture = scene.newFrame().get();
+                assertThat(run.copyNewestFrame(picture)).isTrue();
+                assertThat(picture.timeS()).isEqualTo(shown.timeS());
+                MovingAnatomy body = new MovingAnatomy(scene.surfaces());
+                body.update(picture);
+                NeedleInsertion out = new NeedleInsertion(body, study.target(), Needle.standard(), Set.of());
+                assertThat(shown.target()).isEqualTo(out.targetNow());
+                HeldProbe held = new HeldProbe(body);
+                held.update(picture, out);
+                held.hold(Optional.of(probe(0, 0)));
+                assertThat(shown.probe().orElseThrow().pose())
+                        .usingRecursiveComparison()
+                        .isEqualTo(held.pose().orElseThrow());
+                pausedS = stepOnce();
+            }
+            run.play();
+            sampleAndTakeOut(needle);
+        });
+    }
+
+    /** Sections and images are made of the states that the clock asks for, which go on from step to step. */
+    @Test
+    void imagesGoOnWithSingleSteps() throws Exception {
+        live(plan("steps: []\n"), false, needle -> {
+            needle.holdProbe(Optional.of(probe(0, 0)));
+            when(needle, s -> s.probe().isPresent());
+            double fromS = stepOnce();
+            double nowS = fromS;
+            while (nowS < fromS + 2 * Rehearsal.FRAME_INTERVAL_S) {
+                // Longer than a state is left undescribed.
+                LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(150));
+                nowS = stepOnce();
+            }
+            assertThat(moments.keySet()).anyMatch(timeS -> timeS > fromS);
+            run.play();
+            needle.enterAt(ENTRY, new NeedleAngles(-30, 18));
+            sampleAndTakeOut(needle);
+        });
+    }
+
+    private static void sampleAndTakeOut(LiveRehearsal needle) {
+        needle.moveTo(20, 90);
+        when(needle, s -> s.depthMm() > 1);
+        needle.sample();
+        needle.moveTo(0, 300);
+    }
+
+    @Test
+    void aNeedleThatMovesIsShownAtEachSingleStep() throws Exception {
+        live(plan("steps: []\n"), false, needle -> {
+            needle.enterAt(ENTRY, new NeedleAngles(-30, 18));
+            needle.moveTo(20, 50);
+            when(needle, s -> s.depthMm() > 2);
+            for (int step = 0; step < 12; step++) {
+                double nowS = stepOnce();
+                assertThat(needle.state().timeS()).isBetween(nowS - Rehearsal.FRAME_INTERVAL_S, nowS + 1e-9);
+            }
+            run.play();
+            needle.sample();
+            needle.moveTo(0, 300);
+        });
+    }
+
     /** What is shown of a paused run, and is saved as a picture, is one moment. */
     @Test
     void thePausedRunShowsTheNeedleAsItIsThen() throws Exception {
@@ -217,8 +314,7 @@ class LiveAttemptTest {
                 double depthMm = 2 + 2 * time;
                 when(needle, s -> s.depthMm() > depthMm);
                 run.pause();
-                // Answered after the pause.
-                double nowS = run.recordedScenario().steps() * run.status().dtS();
+                double nowS = pausedAtS();
                 assertThat(needle.state().timeS()).isBetween(nowS - Rehearsal.FRAME_INTERVAL_S, nowS + 1e-9);
                 run.play();
             }

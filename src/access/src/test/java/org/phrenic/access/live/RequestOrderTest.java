@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.phrenic.file.BadInputException;
 
 /** Requests are executed in the order in which they are made, and a restart of the run is told by its time. */
 class RequestOrderTest {
@@ -19,10 +19,16 @@ class RequestOrderTest {
         requests.addTurn(() -> done.add("turn 3"));
         requests.add(() -> done.add("advance"));
         requests.addTurn(() -> done.add("turn 4"));
-        for (Optional<Runnable> next = requests.poll(); next.isPresent(); next = requests.poll()) {
-            next.get().run();
-        }
-        assertThat(done).containsExactly("turn 2", "aim", "turn 3", "advance", "turn 4");
+        List<String> refused = new ArrayList<>();
+        requests.add(() -> {
+            throw new BadInputException("sample");
+        });
+        requests.runAll(() -> done.add("after"), refused::add);
+        assertThat(done)
+                .filteredOn(what -> !what.equals("after"))
+                .containsExactly("turn 2", "aim", "turn 3", "advance", "turn 4");
+        assertThat(done).hasSize(10);
+        assertThat(refused).containsExactly("sample");
         assertThat(requests.isEmpty()).isTrue();
     }
 

@@ -13,8 +13,8 @@ record FollowedStepListener(StepListener first, BiConsumer<Frame, RespiratoryPha
     }
 
     @Override
-    public void onPause() {
-        first.onPause();
+    public void onPause(Frame present, RespiratoryPhase label) {
+        first.onPause(present, label);
     }
 
     @Override

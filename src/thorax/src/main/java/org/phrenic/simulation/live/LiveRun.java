@@ -95,7 +95,7 @@ public final class LiveRun implements AutoCloseable {
             if (loop.running != null && !loop.playing) {
                 loop.applyPendingChanges();
                 loop.advance(loop.running, 1, Long.MAX_VALUE);
-                loop.running.publish();
+                loop.publish();
                 loop.notifyListener();
             }
         });

@@ -201,6 +201,22 @@ final class RunningScene implements AutoCloseable {
 
     /** Publishes a frame of the current state. */
     void publish() {
+        capture();
+        handOver();
+    }
+
+    /** Publishes a frame of the current state of a paused run, which a listener is given before. */
+    void publishAtPause(StepListener watch) {
+        capture();
+        try {
+            watch.onPause(pipe.back(), simulation.breathLabel());
+        } finally {
+            handOver();
+        }
+    }
+
+    /** Makes the back frame one of the current state. */
+    private void capture() {
         writer.finish();
         if (capturedStep == simulation.steps()) {
             pipe.back().copyFrom(listenerFrame);
@@ -208,7 +224,6 @@ final class RunningScene implements AutoCloseable {
             surfaces.capture(pipe.back());
         }
         published();
-        handOver();
     }
 
     private void published() {

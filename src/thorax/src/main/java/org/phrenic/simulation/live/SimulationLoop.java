@@ -222,12 +222,18 @@ final class SimulationLoop implements Runnable {
     void playOrPause() {
         startPacing();
         if (running != null) {
-            running.publish();
-            if (!playing && stepListener != null) {
-                stepListener.onPause();
-            }
+            publish();
         }
         notifyListener();
+    }
+
+    /** Publishes the current state, which the step listener is given too where the run stands still. */
+    void publish() {
+        if (playing || stepListener == null) {
+            running.publish();
+        } else {
+            running.publishAtPause(stepListener);
+        }
     }
 
     /** Makes a scene the running one; returns the former, null if there is none, for {@link #beginScene}. */

@@ -76,13 +76,16 @@ public interface StepListener {
     }
 
     /**
-     * Called when the run is paused, on the simulation's thread, while no other call is at work. The state that
-     * {@link #onStep} was given last is still there.
+     * Called when the run is paused, and after each single step of a paused run, on the simulation's thread, while no
+     * other call is at work and before anyone is shown the state.
+     *
+     * @param present current state, whether its step is selected or not; valid until the method returns
+     * @param label respiratory phase
      */
-    default void onPause() {}
+    default void onPause(Frame present, RespiratoryPhase label) {}
 
     /**
-     * This listener, whose wishes hold, and after each state that it is given, another.
+     * This listener, whose wishes hold, and after each {@link #onStep} of it, another.
      *
      * @param other is given the same state and phase, on the same thread
      */

@@ -300,4 +300,32 @@ class LiveRunTest extends LiveRunHarness {
         run.load(scenario);
         return run;
     }
+
+    /** Whatever steps a listener selects, at rest it shows the same moment as the picture. */
+    @Test
+    void atAPauseAndAtEachSingleStepTheListenerIsGivenTheStateOfThePicture() throws InterruptedException {
+        start(COARSE);
+        Frame picture = next(scenes).newFrame().get();
+        BlockingQueue<Long> given = new LinkedBlockingQueue<>();
+        run.listenToSteps(StepListener.Trigger.every(100), new StepListener() {
+            @Override
+            public void onStep(Frame frame, RespiratoryPhase label) {}
+
+            @Override
+            public void onPause(Frame present, RespiratoryPhase label) {
+                given.add(present.step());
+            }
+        });
+        run.play();
+        steps(10);
+        run.pause();
+        for (int step = 0; step < 3; step++) {
+            long now = run.recordedScenario().steps();
+            assertThat(given).containsExactly(now);
+            given.clear();
+            assertThat(run.copyNewestFrame(picture)).isTrue();
+            assertThat(picture.step()).isEqualTo(now);
+            run.stepOnce();
+        }
+    }
 }
