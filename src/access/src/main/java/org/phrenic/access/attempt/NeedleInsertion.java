@@ -44,8 +44,7 @@ public final class NeedleInsertion {
     private final WayAhead ahead;
     private final AttemptLog log;
     private final NeedleShaft shaft;
-    private double speed;
-    private double goal;
+    private final TipMotion motion = new TipMotion();
     /** Whether the needle has been turned since its tip was last moved. */
     private boolean turned;
 
@@ -83,21 +82,16 @@ public final class NeedleInsertion {
     }
 
     private void advanceTip(double elapsed) {
-        if (speed == 0) {
+        if (!motion.isMoving()) {
             return;
         }
         double depth = shaft.depth();
-        double next = depth + Math.signum(goal - depth) * speed * elapsed;
-        boolean arrives = (next - goal) * (depth - goal) <= 0;
-        next = arrives ? goal : next;
+        double next = motion.reach(depth, elapsed);
         Optional<Crossing> bone = next > depth ? ahead.boneBefore(next) : Optional.empty();
         if (bone.isPresent()) {
             next = Math.max(depth, bone.get().fromMm());
             log.event(AttemptEvent.Kind.BONE_CONTACT, bone.get().label(), next);
-            arrives = true;
-        }
-        if (arrives) {
-            speed = 0;
+            motion.stop();
         }
         log.travelled(Math.abs(next - depth));
         shaft.moveTo(next);
@@ -184,7 +178,7 @@ public final class NeedleInsertion {
             log.withdrawn();
         }
         shaft.place(point, from, aim);
-        speed = 0;
+        motion.stop();
         turned = false;
         log.newAttempt();
         log.event(AttemptEvent.Kind.SKIN_CONTACT, "", 0);
@@ -256,11 +250,15 @@ public final class NeedleInsertion {
                     "depth: found " + toDepthMm + " mm, expected 0 to the needle's " + needle.length());
         }
         turned = false;
-        goal = Math.min(toDepthMm, needle.lengthMm());
-        speed = goal == shaft.depth() ? 0 : speedMmPerS;
-        if (goal == 0 && speed == 0) {
+        double goal = Math.min(toDepthMm, needle.lengthMm());
+        if (!motion.start(shaft.depth(), goal, speedMmPerS) && goal == 0) {
             shaft.remove();
         }
+    }
+
+    /** The depth so many mm on from where the tip moves to, if it moves that way, or is; from 0 to the length. */
+    public double depthAfter(double mm) {
+        return Math.max(0, Math.min(needle.lengthMm(), motion.further(shaft.depth(), mm)));
     }
 
     /**
@@ -310,7 +308,7 @@ public final class NeedleInsertion {
 
     /** Whether the needle is advancing or being withdrawn. */
     public boolean isMoving() {
-        return speed != 0;
+        return motion.isMoving();
     }
 
     /** Current centre of the target, LPS, mm. */

@@ -18,7 +18,6 @@ import org.phrenic.access.plan.ProbeHold;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.breathing.RespiratoryPhase;
-import org.phrenic.file.BadInputException;
 import org.phrenic.simulation.live.LiveRun;
 import org.phrenic.simulation.live.StepListener;
 import org.phrenic.simulation.observe.Frame;
@@ -52,7 +51,7 @@ public final class LiveRehearsal implements StepListener {
     private final BreathCommands breathing;
     private NeedleInsertion needle;
     private NeedleSnapshots snapshots;
-    private PlanPlayer player;
+    private PlayedPlan player;
     private boolean fresh;
     private Frame frame;
     private RespiratoryPhase phase = RespiratoryPhase.PAUSE;
@@ -211,7 +210,9 @@ public final class LiveRehearsal implements StepListener {
         steps.clear();
         needle = new NeedleInsertion(anatomy, target, plan.needle(), plan.avoided());
         snapshots = new NeedleSnapshots();
-        player = map.isPresent() ? new PlanPlayer(plan, needle, snapshots, probe, map.get(), breathing::hold) : null;
+        player = map.map(on -> new PlanPlayer(plan, needle, snapshots, probe, on, breathing::hold))
+                .map(played -> new PlayedPlan(played, listener))
+                .orElse(null);
         breathing.begin();
         over = false;
         fresh = true;
@@ -219,14 +220,7 @@ public final class LiveRehearsal implements StepListener {
 
     private boolean play(int breath) {
         requests.clear();
-        try {
-            return !over && player.update(frame, phase, breath);
-        } catch (BadInputException bad) {
-            over = true;
-            listener.refused(bad.getMessage());
-            listener.stopped();
-            return false;
-        }
+        return !over && player.update(frame, phase, breath);
     }
 
     /** Executes the pending requests. Returns whether the attempt has ended. */
@@ -268,12 +262,19 @@ public final class LiveRehearsal implements StepListener {
      * @param speedMmPerS positive speed, mm/s
      */
     public void moveTo(double depthMm, double speedMmPerS) {
-        requests.add(moves.counted(() -> {
-            if (needle.shaft().isPlaced() || depthMm > 0) {
-                place();
-                grip.advance(needle, depthMm, speedMmPerS, timeS);
-            }
-        }));
+        requests.add(moves.counted(() -> advance(depthMm, speedMmPerS)));
+    }
+
+    /** As {@link #moveTo}, by so many mm: {@link NeedleInsertion#depthAfter} all earlier requests. */
+    public void moveBy(double mm, double speedMmPerS) {
+        requests.add(moves.counted(() -> advance(needle.depthAfter(mm), speedMmPerS)));
+    }
+
+    private void advance(double depthMm, double speedMmPerS) {
+        if (needle.shaft().isPlaced() || depthMm > 0) {
+            place();
+            grip.advance(needle, depthMm, speedMmPerS, timeS);
+        }
     }
 
     /** As {@link #moveTo}, to where the needle passes nearest to the target when the request is executed. */

@@ -415,4 +415,22 @@ class NeedleInsertionTest {
         assertThatThrownBy(() -> TargetLesion.at(scene, new double[] {90, 0, 0}, 200))
                 .hasMessageContaining("diameter");
     }
+
+    @Test
+    void aRelativeMoveGoesOnFromWhereTheTipMovesToInThatDirectionAndElseFromItsDepth() {
+        NeedleInsertion session = session(20);
+        assertThat(session.depthAfter(2)).as("out of the body").isEqualTo(2);
+        assertThat(session.depthAfter(-2)).as("out of the body").isZero();
+        session.placeAtRest(new double[] {200, 0, 0}, new double[] {90, 0, 0});
+        session.advance(10, 50);
+        next(session);
+        double depthMm = session.shaft().depth();
+        assertThat(depthMm).isGreaterThan(0).isLessThan(10);
+        assertThat(session.depthAfter(2)).isEqualTo(12);
+        assertThat(session.depthAfter(-0.5)).isEqualTo(depthMm - 0.5);
+        assertThat(session.depthAfter(1000)).isEqualTo(session.needle().lengthMm());
+        session.advance(0, 1);
+        assertThat(session.depthAfter(-1)).isZero();
+        assertThat(session.depthAfter(2)).isEqualTo(depthMm + 2);
+    }
 }

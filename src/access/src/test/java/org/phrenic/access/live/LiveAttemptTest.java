@@ -198,6 +198,7 @@ class LiveAttemptTest {
             needle.turnBy(1, 0);
             needle.turnBy(0, 2);
             needle.moveToTarget(150);
+            needle.moveBy(2, 150);
             when(needle, s -> s.placed() && s.depthMm() > 1 && !s.moving());
             needle.sample();
             needle.moveTo(0, 300);
@@ -208,13 +209,15 @@ class LiveAttemptTest {
         assertThat(done)
                 .extracting(step -> step.getClass().getSimpleName())
                 .as("a needle that is out stays out at a depth of 0")
-                .containsExactly("Place", "Advance", "Sample", "Advance");
+                .containsExactly("Place", "Advance", "Advance", "Sample", "Advance");
         NeedleAngles placed = ((PlanStep.Place) done.get(0)).aim().angles().orElseThrow();
         assertThat(placed.axialDeg()).isCloseTo(-30, within(1e-9));
         assertThat(placed.cranialDeg()).isCloseTo(18, within(1e-9));
-        assertThat(((PlanStep.Advance) done.get(1)).depthMm().orElseThrow())
+        double targetMm = ((PlanStep.Advance) done.get(1)).depthMm().orElseThrow();
+        assertThat(targetMm)
                 .as("where this line passes nearest to the target; the former line leads away from it")
                 .isGreaterThan(40);
+        assertThat(((PlanStep.Advance) done.get(2)).depthMm()).contains(targetMm + 2);
     }
 
     /** Time of the paused run, s; everything that was asked of it before is done. */

@@ -23,7 +23,6 @@ public final class NeedleController {
     private final Session session;
     private final RehearsalController rehearsal;
     private final SceneViewport view;
-    private double commandedDepthMm;
     private double speedMmPerS = DEFAULT_MM_PER_S;
 
     NeedleController(Session session, RehearsalController rehearsal, SceneViewport view) {
@@ -72,18 +71,20 @@ public final class NeedleController {
 
     /** Moves the tip to a depth, mm; a needle outside of the body is placed on the skin first. */
     public void moveTo(double depthMm) {
-        moveTo(depthMm, needle -> needle.moveTo(commandedDepthMm, speedMmPerS));
+        move(depthMm > 0, needle -> {
+            double lengthMm = rehearsal.plan().orElseThrow().needle().lengthMm();
+            needle.moveTo(Math.max(0, Math.min(lengthMm, depthMm)), speedMmPerS);
+        });
     }
 
-    private void moveTo(double depthMm, Consumer<LiveRehearsal> how) {
+    /** @param insertsOne whether a needle outside of the body comes in by this */
+    private void move(boolean insertsOne, Consumer<LiveRehearsal> how) {
         if (canMove()) {
-            double lengthMm = rehearsal.plan().orElseThrow().needle().lengthMm();
-            commandedDepthMm = Math.max(0, Math.min(lengthMm, depthMm));
             boolean placed = rehearsal.state().filter(NeedleState::placed).isPresent();
-            if (!placed && commandedDepthMm > 0) {
+            if (!placed && insertsOne) {
                 rehearsal.pictures().place();
             }
-            if (commandedDepthMm > 0 || placed || awaitsMoves()) {
+            if (insertsOne || placed || awaitsMoves()) {
                 command(how);
             }
         } else if (rehearsal.usableNeedle().isPresent()) {
@@ -93,12 +94,7 @@ public final class NeedleController {
 
     /** Moves the tip from its depth, or in the same direction from the depth that it moves to. */
     public void moveBy(double mm) {
-        // A command takes until the next frame to show; steps in quick succession go on from it.
-        NeedleState now = rehearsal.state().orElse(null);
-        double depthMm = now == null || !now.placed() ? 0 : now.depthMm();
-        boolean isUnderWay = awaitsMoves() || (now != null && now.moving());
-        boolean goesOn = isUnderWay && (commandedDepthMm - depthMm) * mm >= 0;
-        moveTo((goesOn ? commandedDepthMm : depthMm) + mm);
+        move(mm > 0, needle -> needle.moveBy(mm, speedMmPerS));
     }
 
     /** Moves the needle by the wheel, with Shift in larger steps; false if it cannot be moved. */
@@ -112,7 +108,7 @@ public final class NeedleController {
 
     /** Moves the tip, forward or back, to where the needle passes nearest to the target. */
     public void moveToTarget() {
-        rehearsal.state().ifPresent(now -> moveTo(now.targetDepthMm(), needle -> needle.moveToTarget(speedMmPerS)));
+        rehearsal.state().ifPresent(now -> move(true, needle -> needle.moveToTarget(speedMmPerS)));
     }
 
     public void setSpeedMmPerS(double speed) {

@@ -26,6 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.Timeout;
 import org.phrenic.access.BreathMoment;
+import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.path.SkinEntries;
 import org.phrenic.access.plan.PathAdvice;
 import org.phrenic.access.plan.Rehearsal;
@@ -146,6 +147,23 @@ class RehearsalWindowTest extends RehearsalProbeCases {
         until("the needle in", () -> state().placed() && state().depthMm() > 9.9);
         clinic.rest();
         assertThat(state().depthMm()).isCloseTo(10, within(0.1));
+    }
+
+    /** A, G and a notch of the wheel, faster than any of it is shown: it goes on from the depth on the aimed line. */
+    @Test
+    void aStepRightAfterGoingToTheTargetGoesOnFromItsDepth() throws Exception {
+        clinic.begin();
+        NeedleAngles aside = state().angles().turned(0, 40);
+        WindowHarness.doOnEdt(() -> rehearsal().needle().turnBy(0, 40));
+        until("the needle turned aside", () -> Math.abs(state().angles().cranialDeg() - aside.cranialDeg()) < 1e-6);
+        double asideMm = state().targetDepthMm();
+        WindowHarness.doOnEdt(() -> {
+            rehearsal().needle().aimAtTarget();
+            rehearsal().needle().moveToTarget();
+            rehearsal().needle().moveBy(2);
+        });
+        until("the needle in", () -> state().placed() && state().depthMm() > 1 && !state().moving());
+        assertThat(state().depthMm()).isGreaterThan(asideMm + 5);
     }
 
     /** A key is faster than the state of the needle is published. */
