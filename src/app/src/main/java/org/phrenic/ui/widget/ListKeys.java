@@ -68,8 +68,8 @@ public final class ListKeys {
     /** The text that an entry has in the list: an entry may be stored otherwise than it is shown. */
     private static <T> String shownText(JComboBox<T> box, int index) {
         T entry = box.getItemAt(index);
-        Component shown =
-                box.getRenderer().getListCellRendererComponent(new JList<>(box.getModel()), entry, index, false, false);
+        // A list of the model of the box would stay among those whom the model tells of changes.
+        Component shown = box.getRenderer().getListCellRendererComponent(new JList<>(), entry, index, false, false);
         return shown instanceof JLabel label ? String.valueOf(label.getText()) : String.valueOf(entry);
     }
 

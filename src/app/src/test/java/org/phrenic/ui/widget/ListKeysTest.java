@@ -2,6 +2,7 @@ package org.phrenic.ui.widget;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import javax.swing.DefaultComboBoxModel;
 import javax.swing.JComboBox;
 import org.junit.jupiter.api.Test;
 import org.phrenic.ui.session.EventThread;
@@ -26,6 +27,16 @@ class ListKeysTest {
         assertThat(next(box, 2, 'm')).isEqualTo(1);
         assertThat(next(box, 0, 'a')).as("the only one").isZero();
         assertThat(next(box, 0, '/')).isNegative();
+    }
+
+    /** A box stays as long as its window, and with it what its entries tell of changes. */
+    @Test
+    void lettersLeaveNothingInTheListOfEntries() {
+        JComboBox<String> box = EventThread.get(() -> new JComboBox<>(BODIES));
+        DefaultComboBoxModel<String> entries = (DefaultComboBoxModel<String>) box.getModel();
+        int before = entries.getListDataListeners().length;
+        assertThat(next(box, 0, 'x')).isNegative();
+        assertThat(entries.getListDataListeners()).hasSize(before);
     }
 
     @Test
