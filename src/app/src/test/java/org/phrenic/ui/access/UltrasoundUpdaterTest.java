@@ -117,7 +117,8 @@ class UltrasoundUpdaterTest {
             Thread.sleep(50);
         }
         third.get(10, TimeUnit.SECONDS);
-        assertThat(timesS).containsExactly(2.0, 3.0);
+        // Where the machine is so busy that the first one's latency has passed before the second is there, it is shown.
+        assertThat(timesS).isSorted().endsWith(3.0);
     }
 
     @Test
