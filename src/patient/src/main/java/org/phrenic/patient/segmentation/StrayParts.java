@@ -5,8 +5,10 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.StructureKind;
 
@@ -19,6 +21,12 @@ import org.phrenic.anatomy.StructureKind;
 final class StrayParts {
     /** A component of at least this share of its structure is a main one, as is the largest. */
     private static final double MAIN_SHARE = 0.1;
+    /**
+     * The same of a part of one organ that lies farther from its largest part than that is long: a speck of some size
+     * is much of an adrenal gland. Parts of a kidney or a spleen lie nearer, and those of a pair under one label are
+     * alike.
+     */
+    private static final double FAR_SHARE = 1 / 3.0;
     /** Edge of the coarse cells, mm. */
     private static final double CELL_MM = 10;
 
@@ -47,6 +55,10 @@ final class StrayParts {
     private final int rows;
     /** The organ of each segment: the number of its first segment; 0 for bones, branching vessels and others. */
     private final int[] organ;
+    /**
+     * Whether a segment is one organ by itself: neither lung nor bowel, nor a vessel, of which far parts may be true.
+     */
+    private final boolean[] isCompact;
 
     StrayParts(Segmentation s, VoxelRuns runs) {
         this.s = s;
@@ -57,7 +69,8 @@ final class StrayParts {
         // A margin of one cell at either end spares the neighbours of a cell a test.
         columns = s.columns / voxels[0] + 3;
         rows = s.rows / voxels[1] + 3;
-        organ = organs(s.names().size() + 1);
+        isCompact = new boolean[s.names().size() + 1];
+        organ = organs(isCompact.length);
     }
 
     /**
@@ -102,7 +115,52 @@ final class StrayParts {
                 main.set(runs.component(run));
             }
         }
+        Map<Integer, int[]> boxes = boxes(main);
+        for (int component : boxes.keySet()) {
+            int segment = s.segmentAt(runs.from(component));
+            boolean small = runs.size(component) < Math.min(largest[segment], FAR_SHARE * total[segment]);
+            if (small
+                    && boxes.entrySet().stream()
+                            .filter(other -> s.segmentAt(runs.from(other.getKey())) == segment
+                                    && runs.size(other.getKey()) == largest[segment])
+                            .allMatch(other -> isFar(boxes.get(component), other.getValue()))) {
+                main.clear(component);
+            }
+        }
         return main;
+    }
+
+    /** Boxes of the components of compact organs in a set: first column, row and slice, then the last ones. */
+    private Map<Integer, int[]> boxes(BitSet components) {
+        TreeMap<Integer, int[]> boxes = new TreeMap<>();
+        for (int run = 0; run < runs.count(); run++) {
+            int component = runs.component(run);
+            if (components.get(component) && isCompact[s.segmentAt(runs.from(run))]) {
+                int row = runs.from(run) / s.columns;
+                int[] first = {runs.from(run) % s.columns, row % s.rows, row / s.rows};
+                int[] last = {(runs.to(run) - 1) % s.columns, first[1], first[2]};
+                int[] box = boxes.computeIfAbsent(
+                        component, none -> new int[] {first[0], first[1], first[2], last[0], last[1], last[2]});
+                for (int axis = 0; axis < 3; axis++) {
+                    box[axis] = Math.min(box[axis], first[axis]);
+                    box[3 + axis] = Math.max(box[3 + axis], last[axis]);
+                }
+            }
+        }
+        return boxes;
+    }
+
+    /** Whether a box lies farther from another than that is long from corner to corner. */
+    private boolean isFar(int[] box, int[] other) {
+        double gap = 0;
+        double length = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double spacing = s.grid().spacing(axis);
+            int between = Math.max(0, Math.max(box[axis] - other[3 + axis], other[axis] - box[3 + axis]));
+            gap = StrictMath.hypot(gap, spacing * between);
+            length = StrictMath.hypot(length, spacing * (other[3 + axis] - other[axis] + 1));
+        }
+        return gap > length;
     }
 
     /** The coarse cells of the main components of each organ. */
@@ -134,6 +192,7 @@ final class StrayParts {
                 organ[segment] = bowel;
             } else if (kind == StructureKind.LIVER || kind == StructureKind.ORGAN || isTrunk(segment)) {
                 organ[segment] = segment;
+                isCompact[segment] = !isTrunk(segment);
             }
         }
         return organ;
