@@ -391,7 +391,7 @@ class BadInputTest {
                 bad("unknown background", "light, dark", render("--background", "sunset")),
                 bad("unknown side of a clip", "L R A P S I", render("--clip", "X:10")),
                 bad("clip without a distance", "expected a number", render("--clip", "A:")),
-                bad("clip beyond the world", "at most", render("--clip", "A:1e9")),
+                bad("clip beyond the world", "-100000 to 100000 mm", render("--clip", "A:1e9")),
                 bad("unknown overlay", "did you mean 'springs'?", render("--overlay", "spring")),
                 bad("zoom 0", "--zoom", render("--zoom", "0")),
                 bad("zoom infinite", "expected a number", render("--zoom", "Infinity")),

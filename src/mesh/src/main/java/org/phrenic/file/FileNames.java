@@ -52,8 +52,10 @@ public final class FileNames {
     private static boolean isEncodable(String name) {
         String encoding = System.getProperty("sun.jnu.encoding", "UTF-8");
         boolean hasUsualLetters = name.chars().allMatch(c -> c >= ' ' && c <= '~');
+        boolean isText = name.chars().noneMatch(c -> c < ' ');
         return hasUsualLetters
-                || (Charset.isSupported(encoding)
+                || (isText
+                        && Charset.isSupported(encoding)
                         && Charset.forName(encoding).newEncoder().canEncode(name));
     }
 

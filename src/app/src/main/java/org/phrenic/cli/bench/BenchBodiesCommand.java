@@ -64,10 +64,9 @@ import picocli.CommandLine.Parameters;
             Disclaimer.TEXT
         })
 final class BenchBodiesCommand extends ReportingCommand {
-    /** Scenario keys that the command sets. */
     /** Most bodies on a sheet of pictures, which is kept in memory. */
     private static final int MOST_PICTURED = 300;
-
+    /** Scenario keys that the command sets. */
     private static final Set<String> RESERVED =
             Set.of("preset", "trace", "anatomy", "resolution", "duration_s", "steps", "threads", "changes", "hold");
 

@@ -10,12 +10,16 @@ import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LayerParting;
+import org.phrenic.patient.label.LabelTable;
 
 /**
  * Ribs that hang together under their label, as where it holds the cartilages of the costal margin, or where a bridge
  * of bone joins two.
  */
 final class FusedRibs {
+    /** Share of a part from which a label of a single rib counts. */
+    private static final double LEAST_SHARE = 0.15;
+
     private final Segmentation s;
     /** x and y of an axis in front of the vertebral ends of the ribs and behind their front ends, mm. */
     private final double[] axis;
@@ -48,6 +52,9 @@ final class FusedRibs {
     }
 
     private Stream<RibComponents.Rib> apart(RibComponents.Rib rib, List<String> parted) {
+        if (hasLabelsOfItsOwn(rib)) {
+            return Stream.of(rib);
+        }
         Optional<LayerParting.Layers> layers = LayerParting.part(s.grid(), rib.voxels, axis);
         if (layers.isEmpty()) {
             return Stream.of(rib);
@@ -71,6 +78,15 @@ final class FusedRibs {
         }
         parted.add(pieces.size() + " on the " + side + " " + place(joint));
         return pieces.stream().map(piece -> new RibComponents.Rib(s, piece));
+    }
+
+    /** Whether labels of single ribs tell several apart, which only touch. */
+    private boolean hasLabelsOfItsOwn(RibComponents.Rib rib) {
+        return rib.segments.keySet().stream()
+                        .filter(segment -> !LabelTable.isRibs(s.names().get(segment - 1)))
+                        .filter(segment -> rib.share(segment) > LEAST_SHARE)
+                        .count()
+                > 1;
     }
 
     private String place(double[] joint) {

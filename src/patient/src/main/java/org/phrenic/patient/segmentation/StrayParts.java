@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.StructureKind;
 
@@ -45,6 +46,9 @@ final class StrayParts {
             "common_carotid_artery",
             "iliac_artery",
             "iliac_vein");
+
+    /** Names of what may lie in several places, as cysts and what a table calls no organ of a name of its own. */
+    private static final Pattern SCATTERED = Pattern.compile("kidney_cyst.*|organ_.*");
 
     private final Segmentation s;
     private final VoxelRuns runs;
@@ -192,7 +196,8 @@ final class StrayParts {
                 organ[segment] = bowel;
             } else if (kind == StructureKind.LIVER || kind == StructureKind.ORGAN || isTrunk(segment)) {
                 organ[segment] = segment;
-                isCompact[segment] = !isTrunk(segment);
+                isCompact[segment] = !isTrunk(segment)
+                        && !SCATTERED.matcher(s.names().get(segment - 1)).matches();
             }
         }
         return organ;

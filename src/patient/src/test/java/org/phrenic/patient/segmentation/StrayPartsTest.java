@@ -25,6 +25,11 @@ class StrayPartsTest {
                 .containsExactly("parts that lie away from their organ are left out: adrenal_gland_R (0.5 ml)");
     }
 
+    @Test
+    void aFarCystOfAKidneyIsKept() {
+        assertThat(mended("kidney_cyst_R", 3, 40, 1.6)).isEmpty();
+    }
+
     /** The same near by, as the other limb of a gland that is cut in two. */
     @Test
     void aPartNearerThanTheOrganIsLongIsKept() {

@@ -29,6 +29,8 @@ public final class TracePattern implements BreathingPattern {
     private static final double CUT = 0.2;
     /** Share of a breath at an end of the recording within which the signal moves by {@link #MOVING} or rests. */
     private static final double MOVING_SHARE = 0.1;
+    /** The same of a recording of few samples a breath: over three of them. */
+    private static final double LEAST_SPACINGS = 2.5;
 
     private static final double MOVING = 0.05;
 
@@ -190,10 +192,12 @@ public final class TracePattern implements BreathingPattern {
 
     /** Whether the mean of the signal changes from one half of a time at an end of the recording to the other. */
     private static boolean isMoving(double[] depth, double[] timeS, int end, double withinS) {
+        double spacingS = Math.abs(timeS[end] - timeS[end == 0 ? 1 : end - 1]);
+        double overS = Math.max(withinS, LEAST_SPACINGS * spacingS);
         double[] sum = new double[2];
         int[] count = new int[2];
         for (int i = 0; i < depth.length; i++) {
-            double share = Math.abs(timeS[i] - timeS[end]) / withinS;
+            double share = Math.abs(timeS[i] - timeS[end]) / overS;
             if (share < 1) {
                 int half = share < 0.5 ? 0 : 1;
                 sum[half] += depth[i];

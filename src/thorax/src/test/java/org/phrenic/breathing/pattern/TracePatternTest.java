@@ -102,6 +102,18 @@ class TracePatternTest {
         BreathingPatternContract.check(pattern, 26);
     }
 
+    /** Two samples a second. */
+    @Test
+    void aRecordingOfFewSamplesIsCutToItsWholeBreathsToo() throws IOException {
+        String[] rows = TraceSamples.fromHalfwayUpToHalfwayDown().split("\n", -1);
+        StringBuilder few = new StringBuilder(rows[0]).append('\n');
+        for (int i = 1; i < rows.length - 1; i += 5) {
+            few.append(rows[i]).append('\n');
+        }
+        TracePattern pattern = new TracePattern(BreathingTraceReader.read(write(few.toString())), DEPTH, true);
+        assertThat(pattern.description()).contains("3 breaths in 12.0 s from 3.00 s of the recording on");
+    }
+
     /** Something must be breathed: of two parts of breaths the second is taken. */
     @Test
     void aRecordingWithoutAWholeBreathKeepsAPart() throws IOException {

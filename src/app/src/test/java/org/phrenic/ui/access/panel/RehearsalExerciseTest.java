@@ -331,6 +331,8 @@ class RehearsalExerciseTest {
         clinic.until("an image", () -> view.shot().isPresent());
         WindowHarness.doOnEdt(() -> rehearsal().playExample());
         assertThat(WindowHarness.onEdt(view::shot)).isEmpty();
+        // After it the run is that of the example.
+        clinic.window().session().live().recordedScenario();
         clinic.window().breathe(0.3);
         assertThat(WindowHarness.onEdt(view::shot)).isEmpty();
         WindowHarness.doOnEdt(() -> {
