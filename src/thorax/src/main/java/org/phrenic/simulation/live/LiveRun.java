@@ -52,6 +52,8 @@ public final class LiveRun implements AutoCloseable {
     private final SimulationLoop loop;
     private final Thread thread;
     private final SceneLoads loads;
+    /** Whether the run was last asked to play. */
+    private volatile boolean wanted;
 
     /** Loads a scenario. The run is paused until {@link #play}. */
     public LiveRun(Scenario first, Listener listener) {
@@ -81,10 +83,11 @@ public final class LiveRun implements AutoCloseable {
     }
 
     private void setPlaying(boolean on) {
+        wanted = on;
         loop.playing = on;
         loop.commands.submit(() -> {
-            // An end of the run before this may have paused it since.
-            loop.playing = on;
+            // An end of the run before this may have paused it since; what was asked for later counts.
+            loop.playing = wanted;
             loop.playOrPause();
         });
     }
