@@ -22,9 +22,9 @@ import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.file.BadInputException;
-import org.phrenic.file.FileNames;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.RadiographRenderer;
 import org.phrenic.scene.ScenarioRenderer;
@@ -177,9 +177,8 @@ final class RenderCommand extends ReportingCommand {
     }
 
     private static String title(Scenario scenario) {
-        String body = scenario.isVirtual()
-                ? scenario.anatomy().replace('/', ' ').replace('-', ' ')
-                : FileNames.ofBody(Path.of(scenario.anatomy()));
+        String label = RunSettings.bodyLabel(scenario.anatomy());
+        String body = scenario.isVirtual() ? label.replace('/', ' ').replace('-', ' ') : label;
         String name = scenario.name().replace('-', ' ');
         return name.substring(0, 1).toUpperCase(Locale.ROOT) + name.substring(1) + ", " + body;
     }

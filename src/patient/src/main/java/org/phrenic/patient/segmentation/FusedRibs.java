@@ -17,9 +17,6 @@ import org.phrenic.patient.label.LabelTable;
  * of bone joins two.
  */
 final class FusedRibs {
-    /** Share of a part from which a label of a single rib counts. */
-    private static final double LEAST_SHARE = 0.15;
-
     private final Segmentation s;
     /** x and y of an axis in front of the vertebral ends of the ribs and behind their front ends, mm. */
     private final double[] axis;
@@ -84,7 +81,7 @@ final class FusedRibs {
     private boolean hasLabelsOfItsOwn(RibComponents.Rib rib) {
         return rib.segments.keySet().stream()
                         .filter(segment -> !LabelTable.isRibs(s.names().get(segment - 1)))
-                        .filter(segment -> rib.share(segment) > LEAST_SHARE)
+                        .filter(segment -> rib.share(segment) > RibComponents.SUBSTANTIAL)
                         .count()
                 > 1;
     }

@@ -23,7 +23,7 @@ final class RibComponents {
 
     private static final int MIN_VOXELS = 20;
     /** Share of a label or of a part from which an overlap counts. */
-    private static final double SUBSTANTIAL = 0.15;
+    static final double SUBSTANTIAL = 0.15;
     /** Share of the shorter part's range of angle that two parts of one rib may have in common. */
     private static final double MAX_COMMON_ANGLE = 0.3;
 

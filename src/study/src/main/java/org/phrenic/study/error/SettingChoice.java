@@ -2,9 +2,8 @@ package org.phrenic.study.error;
 
 import static org.phrenic.file.Numbers.format;
 
-import java.nio.file.Path;
-import org.phrenic.file.FileNames;
 import org.phrenic.file.Numbers;
+import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 
 /**
@@ -45,10 +44,7 @@ public record SettingChoice(ErrorTable.Row row, double mostMm) {
 
     /** The body of a scenario in a sentence. */
     static String body(Scenario scenario) {
-        String anatomy = scenario.anatomy();
-        return "the "
-                + (scenario.isVirtual()
-                        ? anatomy.replace('/', ' ').replace('-', ' ')
-                        : "body " + FileNames.ofBody(Path.of(anatomy)));
+        String label = RunSettings.bodyLabel(scenario.anatomy());
+        return "the " + (scenario.isVirtual() ? label.replace('/', ' ').replace('-', ' ') : "body " + label);
     }
 }

@@ -19,7 +19,24 @@ final class SlicePlane {
     /** Share of the box about two contours that their boxes have in common if one follows the other. */
     private static final double SAME_OUTLINE = 0.6;
 
-    private record Contour(double at, double[] corners) {
+    /**
+     * A contour.
+     *
+     * @param at height above the slice, slices
+     * @param low lowest column and row
+     * @param high highest column and row
+     */
+    private record Contour(double at, double[] corners, double[] low, double[] high) {
+        static Contour of(double at, double[] corners) {
+            double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+            double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+            for (int i = 0; i < corners.length; i++) {
+                low[i % 2] = Math.min(low[i % 2], corners[i]);
+                high[i % 2] = Math.max(high[i % 2], corners[i]);
+            }
+            return new Contour(at, corners, low, high);
+        }
+
         /** Whether it would cancel with another of the slice where both are filled. */
         boolean cancels(Contour kept) {
             double apart = Math.abs(at - kept.at);
@@ -34,30 +51,18 @@ final class SlicePlane {
             double common = 1;
             double both = 1;
             for (int axis = 0; axis < 2; axis++) {
-                double least = -extreme(axis, -1);
-                double otherLeast = -other.extreme(axis, -1);
-                common *= Math.min(extreme(axis, 1), other.extreme(axis, 1)) - Math.max(least, otherLeast);
-                both *= Math.max(extreme(axis, 1), other.extreme(axis, 1)) - Math.min(least, otherLeast);
+                common *= Math.min(high[axis], other.high[axis]) - Math.max(low[axis], other.low[axis]);
+                both *= Math.max(high[axis], other.high[axis]) - Math.min(low[axis], other.low[axis]);
             }
             return isOver(other) && common > SAME_OUTLINE * both;
         }
 
         /** Whether its box and another's have a place in common. */
         private boolean isOver(Contour other) {
-            return overlaps(other, 0) && overlaps(other, 1);
-        }
-
-        private boolean overlaps(Contour other, int axis) {
-            return extreme(axis, 1) >= -other.extreme(axis, -1) && other.extreme(axis, 1) >= -extreme(axis, -1);
-        }
-
-        /** The greatest coordinate along an axis times a sign. */
-        private double extreme(int axis, int sign) {
-            double greatest = Double.NEGATIVE_INFINITY;
-            for (int i = axis; i < corners.length; i += 2) {
-                greatest = Math.max(greatest, sign * corners[i]);
-            }
-            return greatest;
+            return high[0] >= other.low[0]
+                    && other.high[0] >= low[0]
+                    && high[1] >= other.low[1]
+                    && other.high[1] >= low[1];
         }
     }
 
@@ -68,7 +73,7 @@ final class SlicePlane {
      * @param corners in columns and rows
      */
     void add(double at, double[] corners) {
-        all.add(new Contour(at, corners));
+        all.add(Contour.of(at, corners));
     }
 
     /** Corners of the contours that count. */
@@ -85,8 +90,8 @@ final class SlicePlane {
         return kept.stream().map(Contour::corners).toList();
     }
 
-    /** Number of contours that are left out. */
-    int leftOut() {
-        return all.size() - contours().size();
+    /** Number of contours, with those that do not count. */
+    int size() {
+        return all.size();
     }
 }

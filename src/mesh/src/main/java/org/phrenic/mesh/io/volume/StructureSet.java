@@ -196,13 +196,17 @@ final class StructureSet {
             notes.add(beyond + " contours of " + name(number)
                     + " reach beyond the voxels of their series or lie beyond them, where they were left out");
         }
-        int further = bySlice.values().stream().mapToInt(SlicePlane::leftOut).sum();
+        Map<Integer, List<double[]>> corners = new TreeMap<>();
+        int further = 0;
+        for (Map.Entry<Integer, SlicePlane> slice : bySlice.entrySet()) {
+            List<double[]> filled = slice.getValue().contours();
+            corners.put(slice.getKey(), filled);
+            further += slice.getValue().size() - filled.size();
+        }
         if (further > 0) {
             notes.add("of " + name(number) + ", " + further
                     + " contours were left out that lie nearer together than the slices or come twice");
         }
-        Map<Integer, List<double[]>> corners = new TreeMap<>();
-        bySlice.forEach((slice, plane) -> corners.put(slice, plane.contours()));
         return corners;
     }
 

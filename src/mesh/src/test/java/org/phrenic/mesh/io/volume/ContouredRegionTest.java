@@ -55,14 +55,14 @@ class ContouredRegionTest {
         SlicePlane three = new SlicePlane();
         assertThat(kept(three, new double[] {-0.2, 5}, new double[] {0, 8}, new double[] {0.2, 11}))
                 .containsExactly(8.0);
-        assertThat(three.leftOut()).isEqualTo(2);
+        assertThat(three.size() - three.contours().size()).isEqualTo(2);
         assertThat(kept(new SlicePlane(), new double[] {0.125, 5}, new double[] {-0.125, 8}))
                 .containsExactly(5.0);
         SlicePlane hole = new SlicePlane();
         assertThat(kept(hole, new double[] {0.1, 8}, new double[] {0.1 + 1e-9, 3}, new double[] {0.1, 8}))
                 .as("a hole stays, what comes twice does not")
                 .containsExactly(8.0, 3.0);
-        assertThat(hole.leftOut()).isEqualTo(1);
+        assertThat(hole.size() - hole.contours().size()).isEqualTo(1);
         SlicePlane apart = new SlicePlane();
         apart.add(0, circle(15, 30, 5).get(0));
         apart.add(0.03, circle(45, 30, 6).get(0));
