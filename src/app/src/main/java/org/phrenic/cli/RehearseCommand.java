@@ -94,8 +94,8 @@ final class RehearseCommand extends ReportingCommand {
             }
             pictures.writeAccessMap(out, rehearsal.map(), title)
                     .forEach(file -> map.add(new Picture(file, "Access map on the skin, " + file, "")));
-        } catch (NoGraphicsException none) {
-            err.println("The report has no pictures: " + none.getMessage());
+        } catch (NoGraphicsException | IllegalStateException none) {
+            err.println("The report lacks pictures: " + none.getMessage());
         }
     }
 

@@ -7,6 +7,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -116,6 +118,30 @@ class BenchErrorCommandTest {
         assertRefused("--resolution: found it with --quick", "--quick", "--resolution", "high");
         assertRefused("--part: found 'luck'", "--whole", "--part", "luck");
         assertRefused("--scan: found no folder", "--whole", "--scan", "nowhere");
+        String none = folder.toString();
+        assertRefused(none + ": no mesh", "--whole", "--part", "order", "--resolution", "low", "--scan", none);
+    }
+
+    /** Its own mesh or recording would stand in rows that are named after another. */
+    @Test
+    void aScenarioBesideTheDefaultsIsOfAnyMeshAndBreath() throws Exception {
+        String beside = "data/scenarios/heavy-tissue.yaml";
+        assertRefused(
+                "--beside: found it without the part equilibrium", "--whole", "--part", "time", "--beside", beside);
+        String breaths = IntStream.range(0, 100)
+                .mapToObj(i -> i + "," + (i % 4 == 2 ? 10 : 0))
+                .collect(Collectors.joining("\n"));
+        Files.writeString(folder.resolve("breath.csv"), "time_s,amplitude\n" + breaths);
+        for (String own : List.of("mesh_vertices: 3000", "trace: breath.csv")) {
+            Path file = Files.writeString(folder.resolve("own.yaml"), own);
+            assertRefused(
+                    "found " + own.substring(0, own.indexOf(':')) + ", expected a scenario for each breath and mesh",
+                    "--whole",
+                    "--part",
+                    "equilibrium",
+                    "--beside",
+                    file.toString());
+        }
     }
 
     private Path shippedTable() throws IOException {

@@ -48,6 +48,11 @@ public record Thorax(
         return new Thorax(name, structures, notes, notInScan, further);
     }
 
+    /** All structures, then the further organs. */
+    public List<Structure> structuresAndOrgans() {
+        return Stream.concat(structures.stream(), organs.get().stream()).toList();
+    }
+
     /** What is not in the scan, structures by kind, such as "skin, 4 of 24 ribs"; empty if there is nothing. */
     public String notInScanSummary() {
         Set<String> names = structures.stream().map(Structure::name).collect(Collectors.toSet());

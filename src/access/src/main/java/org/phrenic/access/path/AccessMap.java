@@ -41,7 +41,7 @@ public final class AccessMap {
     /** Bit of a place of the skin that is no entry. */
     private static final int NO_ENTRY = 1 << 29;
     /** A crossing of the pleura counts as so much longer a path when the best entry is chosen, mm. */
-    private static final double PLEURA_COST_MM = 30;
+    static final double PLEURA_COST_MM = 30;
 
     /** Accessibility of the target from a skin point. */
     public enum Access {
@@ -75,7 +75,9 @@ public final class AccessMap {
     /** Smallest margin over the free moments, mm; infinite if the path is never free. */
     private final float[] margin;
 
-    private final float[] lengthMm;
+    /** Path length by moment and vertex, mm. */
+    private final float[][] lengths;
+
     private final float[] angleDeg;
     private final String[] nearest;
     private final double[][] targets;
@@ -92,7 +94,7 @@ public final class AccessMap {
         touched = new int[cycle.size()][n];
         margins = new float[cycle.size()][n];
         margin = new float[n];
-        lengthMm = new float[n];
+        lengths = new float[cycle.size()][n];
         angleDeg = new float[n];
         nearest = new String[n];
         targets = new double[cycle.size()][];
@@ -144,7 +146,7 @@ public final class AccessMap {
         double[] target = targets[moment];
         double[] path = Vectors.subtract(target, entry);
         double length = Vectors.length(path);
-        lengthMm[v] = Math.max(lengthMm[v], (float) length);
+        lengths[moment][v] = (float) length;
         double inward = -Vectors.dot(path, Arrays.copyOfRange(normals, 3 * v, 3 * v + 3));
         if (needle.isShorterThan(length) || !(inward > 0)) {
             touched[moment][v] = OUT_OF_REACH;
@@ -207,8 +209,11 @@ public final class AccessMap {
 
     /** Whether the path from a vertex crosses the pleura at any moment at which it is free. */
     public boolean crossesPleura(int vertex) {
-        return IntStream.range(0, touched.length)
-                .anyMatch(m -> isFree(m, vertex) && (touched[m][vertex] & NoGoZone.PLEURA.bit()) != 0);
+        return IntStream.range(0, touched.length).anyMatch(m -> crossesPleura(m, vertex));
+    }
+
+    private boolean crossesPleura(int moment, int vertex) {
+        return isFree(moment, vertex) && (touched[moment][vertex] & NoGoZone.PLEURA.bit()) != 0;
     }
 
     /** Zones that the path touches at a moment; none if the vertex is out of reach. */
@@ -250,7 +255,11 @@ public final class AccessMap {
 
     /** Largest path length from a vertex over the breath, mm. */
     public double lengthMm(int vertex) {
-        return lengthMm[vertex];
+        float largest = 0;
+        for (float[] moment : lengths) {
+            largest = Math.max(largest, moment[vertex]);
+        }
+        return largest;
     }
 
     /**
@@ -279,21 +288,33 @@ public final class AccessMap {
      */
     public Optional<Integer> best(double sufficientMm) {
         int longest = IntStream.range(0, size()).map(this::freeMoments).reduce(1, Math::max);
-        return shortest(v -> freeMoments(v) == longest, this::marginMm, sufficientMm);
+        return shortest(
+                v -> freeMoments(v) == longest,
+                this::marginMm,
+                v -> lengthMm(v) + (crossesPleura(v) ? PLEURA_COST_MM : 0),
+                sufficientMm);
     }
 
-    /** Like {@link #best}, restricted to vertices whose path is free at a moment. */
+    /**
+     * Like {@link #best} at one moment of the breath: candidates are the vertices whose path is free at it, and its
+     * margin, length and crossing of the pleura at this moment decide.
+     */
     public Optional<Integer> bestAt(int moment, double sufficientMm) {
-        return shortest(v -> isFree(moment, v), v -> marginMm(moment, v), sufficientMm);
+        return shortest(
+                v -> isFree(moment, v),
+                v -> marginMm(moment, v),
+                v -> lengths[moment][v] + (crossesPleura(moment, v) ? PLEURA_COST_MM : 0),
+                sufficientMm);
     }
 
-    private Optional<Integer> shortest(IntPredicate allowed, IntToDoubleFunction margin, double sufficientMm) {
+    private Optional<Integer> shortest(
+            IntPredicate allowed, IntToDoubleFunction margin, IntToDoubleFunction cost, double sufficientMm) {
         int[] candidates = IntStream.range(0, size()).filter(allowed).toArray();
         double largest = IntStream.of(candidates).mapToDouble(margin).max().orElse(0);
         return IntStream.of(candidates)
                 .filter(v -> margin.applyAsDouble(v) >= Math.min(largest, sufficientMm))
                 .boxed()
-                .min(Comparator.comparingDouble(v -> lengthMm(v) + (crossesPleura(v) ? PLEURA_COST_MM : 0)));
+                .min(Comparator.comparingDouble(cost::applyAsDouble));
     }
 
     public Counts counts() {

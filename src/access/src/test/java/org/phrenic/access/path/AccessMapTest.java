@@ -104,6 +104,28 @@ class AccessMapTest {
         assertThat(asked).isGreaterThan(1200);
     }
 
+    /** Lengths and crossings of other moments, which a breath that is held never has, do not count. */
+    @Test
+    void theBestAtAMomentIsTheShortestWithMarginThere() {
+        for (double[] target : new double[][] {RIGHT_LOBE, DOME}) {
+            AccessMap map = map(target, workers);
+            for (int moment : new int[] {0, INSPIRED}) {
+                scene.update(cycle.get(moment).frame());
+                double[] cost = IntStream.range(0, map.size())
+                        .mapToDouble(v -> Vectors.distance(entry(v), map.target(moment))
+                                + (map.touched(moment, v).contains(NoGoZone.PLEURA) ? AccessMap.PLEURA_COST_MM : 0))
+                        .toArray();
+                int best = map.bestAt(moment, AccessMap.SUFFICIENT_MARGIN_MM).orElseThrow();
+                double least = IntStream.range(0, map.size())
+                        .filter(v -> map.isFree(moment, v) && map.marginMm(moment, v) >= AccessMap.SUFFICIENT_MARGIN_MM)
+                        .mapToDouble(v -> cost[v])
+                        .min()
+                        .orElseThrow();
+                assertThat(cost[best]).isCloseTo(least, within(ROUNDING_MM));
+            }
+        }
+    }
+
     @Test
     void noWayInIsOnACutEndUnderAnArmOrOnTheTableAndWaysAreNamed() {
         AccessMap map = map(RIGHT_LOBE, workers);

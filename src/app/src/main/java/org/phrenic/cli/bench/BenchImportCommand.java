@@ -18,6 +18,7 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.UnfinishedFiles;
 import org.phrenic.study.scan.ImportCost;
 import org.phrenic.study.scan.ImportCostReport;
 import org.phrenic.study.scan.ScanSize;
@@ -77,13 +78,27 @@ final class BenchImportCommand extends ReportingCommand {
                 "-cp",
                 classPath(),
                 PROGRAM));
-        List<ImportCost> costs =
-                wanted.stream().map(size -> cost(size, program)).toList();
-        ImportCostReport report = new ImportCostReport(scan.getFileName().toString(), heap, costs);
-        out.write("import.md", MarkdownPage.format(report.document(provenance.lines())));
-        out.write("import.json", report.values());
-        print(report.values(), () -> table(report));
+        List<ImportCost> costs = new ArrayList<>();
+        ImportCostReport report = report(costs);
+        try {
+            for (ScanSize size : wanted) {
+                costs.add(cost(size, program));
+                report = report(costs);
+                out.write("import.md", MarkdownPage.format(report.document(provenance.lines())));
+                out.write("import.json", report.values());
+            }
+        } finally {
+            // A size that is not imported, such as for want of memory, leaves what was measured of the others.
+            if (!costs.isEmpty()) {
+                ImportCostReport measured = report;
+                print(measured.values(), () -> table(measured));
+            }
+        }
         return ExitCode.SUCCESS;
+    }
+
+    private ImportCostReport report(List<ImportCost> costs) {
+        return new ImportCostReport(scan.getFileName().toString(), heap, costs);
     }
 
     /** The program's own class path, absolute. */
@@ -97,10 +112,12 @@ final class BenchImportCommand extends ReportingCommand {
     private ImportCost cost(ScanSize size, ImportCost.Program program) {
         try {
             Path folder = Files.createTempDirectory("phrenic-import");
+            UnfinishedFiles.add(folder);
             try {
                 return ImportCost.of(scan, size, program, folder);
             } finally {
                 delete(folder);
+                UnfinishedFiles.remove(folder);
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);

@@ -7,8 +7,13 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
+import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.organ.OrganSettings;
+import org.phrenic.parameter.Setting;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.error.BudgetPart;
@@ -66,20 +71,34 @@ public final class ErrorBudgetOptions {
             if (!Files.isDirectory(scan)) {
                 throw new BadInputException("--scan: found no folder '" + scan + "', expected a folder of meshes");
             }
-            bodies.add(new BudgetPlan.Body("scanned man", scan.toString()));
+            ThoraxFolder.load(scan);
+            bodies.add(new BudgetPlan.Body(FileNames.ofBody(scan), scan.toString()));
         }
         List<Resolution> meshes = OptionValues.split(resolutions).stream()
                 .map(OptionValues::resolution)
                 .toList();
-        BudgetPlan plan = quick ? BudgetPlan.quick(bodies) : BudgetPlan.full(bodies, meshes, variants());
         Set<BudgetPart> wanted = parts();
+        BudgetPlan plan = quick ? BudgetPlan.quick(bodies) : BudgetPlan.full(bodies, meshes, variants(wanted));
         BudgetTable table = out == null ? new BudgetTable() : new BudgetTable(out, plan);
         new BudgetStudy(plan, table, progress).run(wanted);
         return new BudgetReport(table);
     }
 
-    private List<Scenario> variants() {
-        return beside == null ? List.of() : List.of(Scenario.read(beside));
+    private List<Scenario> variants(Set<BudgetPart> wanted) {
+        if (beside == null) {
+            return List.of();
+        }
+        if (!wanted.contains(BudgetPart.EQUILIBRIUM)) {
+            throw new BadInputException("--beside: found it without the part equilibrium, expected both");
+        }
+        Scenario variant = Scenario.read(beside);
+        for (Setting<?> fixed : List.of(OrganSettings.MESH_VERTICES, Breathing.TRACE)) {
+            if (variant.states(fixed)) {
+                throw new BadInputException("--beside " + beside + ": found " + fixed.key()
+                        + ", expected a scenario for each breath and mesh of the measurement");
+            }
+        }
+        return List.of(variant);
     }
 
     private Set<BudgetPart> parts() {

@@ -3,7 +3,6 @@ package org.phrenic.ui.access;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
@@ -18,6 +17,7 @@ import org.phrenic.document.YamlWriter;
 import org.phrenic.document.report.HtmlPage;
 import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.file.AtomicFile;
+import org.phrenic.file.OutputException;
 import org.phrenic.scene.NeedlePictures;
 import org.phrenic.scene.UltrasoundPicture;
 import org.phrenic.ui.session.FileWrites;
@@ -68,8 +68,8 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
         List<Picture> needle = new ArrayList<>();
         List<Picture> map = new ArrayList<>();
         String missing = view.unavailableReason();
-        if (missing.isEmpty() && !draw(rehearsal, folder, needle, map)) {
-            missing = "The view did not begin to draw them within " + TimeUnit.MILLISECONDS.toSeconds(waitMs) + " s.";
+        if (missing.isEmpty()) {
+            missing = draw(rehearsal, folder, needle, map);
         }
         RehearsalReport report = new RehearsalReport(rehearsal);
         report.images().forEach(image -> UltrasoundPicture.write(folder.resolve(image.file()), image.image()));
@@ -82,30 +82,34 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
         return missing;
     }
 
-    /** Draws the pictures and lists those that the report shows; false if not all were drawn. */
-    private boolean draw(Rehearsal rehearsal, Path folder, List<Picture> needle, List<Picture> map) {
+    /**
+     * Draws the pictures and lists those that the report shows.
+     *
+     * @return why not all were drawn; empty if they were
+     */
+    private String draw(Rehearsal rehearsal, Path folder, List<Picture> needle, List<Picture> map) {
         String title = rehearsal.plan().title();
-        for (NeedleSnapshot moment : rehearsal.needleViews()) {
-            Optional<List<String>> files =
-                    render(rehearsal, pictures -> pictures.writeNeedleViews(folder, moment, title));
-            if (files.isEmpty()) {
-                return false;
+        try {
+            for (NeedleSnapshot moment : rehearsal.needleViews()) {
+                List<String> files = render(rehearsal, pictures -> pictures.writeNeedleViews(folder, moment, title));
+                if (moment.name().startsWith("sample")) {
+                    files.forEach(file -> needle.add(new Picture(file, "Needle and target in the body, " + file, "")));
+                }
             }
-            if (moment.name().startsWith("sample")) {
-                files.get()
-                        .forEach(file -> needle.add(new Picture(file, "Needle and target in the body, " + file, "")));
-            }
+            render(rehearsal, pictures -> pictures.writeAccessMap(folder, rehearsal.map(), title))
+                    .forEach(file -> map.add(new Picture(file, "Access map on the skin, " + file, "")));
+            return "";
+        } catch (IllegalStateException undrawn) {
+            return undrawn.getMessage();
         }
-        Optional<List<String>> files =
-                render(rehearsal, pictures -> pictures.writeAccessMap(folder, rehearsal.map(), title));
-        files.stream()
-                .flatMap(List::stream)
-                .forEach(file -> map.add(new Picture(file, "Access map on the skin, " + file, "")));
-        return files.isPresent();
     }
 
-    /** The files that a task writes between two frames of the view; empty if it does not begin in time. */
-    private Optional<List<String>> render(Rehearsal rehearsal, Function<NeedlePictures, List<String>> what) {
+    /**
+     * The files that a task writes between two frames of the view.
+     *
+     * @throws IllegalStateException if it does not begin in time, or the driver fails
+     */
+    private List<String> render(Rehearsal rehearsal, Function<NeedlePictures, List<String>> what) {
         CompletableFuture<List<String>> files = new CompletableFuture<>();
         CompletableFuture<Boolean> begun = new CompletableFuture<>();
         view.runTask(gl -> {
@@ -121,13 +125,16 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
         });
         try {
             // After the view has ended no task runs.
-            boolean inTime = begun.completeOnTimeout(false, waitMs, TimeUnit.MILLISECONDS)
-                    .join();
-            return inTime ? Optional.of(files.join()) : Optional.empty();
+            if (!begun.completeOnTimeout(false, waitMs, TimeUnit.MILLISECONDS).join()) {
+                throw new IllegalStateException("The view did not begin to draw them within "
+                        + TimeUnit.MILLISECONDS.toSeconds(waitMs) + " s.");
+            }
+            return files.join();
         } catch (CompletionException e) {
-            throw e.getCause() instanceof RuntimeException cause
-                    ? cause
-                    : new IllegalStateException("the pictures were not drawn (" + e.getCause() + ")", e.getCause());
+            if (e.getCause() instanceof OutputException disk) {
+                throw disk;
+            }
+            throw new IllegalStateException("The pictures were not drawn: " + e.getCause() + ".", e.getCause());
         }
     }
 }

@@ -26,6 +26,9 @@ import org.phrenic.ui.view.SceneViewport;
 /** A report that cannot be written, or not whole. */
 class AttemptReportWriterTest {
     private static final int SIDE = 64;
+    /** Pixels of a side that no driver has. */
+    private static final int TOO_LARGE = 1 << 17;
+
     private static final long PATIENCE_MS = 60_000;
     private static final String SAVED = "saved";
 
@@ -52,8 +55,12 @@ class AttemptReportWriterTest {
 
     /** Saves into a folder; why there is no report, or else {@code saved} and why pictures are missing. */
     private String outcome(Path to, long waitMs) {
+        return outcome(to, SIDE, waitMs);
+    }
+
+    private String outcome(Path to, int side, long waitMs) {
         List<String> outcomes = new ArrayList<>();
-        EventThread.run(() -> new AttemptReportWriter(view, SIDE, waitMs)
+        EventThread.run(() -> new AttemptReportWriter(view, side, waitMs)
                 .save(attempt, "today", to, missing -> outcomes.add(SAVED + missing), outcomes::add));
         EventThread.until("the outcome", () -> !outcomes.isEmpty());
         assertThat(outcomes).hasSize(1);
@@ -81,6 +88,16 @@ class AttemptReportWriterTest {
     void aReportWhosePicturesAreNotDrawnIsSavedAndSaysSo() {
         EventThread.run(view::close);
         assertThat(outcome(folder, 1)).startsWith(SAVED).hasSizeGreaterThan(SAVED.length());
+        assertThat(folder.resolve("report.html")).exists();
+    }
+
+    @Test
+    void aReportWhosePicturesTheDriverRefusesIsSavedAndSaysSo() {
+        CountDownLatch drawn = new CountDownLatch(1);
+        view.runTask(gl -> drawn.countDown());
+        EventThread.until("a view, or none", () -> drawn.getCount() == 0 || view.isUnavailable());
+        assumeThat(view.isUnavailable()).isFalse();
+        assertThat(outcome(folder, TOO_LARGE, PATIENCE_MS)).startsWith(SAVED + "The pictures were not drawn: ");
         assertThat(folder.resolve("report.html")).exists();
     }
 

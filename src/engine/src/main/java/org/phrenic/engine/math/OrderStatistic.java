@@ -7,6 +7,18 @@ public final class OrderStatistic {
     private OrderStatistic() {}
 
     /**
+     * The median of values: of an even number of them, the mean of the middle two.
+     *
+     * @return NaN without values
+     */
+    public static double median(double[] values) {
+        double[] sorted = values.clone();
+        Arrays.sort(sorted);
+        int n = sorted.length;
+        return n == 0 ? Double.NaN : 0.5 * (sorted[(n - 1) / 2] + sorted[n / 2]);
+    }
+
+    /**
      * One of the values: that which the given share of them does not exceed, without interpolation.
      *
      * @param share 0 for the least to 1 for the greatest

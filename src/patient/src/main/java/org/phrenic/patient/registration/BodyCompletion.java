@@ -96,8 +96,7 @@ public final class BodyCompletion {
      * Organs at the wall that the scan shows, with those of the template, among its structures or its further organs.
      */
     private List<SharedStructure> atWall(Thorax whole) {
-        List<Structure> ofTemplate = Stream.concat(whole.structures().stream(), whole.organs().get().stream())
-                .toList();
+        List<Structure> ofTemplate = whole.structuresAndOrgans();
         return body.structures().stream()
                 .filter(s -> AT_WALL.contains(s.structure().name()))
                 .filter(s -> s.isComplete() || !s.structure().name().startsWith(KIDNEY))

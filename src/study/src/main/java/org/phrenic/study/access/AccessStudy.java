@@ -1,10 +1,10 @@
 package org.phrenic.study.access;
 
-import java.util.Arrays;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.engine.math.OrderStatistic;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.simulation.SimulationRun;
 
@@ -54,7 +54,6 @@ public final class AccessStudy {
                         / map.counts().inReach();
             }
         }
-        Arrays.sort(seconds);
-        return seconds[maps / 2];
+        return OrderStatistic.median(seconds);
     }
 }

@@ -1,12 +1,12 @@
 package org.phrenic.study.bare;
 
 import java.io.IOException;
-import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
+import org.phrenic.document.TextFile;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 
@@ -75,9 +75,9 @@ public final class VertexIndexFile {
 
     private static List<String> lines(Path file) {
         try {
-            return Files.readAllLines(file);
-        } catch (CharacterCodingException failure) {
-            throw new BadInputException(file + ": found bytes that are not text, expected vertex indices", failure);
+            return TextFile.decode(file, Files.readAllBytes(file), "vertex indices")
+                    .lines()
+                    .toList();
         } catch (IOException failure) {
             throw new BadInputException(
                     file + ": found no file that can be read, expected a text file of vertex indices", failure);

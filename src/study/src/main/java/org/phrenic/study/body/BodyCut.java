@@ -8,7 +8,7 @@ import org.phrenic.patient.label.LabelTable;
 
 /** What a scan of a body shows: its field of view, its labels, its voxels and its damage. None labels the diaphragm. */
 public enum BodyCut {
-    WHOLE("everything in voxels of 1.5 mm"),
+    WHOLE("bones, lungs, liver and further organs in voxels of 1.5 mm"),
     ABDOMEN("from the lowest vertebra to 25 mm above the liver"),
     BONES("ribs, cartilages, sternum and vertebrae alone"),
     BONE_MESHES("meshes of ribs, cartilages, sternum and vertebrae alone"),

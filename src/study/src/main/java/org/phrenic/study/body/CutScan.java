@@ -61,7 +61,7 @@ final class CutScan {
 
     private LabelGrid volume() {
         List<Structure> shown = new ArrayList<>(
-                body.structures().stream().filter(s -> label(s) > 0).toList());
+                body.structuresAndOrgans().stream().filter(s -> label(s) > 0).toList());
         // Bones are written last: they keep their thickness where surfaces overlap.
         shown.sort(Comparator.comparing(s -> BodyCut.isBone(s.kind())));
         double[] box = box(shown);
@@ -226,7 +226,7 @@ final class CutScan {
 
     private static Thorax turned(Thorax body) {
         double[][] r = rotation(new double[] {0, 0, 1});
-        List<Structure> structures = body.structures().stream()
+        List<Structure> structures = body.structuresAndOrgans().stream()
                 .map(s -> s.withMesh(rotated(s.mesh(), r)))
                 .toList();
         return new Thorax(body.name(), structures, body.notes());

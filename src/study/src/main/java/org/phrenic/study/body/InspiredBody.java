@@ -54,7 +54,7 @@ final class InspiredBody {
         Scenario deep =
                 Scenario.defaults().with("mesh_vertices=" + budget.vertices(), "preset=" + BreathDepth.DEEP.preset());
         try (Simulation simulation = Simulation.of(deep, resting)) {
-            SceneSurfaces surfaces = new SceneSurfaces(simulation);
+            SceneSurfaces surfaces = SceneSurfaces.withOrgans(simulation);
             List<Frame> descent = descent(simulation, surfaces);
             return shares.stream()
                     .collect(Collectors.toMap(share -> share, share -> body(resting, surfaces, at(share, descent))));
@@ -68,7 +68,7 @@ final class InspiredBody {
         for (int i = 0; i < all.size(); i++) {
             moved.put(all.get(i).name(), meshes.get(i));
         }
-        List<Structure> structures = resting.structures().stream()
+        List<Structure> structures = resting.structuresAndOrgans().stream()
                 .filter(s -> moved.containsKey(s.name()))
                 .map(s -> s.withMesh(moved.get(s.name())))
                 .toList();

@@ -26,6 +26,7 @@ class VertexIndexFileTest {
         assertThat(VertexIndexFile.vertices(file("# held\n3\n\n 0 \r\n2 # rim\n"), 4))
                 .containsExactly(3, 0, 2);
         assertThat(VertexIndexFile.pairs(file("0 1\n3\t2\n"), 4)).containsExactly(0, 1, 3, 2);
+        assertThat(VertexIndexFile.vertices(file("\uFEFF2\n"), 4)).containsExactly(2);
         assertThat(VertexIndexFile.vertices(file(""), 4)).isEmpty();
     }
 
@@ -57,6 +58,6 @@ class VertexIndexFileTest {
                 .hasMessageStartingWith(missing + ": found no file");
         Path binary = Files.write(folder.resolve("b.txt"), "é".getBytes(StandardCharsets.ISO_8859_1));
         assertThatThrownBy(() -> VertexIndexFile.vertices(binary, 4))
-                .hasMessageContaining("found bytes that are not text");
+                .hasMessageContaining("found bytes that are not UTF-8");
     }
 }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
@@ -35,6 +36,29 @@ class CutScanTest {
         LabelGrid oblique = CutScan.of(MAN, BodyCut.OBLIQUE);
         assertThat((double) count(oblique, LEFT_RIB_7) / count(WHOLE, LEFT_RIB_7))
                 .isCloseTo(1, within(0.03));
+    }
+
+    /** An import builds the diaphragm between them. */
+    @Test
+    void aScanOfAVirtualBodyShowsItsFurtherOrgans() {
+        for (Structure organ : MAN.organs().get()) {
+            int label =
+                    switch (organ.name()) {
+                        case "spleen" -> 1;
+                        case "kidney_R" -> 2;
+                        case "kidney_L" -> 3;
+                        case "stomach" -> 6;
+                        default -> 0;
+                    };
+            if (label > 0) {
+                double volume = MeshMeasure.signedVolume(organ.mesh());
+                assertThat(count(WHOLE, label) * WHOLE.voxelVolume() / volume)
+                        .as(organ.name())
+                        .isCloseTo(1, within(0.03));
+            }
+        }
+        assertThat(count(WHOLE, 2)).isPositive();
+        assertThat(count(CutScan.of(MAN, BodyCut.COMMON_LABELS), 4)).isPositive();
     }
 
     /** What a rebuilt body is held against lies where the scan shows it. */

@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.anatomy.MeshBudget;
@@ -14,6 +16,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.patient.diaphragm.SheetQuality;
 
 /** Scans of the virtual woman at inspiration; {@code phrenic bench bodies} measures more of them. */
@@ -47,8 +50,14 @@ class InspiredBodyTest {
                 .isBetween(0.4, 0.6);
         assertThat(topOfLiver(WOMAN) - topOfLiver(full)).isBetween(30.0, 50.0);
         assertThat(topOfLiver(WOMAN) - topOfLiver(half)).isBetween(15.0, 25.0);
+        Map<String, TriangleMesh> resting =
+                WOMAN.structuresAndOrgans().stream().collect(Collectors.toMap(Structure::name, Structure::mesh));
         assertThat(full.structures()).allSatisfy(s -> assertThat(s.mesh().triangles())
-                .isEqualTo(WOMAN.find(s.name()).orElseThrow().mesh().triangles()));
+                .isEqualTo(resting.get(s.name()).triangles()));
+        assertThat(resting.get("spleen").bounds()[5]
+                        - full.find("spleen").orElseThrow().mesh().bounds()[5])
+                .as("descent of the spleen, mm")
+                .isBetween(15.0, 50.0);
     }
 
     /**
