@@ -33,7 +33,7 @@ public final class InputBytes {
     /**
      * Size of {@code file}, bytes.
      *
-     * @throws BadInputException if the file is missing, a folder or empty
+     * @throws BadInputException if the file is missing, a folder, a pipe or empty
      */
     public static long size(Path file) {
         if (Files.isDirectory(file)) {
@@ -41,6 +41,9 @@ public final class InputBytes {
         }
         if (!Files.exists(file)) {
             throw new BadInputException(file + ": found no such file, expected one to read");
+        }
+        if (!Files.isRegularFile(file)) {
+            throw new BadInputException(file + ": found a pipe or a device, expected a file");
         }
         try {
             long size = Files.size(file);

@@ -54,7 +54,7 @@ public record FitReport(FitResult result) {
         return List.of(target, body, mm(d.mean()), mm(d.deviation()), mm(d.rms()), mm(d.percentile95()), ratio);
     }
 
-    private static String ratio(double value) {
+    static String ratio(double value) {
         return Double.isFinite(value) ? Numbers.format("%.3f", value) : "";
     }
 

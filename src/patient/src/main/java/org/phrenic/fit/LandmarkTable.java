@@ -32,7 +32,7 @@ public record LandmarkTable(Landmarks.Errors errors) {
                 FitReport.mm(d.deviation()),
                 FitReport.mm(d.rms()),
                 FitReport.mm(d.percentile95()),
-                Numbers.format("%.3f", ratio));
+                FitReport.ratio(ratio));
     }
 
     /** The shift of the patient between the scans and the displacement that is left, as a sentence. */

@@ -58,6 +58,11 @@ public record BreathEvent(Kind kind, OptionalInt breath) {
      * is held on command are not given, except for {@link Kind#HOLD}: such a hold may be in the middle of a breath.
      */
     public boolean occurs(RespiratoryPhase before, int breathBefore, RespiratoryPhase now, int breathNow) {
+        return occurrence(before, breathBefore, now, breathNow).isPresent();
+    }
+
+    /** The number of the breath with the event that occurs between two frames, as {@link #occurs}; empty for none. */
+    OptionalInt occurrence(RespiratoryPhase before, int breathBefore, RespiratoryPhase now, int breathNow) {
         boolean occurs =
                 switch (kind) {
                     case INSPIRATION ->
@@ -70,7 +75,9 @@ public record BreathEvent(Kind kind, OptionalInt breath) {
         int number = (kind == Kind.END_EXPIRATION && now != RespiratoryPhase.PAUSE) || kind == Kind.END_INSPIRATION
                 ? breathBefore
                 : breathNow;
-        return occurs && (breath.isEmpty() || breath.getAsInt() == number);
+        return occurs && (breath.isEmpty() || breath.getAsInt() == number)
+                ? OptionalInt.of(number)
+                : OptionalInt.empty();
     }
 
     /** Text form, such as "end-expiration of breath 3". */

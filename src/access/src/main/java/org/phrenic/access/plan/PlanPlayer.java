@@ -1,6 +1,8 @@
 package org.phrenic.access.plan;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
 import org.phrenic.access.attempt.NeedleInsertion;
 import org.phrenic.access.attempt.NeedleSnapshots;
 import org.phrenic.access.path.AccessMap;
@@ -32,6 +34,9 @@ public final class PlanPlayer {
     private double sinceS;
     private RespiratoryPhase before = RespiratoryPhase.PAUSE;
     private int breathBefore = 1;
+    /** The event, with the number of its breath, that ended the last wait. */
+    private Optional<BreathEvent> awaited = Optional.empty();
+
     private boolean held;
     /** Whether the breath stands still because a step holds it. A pattern with a breath hold of its own goes on. */
     private boolean still;
@@ -168,8 +173,14 @@ public final class PlanPlayer {
     }
 
     private boolean occurs(BreathEvent event, RespiratoryPhase phase, int breath) {
-        boolean possible = !still || event.kind() == BreathEvent.Kind.HOLD;
-        if (possible && event.occurs(before, breathBefore, phase, breath)) {
+        boolean hold = event.kind() == BreathEvent.Kind.HOLD;
+        OptionalInt number =
+                still && !hold ? OptionalInt.empty() : event.occurrence(before, breathBefore, phase, breath);
+        Optional<BreathEvent> occurred =
+                number.isPresent() ? Optional.of(new BreathEvent(event.kind(), number)) : Optional.empty();
+        // A wait for the next event of a kind is not ended by the one that ended the wait before it.
+        if (number.isPresent() && (hold || event.breath().isPresent() || !occurred.equals(awaited))) {
+            awaited = occurred;
             return true;
         }
         if (event.breath().isPresent() && breath > event.breath().getAsInt()) {

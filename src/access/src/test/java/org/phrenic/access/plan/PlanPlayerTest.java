@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -90,6 +91,16 @@ class PlanPlayerTest {
         assertThat(needle.timeS()).isBetween(5.6 - 1e-9, 5.6 + FRAME_S + 1e-9);
         needle = play("steps: [{wait: inspiration of breath 2}, {wait: 0.5}, {place: {entry: [0, 0, 0]}}]");
         assertThat(needle.timeS()).isBetween(4.5 - 1e-9, 4.5 + FRAME_S + 1e-9);
+    }
+
+    /** A wait without a number is for the next event, which is not the one that ended the wait before. */
+    @Test
+    void twoWaitsAreForTwoBreaths() throws IOException {
+        String twice = "steps: [{wait: %1$s}, {image: {}}, {wait: %1$s}, {place: {entry: [0, 0, 0]}}]";
+        assertThat(play(String.format(Locale.ROOT, twice, "end-inspiration")).timeS())
+                .isBetween(5.6 - 1e-9, 5.6 + FRAME_S + 1e-9);
+        assertThat(play(String.format(Locale.ROOT, twice, "end-expiration")).timeS())
+                .isBetween(7.4 - 1e-9, 7.4 + FRAME_S + 1e-9);
     }
 
     /** The breath is held 1 s after an inspiration or expiration began, and soon goes on. */

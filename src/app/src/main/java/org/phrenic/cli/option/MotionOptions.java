@@ -76,6 +76,11 @@ public final class MotionOptions {
             throw new BadInputException(
                     "motion: found " + given + " of --phases, --at and --times, expected one of them");
         }
+        if (phases == null) {
+            sorted();
+        } else {
+            count();
+        }
         double edge = grid == null
                 ? 0
                 : OptionValues.number("--grid", grid.toLowerCase(Locale.ROOT).replaceAll("\\s*mm$", ""), 0.5, 50);
@@ -104,22 +109,32 @@ public final class MotionOptions {
      */
     public double[] times(double breathS, double lastS) {
         if (phases != null) {
-            int count = OptionValues.integer("--phases", phases, 1, MAX_PHASES);
+            int count = count();
             return IntStream.range(0, count)
                     .mapToDouble(i -> i * breathS / count)
                     .toArray();
         }
+        double[] sorted = sorted();
+        OptionValues.requireWithin(times != null ? "--times" : "--at", sorted, lastS);
+        return sorted;
+    }
+
+    private int count() {
+        return OptionValues.integer("--phases", phases, 1, MAX_PHASES);
+    }
+
+    /** The times that are stated, one by one. */
+    private double[] sorted() {
         double[] sorted = times == null
                 ? OptionValues.times("--at", at)
                 : Arrays.stream(CsvTable.read(times).numbers("time_s"))
                         .sorted()
                         .distinct()
                         .toArray();
-        String option = times != null ? "--times" : "--at";
         if (sorted.length == 0 || sorted.length > MAX_PHASES) {
-            throw new BadInputException(option + ": found " + sorted.length + " times, expected 1 to " + MAX_PHASES);
+            throw new BadInputException((times != null ? "--times" : "--at") + ": found " + sorted.length
+                    + " times, expected 1 to " + MAX_PHASES);
         }
-        OptionValues.requireWithin(option, sorted, lastS);
         return sorted;
     }
 }

@@ -16,7 +16,8 @@ public enum StepPolicy {
                 .map(limitApart -> limitApart.isStable(kind, step))
                 .orElse(true);
         if (this == REFUSE && !(apart && measured.isStable(kind, step))) {
-            throw new IllegalArgumentException(measured.describe(kind, step) + ": refused");
+            StabilityLimit exceeded = apart ? measured : measured.apart().orElseThrow();
+            throw new IllegalArgumentException(exceeded.describe(kind, step) + ": refused");
         }
         int parts = this == REFUSE ? 1 : measured.substeps(kind, step, Stepper.SAFETY);
         return requireFew(parts, kind, step, measured);

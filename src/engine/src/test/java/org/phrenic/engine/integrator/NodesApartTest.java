@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -120,7 +121,11 @@ class NodesApartTest {
         ParticleSystem system = chains(positions(), 3, 3, 0.01, STIFF);
         assertThatThrownBy(() -> new Stepper(IntegratorKind.RK2.create(system), DT, StepPolicy.REFUSE))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("refused");
+                .hasMessageContaining("refused")
+                .hasMessageContaining(String.format(
+                        Locale.ROOT,
+                        "limit %.6g s",
+                        StabilityLimit.of(system).apart().orElseThrow().largestStep(IntegratorKind.RK2)));
     }
 
     @Test

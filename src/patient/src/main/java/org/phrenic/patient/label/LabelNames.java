@@ -207,7 +207,7 @@ public final class LabelNames {
         boolean lesion = LESION.matcher(rest).find();
         boolean beside = BESIDE.matcher(rest).find();
         if (LabelTable.isStructure(name) && (isNamed(name) || !(lesion || beside))) {
-            return Optional.of(StructureName.usual(name));
+            return Optional.of(LabelTable.usual(name));
         }
         if (lesion) {
             return Optional.of("lesion_" + String.join("_", words) + suffix);

@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.document.CsvTable;
 import org.phrenic.file.BadInputException;
@@ -241,5 +242,17 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
                 || isRibs(name)
                 || name.equals(COSTAL_CARTILAGES)
                 || StructureName.parse(name).isPresent();
+    }
+
+    /**
+     * The spelling of a structure's name by which other code finds it. A scan has one skin, also where it labels the
+     * rind beside the body.
+     */
+    static String usual(String name) {
+        return StructureName.parse(name)
+                        .filter(parsed -> parsed.kind() == StructureKind.SKIN)
+                        .isPresent()
+                ? SKIN
+                : StructureName.usual(name.replace(' ', '_'));
     }
 }

@@ -129,8 +129,9 @@ public final class SegmentationRepair {
         if (specks > 0) {
             notes.add(String.format(
                     Locale.ROOT,
-                    "specks of %d structures are left out, %.2g ml in all",
+                    "specks of %d structure%s are left out, %.2f ml in all",
                     speckSegments,
+                    speckSegments == 1 ? "" : "s",
                     s.grid().volumeMl(specks)));
         }
     }

@@ -86,6 +86,8 @@ class LabelNamesTest {
         "External contour, skin",
         "patient outline, skin",
         "skin, skin",
+        "Skin_05, skin",
+        "Skin 5mm, skin",
         "abdominal skin, skin",
         "Peau, skin",
         "BODY-PTV, skin",

@@ -20,8 +20,9 @@ class SkeletonSplitterTest {
 
     private final CageVoxels cage = new CageVoxels().withRibs(1);
 
-    /** The cage with a spine, whose labels are the truth, and lungs up to the first rib. */
+    /** The cage with a short first rib and a spine, whose labels are the truth, and lungs up to the first rib. */
     SkeletonSplitterTest() {
+        cage.shorten(1, 34);
         for (int k = 10; k < 125; k++) {
             cage.ball(44.5, 48, k, 4, CageVoxels.vertebra(12));
         }
@@ -97,6 +98,18 @@ class SkeletonSplitterTest {
             count += (voxel & LabelGrid.MAX_BYTE_LABEL) == label ? 1 : 0;
         }
         return count;
+    }
+
+    /** It is as high as the apex of these lungs, but as long as the third. */
+    @Test
+    void aSecondRibIsNoFirst() {
+        for (int v = CageVoxels.COLUMNS * CageVoxels.ROWS * 109; v < cage.labels.length; v++) {
+            cage.labels[v] = isBone(cage.labels[v] & LabelGrid.MAX_BYTE_LABEL) ? cage.labels[v] : 0;
+        }
+        int right = CageVoxels.rib(1, true);
+        int left = CageVoxels.rib(1, false);
+        assertThat(SkeletonSplitter.split(scan(label -> label != right && label != left)))
+                .hasValueSatisfying(note -> assertThat(note).contains("ribs are not told apart"));
     }
 
     @Test

@@ -8,6 +8,7 @@ import org.phrenic.file.BadInputException;
 public record ScanSize(int columns, int rows, int slices) {
     private static final Pattern TEXT = Pattern.compile("(\\d{1,4})x(\\d{1,4})x(\\d{1,4})");
     private static final int LEAST = 16;
+    private static final long MOST_VOXELS = 1_000_000_000L;
 
     /** @throws BadInputException if the text is not like {@code 512x512x600}, or the volume too small or too large */
     public static ScanSize parse(String text) {
@@ -17,7 +18,7 @@ public record ScanSize(int columns, int rows, int slices) {
             for (int d = 0; d < 3; d++) {
                 n[d] = Integer.parseInt(matcher.group(d + 1));
             }
-            boolean large = (long) n[0] * n[1] * n[2] > Integer.MAX_VALUE / 2;
+            boolean large = (long) n[0] * n[1] * n[2] > MOST_VOXELS;
             if (!large && Math.min(n[0], Math.min(n[1], n[2])) >= LEAST) {
                 return new ScanSize(n[0], n[1], n[2]);
             }
