@@ -1,7 +1,6 @@
 package org.phrenic.study.body;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
@@ -168,10 +167,16 @@ public record BodyVariation(
     }
 
     private static int nearest(TriangleMesh sheet, int vertex, int[] among) {
-        return IntStream.of(among)
-                .boxed()
-                .min(Comparator.comparingDouble(other -> MeshMeasure.distance(sheet, vertex, other)))
-                .orElseThrow();
+        int nearest = among[0];
+        double leastMm = Double.POSITIVE_INFINITY;
+        for (int other : among) {
+            double mm = MeshMeasure.distance(sheet, vertex, other);
+            if (mm < leastMm) {
+                leastMm = mm;
+                nearest = other;
+            }
+        }
+        return nearest;
     }
 
     /** Raises a point below the apex by a share of the lift: all of it under the roof, nothing at the wall. */

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ForkJoinTask;
+import java.util.function.Supplier;
 import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
@@ -34,17 +35,22 @@ public final class VirtualThorax {
     /** Bodies of presets by name and resolution, kept while memory allows. */
     private static final Map<String, SoftReference<Thorax>> PRESETS = new ConcurrentHashMap<>();
 
+    /** Meshes of presets that do not depend on the number of vertices, by name, kept while memory allows. */
+    private static final Map<String, SoftReference<Map<String, TriangleMesh>>> FIXED = new ConcurrentHashMap<>();
+
     private final VirtualThoraxParameters parameters;
     private final MeshBudget budget;
+    private final Map<String, TriangleMesh> fixed;
     private final Spine spine;
     private final ChestWallShape wall;
     private final VertebraShape[] vertebrae = new VertebraShape[VirtualThoraxParameters.VERTEBRAE];
     private final SternumShape sternum;
     private final DiaphragmShape dome;
 
-    private VirtualThorax(VirtualThoraxParameters parameters, MeshBudget budget) {
+    private VirtualThorax(VirtualThoraxParameters parameters, MeshBudget budget, Map<String, TriangleMesh> fixed) {
         this.parameters = parameters;
         this.budget = budget;
+        this.fixed = fixed;
         spine = new Spine(parameters.spine());
         wall = new ChestWallShape(parameters.chestWall(), spine);
         for (int level = 1; level <= vertebrae.length; level++) {
@@ -61,7 +67,7 @@ public final class VirtualThorax {
      * @throws IllegalStateException if the measures contradict each other, such as a dome above the apex of the lung
      */
     public static Thorax generate(VirtualThoraxParameters parameters, MeshBudget budget) {
-        return new VirtualThorax(parameters, budget).build();
+        return new VirtualThorax(parameters, budget, new ConcurrentHashMap<>()).build();
     }
 
     /** Generates the thorax at a resolution. */
@@ -91,11 +97,31 @@ public final class VirtualThorax {
             if (found[0] != null) {
                 return known;
             }
-            found[0] = CachedBody.in(cache, key, () -> generate(VirtualThoraxParameters.preset(preset), budget))
+            found[0] = CachedBody.in(cache, key, () -> generatePreset(preset, budget))
                     .withOrgans(VirtualOrgans.ofPreset(preset, cache));
             return new SoftReference<>(found[0]);
         });
         return found[0];
+    }
+
+    /** Generates the thorax of a preset, with the meshes that its other numbers of vertices have as well. */
+    private static Thorax generatePreset(String preset, MeshBudget budget) {
+        SoftReference<Map<String, TriangleMesh>> kept = FIXED.get(preset);
+        Map<String, TriangleMesh> known = kept == null ? null : kept.get();
+        Map<String, TriangleMesh> fixed = known == null ? new ConcurrentHashMap<>() : known;
+        FIXED.put(preset, new SoftReference<>(fixed));
+        return new VirtualThorax(VirtualThoraxParameters.preset(preset), budget, fixed).build();
+    }
+
+    /** A mesh that does not depend on the number of vertices. */
+    private TriangleMesh fixed(String name, Supplier<TriangleMesh> generated) {
+        TriangleMesh known = fixed.get(name);
+        if (known != null) {
+            return known;
+        }
+        TriangleMesh mesh = generated.get();
+        fixed.put(name, mesh);
+        return mesh;
     }
 
     /** The thorax of a preset as a cache holds it; empty if it does not. */
@@ -121,9 +147,12 @@ public final class VirtualThorax {
         var lungR = fork(() -> structureList("lung_R", StructureKind.LUNG, Side.RIGHT, lung(Side.RIGHT, right)));
         var lungL = fork(() -> structureList("lung_L", StructureKind.LUNG, Side.LEFT, lung(Side.LEFT, left)));
         var liver = fork(() -> structureList(
-                "liver", StructureKind.LIVER, Side.MIDLINE, new LiverShape(parameters, wall, dome).mesh()));
+                "liver", StructureKind.LIVER, Side.MIDLINE, fixed("liver", () -> new LiverShape(parameters, wall, dome)
+                        .mesh())));
         var skin = fork(() ->
-                structureList("skin_torso", StructureKind.SKIN, Side.MIDLINE, new SkinShape(parameters.skin()).mesh()));
+                structureList("skin_torso", StructureKind.SKIN, Side.MIDLINE, fixed("skin_torso", () -> new SkinShape(
+                                parameters.skin())
+                        .mesh())));
         var discs = fork(this::discs);
         List<ForkJoinTask<List<Structure>>> spineParts = new ArrayList<>();
         for (int level = vertebrae.length; level >= 1; level--) {
@@ -184,14 +213,17 @@ public final class VirtualThorax {
     }
 
     private Structure vertebra(int level) {
+        String name = "vertebra_" + vertebraName(level, "%02d");
+        return new Structure(name, StructureKind.VERTEBRA, level, Side.MIDLINE, fixed(name, () -> vertebraMesh(level)));
+    }
+
+    private TriangleMesh vertebraMesh(int level) {
         VertebraShape shape = vertebrae[level - 1];
         double[] centre = spine.centre(spine.bodyPath(level));
         double[] low = Vectors.addScaled(centre, Vectors.of(-52, -30, -48), 1);
         double[] high = Vectors.addScaled(centre, Vectors.of(52, 78, 34), 1);
         TriangleMesh rough = MarchingTetrahedra.surface(shape, low, high, VERTEBRA_GRID_MM);
-        TriangleMesh mesh = SurfaceRelaxation.relax(rough, VERTEBRA_SWEEPS, v -> shape);
-        return new Structure(
-                "vertebra_" + vertebraName(level, "%02d"), StructureKind.VERTEBRA, level, Side.MIDLINE, mesh);
+        return SurfaceRelaxation.relax(rough, VERTEBRA_SWEEPS, v -> shape);
     }
 
     private List<Structure> discs() {
