@@ -50,8 +50,11 @@ public final class Runs {
 
     /** The scene of a scenario with the virtual adult male as finely meshed as it says, settled once for all tests. */
     public static Simulation simulation(Scenario scenario) {
-        Thorax male = VirtualThorax.ofPreset("adult-male", OrganSettings.budget(scenario));
-        return Simulation.of(scenario, male, SETTLED);
+        return Simulation.of(scenario, male(scenario), SETTLED);
+    }
+
+    private static Thorax male(Scenario scenario) {
+        return VirtualThorax.ofPreset("adult-male", OrganSettings.budget(scenario));
     }
 
     /** What was seen of a run, and what was in it. */
@@ -104,8 +107,9 @@ public final class Runs {
 
     /** A run of the coarse virtual adult male. */
     static Run of(double seconds, String... assignments) {
+        Scenario scenario = scenario(assignments);
         return DONE.computeIfAbsent(
-                seconds + Arrays.toString(assignments), key -> run(seconds, scenario(assignments), male()));
+                seconds + Arrays.toString(assignments), key -> run(seconds, scenario, male(scenario)));
     }
 
     static Run run(double seconds, Scenario scenario, Thorax thorax) {

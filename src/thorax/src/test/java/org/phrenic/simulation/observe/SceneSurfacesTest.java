@@ -24,15 +24,22 @@ class SceneSurfacesTest {
     private static final int END_INSPIRATION = 1200;
     /** Bone may come so much farther out of the skin in a deep breath than it does at rest. */
     private static final double THROUGH_MM = 1;
+    /** Rise of a line away from the axis of the trunk, so that it runs along no edges of the mesh. */
+    private static final double RISE_MM = 7;
 
+    /**
+     * Distance from the skin of a vertex outside of it. A line away from the axis of the trunk passes the skin an odd
+     * number of times from within; only where it does not, in a fold or outside, is the winding number needed, which
+     * takes a pass over all triangles.
+     */
     private static double outside(TriangleTree skin, TriangleMesh bone, int vertex) {
         double x = bone.x(vertex);
         double y = bone.y(vertex);
         double z = bone.z(vertex);
-        if (skin.isInside(x, y, z)) {
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        if (skin.countAlongRay(x, y, z, x, y, RISE_MM, hit) % 2 == 1 || skin.isInside(x, y, z)) {
             return 0;
         }
-        TriangleTree.Hit hit = new TriangleTree.Hit();
         skin.closest(x, y, z, hit);
         return Math.sqrt(hit.distanceSquared);
     }
