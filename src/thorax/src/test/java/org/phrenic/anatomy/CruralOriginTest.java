@@ -9,7 +9,9 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.engine.force.FallOff;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.TriangleTree;
 
 class CruralOriginTest {
     private static final double REACH_MM = 15;
@@ -67,6 +69,41 @@ class CruralOriginTest {
         double[] lumbarAlone = CruralOrigin.attachmentShares(with(s -> s.level() > LAST_THORACIC), diaphragm);
         assertThat(Arrays.stream(lumbarAlone).sum())
                 .isLessThan(0.9 * Arrays.stream(share).sum());
+    }
+
+    /** T12 alone, 30 mm farther forward than it is, has the sheet in front of it, beside it and behind it. */
+    @Test
+    void whatLiesBehindTheLastThoracicVertebraIsNotAttachedToIt() {
+        Structure vertebra = body.structures().stream()
+                .filter(s -> s.kind() == StructureKind.VERTEBRA && s.level() == LAST_THORACIC)
+                .findFirst()
+                .orElseThrow();
+        double[] p = vertebra.mesh().positions().clone();
+        for (int i = 1; i < p.length; i += 3) {
+            p[i] -= 30;
+        }
+        Structure forward = vertebra.withMesh(vertebra.mesh().withPositions(p));
+        double[] found = CruralOrigin.attachmentShares(new Thorax("part", List.of(forward), List.of()), diaphragm);
+        TriangleTree bone = new TriangleTree(forward.mesh());
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        TriangleMesh sheet = diaphragm.sheet();
+        int behind = 0;
+        int ahead = 0;
+        for (int i = 0; i < found.length; i++) {
+            if (bone.closest(sheet.x(i), sheet.y(i), sheet.z(i), REACH_MM, hit)) {
+                double distance = Math.sqrt(hit.distanceSquared);
+                double backward = (sheet.y(i) - hit.y) / distance;
+                if (backward > 0.5) {
+                    assertThat(found[i]).as("30 degrees behind, vertex %d", i).isZero();
+                    behind++;
+                } else if (backward <= 0) {
+                    assertThat(found[i]).as("not behind, vertex %d", i).isEqualTo(FallOff.at(distance, REACH_MM));
+                    ahead++;
+                }
+            }
+        }
+        assertThat(behind).isGreaterThan(5);
+        assertThat(ahead).isGreaterThan(5);
     }
 
     @Test

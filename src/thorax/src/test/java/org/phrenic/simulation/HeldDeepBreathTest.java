@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.observe.Observation;
+import org.phrenic.simulation.observe.SceneObserver;
 
 /**
  * A breath that is held near full inspiration comes to rest, folds of the sheet included. Constraints that contradict
@@ -22,6 +24,10 @@ class HeldDeepBreathTest {
             advance(simulation, INSPIRED_S);
             simulation.change(Assignment.parse("hold=true"));
             advance(simulation, INSPIRED_S + HELD_S);
+            Observation held = new SceneObserver(simulation.scene()).observe(simulation.time());
+            assertThat(held.get("dome_right_mm"))
+                    .as("held in deep inspiration, mm")
+                    .isLessThan(-30);
             double[] before = simulation.system().positions().clone();
             advance(simulation, INSPIRED_S + HELD_S + 0.5);
             double[] after = simulation.system().positions();
