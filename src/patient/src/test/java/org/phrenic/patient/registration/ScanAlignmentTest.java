@@ -23,6 +23,10 @@ import org.phrenic.mesh.TriangleMesh;
 class ScanAlignmentTest {
     private static final double DESCENT_MM = 45;
     private static final double FORWARD_MM = 12;
+    /** Vertebrae of two short scans. */
+    private static final int FIRST_SHOWN = 4;
+
+    private static final int SHOWN_VERTEBRAE = 6;
     private static Thorax male;
 
     @BeforeAll
@@ -106,10 +110,12 @@ class ScanAlignmentTest {
 
     @Test
     void whereBothScansHaveASpineItAloneCounts() {
-        List<Structure> spine = male.structuresOf(StructureKind.VERTEBRA);
+        List<Structure> spine =
+                male.structuresOf(StructureKind.VERTEBRA).subList(FIRST_SHOWN, FIRST_SHOWN + SHOWN_VERTEBRAE);
+        Thorax first = new Thorax("scan", spine, List.of());
         Thorax second =
                 new Thorax("scan", spine.stream().map(s -> moved(s, s.mesh())).toList(), List.of());
-        ScanAlignment alignment = ScanAlignment.of(only(StructureKind.VERTEBRA), second);
+        ScanAlignment alignment = ScanAlignment.of(first, second);
         assertThat(alignment.fixedPart()).isEqualTo(ScanAlignment.FixedPart.SPINE);
         assertThat(alignment.residual().maximum()).isLessThan(0.01);
         assertThat(alignment.rotationDeg()).isCloseTo(4, within(0.01));
