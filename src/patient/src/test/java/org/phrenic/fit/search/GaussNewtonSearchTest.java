@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.offset;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.phrenic.model.material.Muscle;
 import org.phrenic.model.material.SheetSprings;
@@ -95,11 +97,74 @@ class GaussNewtonSearchTest {
                 .run(new double[] {0.9, 0.2, 0.9});
         assertThat(trials.get(0).value()).isGreaterThan(4);
         assertThat(trials.stream()
-                        .limit(40)
+                        .limit(20)
                         .mapToDouble(Evaluation::value)
                         .min()
                         .orElseThrow())
                 .isLessThan(0.05);
+    }
+
+    /** First toward the more distant bound, then away from it, so that the bend of the shape evens out. */
+    @Test
+    void theSecondFiniteDifferencesGoTheOppositeWay() {
+        List<double[]> starts = new ArrayList<>();
+        List<List<double[]>> differences = new ArrayList<>();
+        List<Evaluation> known = new ArrayList<>();
+        new GaussNewtonSearch(
+                        3,
+                        (first, points) -> {
+                            if (first > 0 && points.size() == 3) {
+                                differences.add(points);
+                                starts.add(known.stream()
+                                        .min(Comparator.comparingDouble(Evaluation::value))
+                                        .orElseThrow()
+                                        .point());
+                            }
+                            List<Evaluation> batch = points.stream()
+                                    .map(p -> new Evaluation(p, distance(shape(p), shape(WHERE)), shape(p)))
+                                    .toList();
+                            known.addAll(batch);
+                            return batch;
+                        },
+                        GaussNewtonSearchTest::ways)
+                .run(new double[] {0.9, 0.2, 0.9});
+        assertThat(differences).hasSizeGreaterThan(1);
+        for (int round = 0; round < 2; round++) {
+            double[] start = starts.get(round);
+            for (int k = 0; k < 3; k++) {
+                double toFarBound = start[k] < 0.5 ? 1 : -1;
+                double way = differences.get(round).get(k)[k] - start[k];
+                assertThat(Math.signum(way)).isEqualTo(round == 0 ? toFarBound : -toFarBound);
+            }
+        }
+    }
+
+    /** A breath that fails is repeated with less drive, thus at another point than was asked for. */
+    @Test
+    void aBreathWithLessDriveTeachesWhatItsOwnPointDoes() {
+        List<double[]> learnt = new ArrayList<>();
+        new GaussNewtonSearch(
+                        2,
+                        (first, points) -> IntStream.range(0, points.size())
+                                .mapToObj(k -> first > 0 && k == 0 ? halfWay(points.get(k)) : linear(points.get(k), 1))
+                                .toList(),
+                        (body, reach, tries) -> {
+                            learnt.add(body.derivative(0).clone());
+                            learnt.add(body.derivative(1).clone());
+                            return List.of();
+                        })
+                .run(new double[] {0.2, 0.3});
+        assertThat(learnt.get(0)).containsExactly(new double[] {10, 0}, offset(1e-3));
+        assertThat(learnt.get(1)).containsExactly(new double[] {3, 8}, offset(1e-3));
+    }
+
+    private static Evaluation halfWay(double[] asked) {
+        return linear(new double[] {(0.2 + asked[0]) / 2, asked[1]}, 0.5);
+    }
+
+    private static Evaluation linear(double[] u, double drive) {
+        float[] shape = {(float) (10 * u[0] + 3 * u[1]), (float) (8 * u[1])};
+        return new Evaluation(u, 1, shape, drive, drive < 1 ? "diverged" : "");
     }
 
     @Test

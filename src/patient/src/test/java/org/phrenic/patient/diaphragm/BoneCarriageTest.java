@@ -1,6 +1,7 @@
 package org.phrenic.patient.diaphragm;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
@@ -48,5 +49,28 @@ class BoneCarriageTest {
         }
         assertThat(greatestStrain(ofBone)).isGreaterThan(1);
         assertThat(greatestStrain(FULL.displacement(LUNG))).isLessThan(0.8);
+    }
+
+    /** Ribs turn back to where they stand at expiration: down, and the lung beside them with them. */
+    @Test
+    void theSideOfALungByTheRibsGoesWithThemWhenTheyTurnBack() {
+        double[] p = LUNG.positions();
+        double[] u = FULL.displacement(LUNG);
+        double[] ofBone = FULL.carried(p);
+        double[] far = SkinningWeights.of(MAN, FULL.cage()).distances(p);
+        double farthest = 0;
+        double down = 0;
+        for (int i = 0; i < p.length; i++) {
+            if (far[i / 3] < 10) {
+                assertThat(u[i]).isCloseTo(ofBone[i] - p[i], within(1e-9));
+                double length = Math.sqrt(u[i - i % 3] * u[i - i % 3]
+                        + u[i - i % 3 + 1] * u[i - i % 3 + 1]
+                        + u[i - i % 3 + 2] * u[i - i % 3 + 2]);
+                down = length > farthest ? -u[i - i % 3 + 2] : down;
+                farthest = Math.max(farthest, length);
+            }
+        }
+        assertThat(farthest).as("the way of the vertex that goes farthest, mm").isGreaterThan(3);
+        assertThat(down).as("of which down, mm").isGreaterThan(0.5 * farthest);
     }
 }

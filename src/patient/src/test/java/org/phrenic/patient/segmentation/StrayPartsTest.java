@@ -46,6 +46,9 @@ class StrayPartsTest {
     @Test
     void farPartsOfBowelAndVesselsAreKept() {
         assertThat(mended("colon", 5, 60, 3)).isEmpty();
+        assertThat(mended("colon", 4, 60, 2.4))
+                .as("over a tenth, though no loop")
+                .isEmpty();
         assertThat(mended("aorta", 3, 40, 1.6)).isEmpty();
     }
 }
