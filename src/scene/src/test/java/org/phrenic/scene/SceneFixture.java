@@ -25,6 +25,8 @@ import org.phrenic.simulation.observe.Surface;
 public final class SceneFixture implements AutoCloseable {
     /** Quiet inspiration is well on its way at this time of the first breath. */
     private static final double INSPIRED_S = 1.2;
+    /** Early in the first inspiration. */
+    private static final double BEGUN_S = 0.3;
 
     public final List<Surface> surfaces = Breath.ONCE.surfaces;
     public final List<Overlay> overlays;
@@ -43,6 +45,7 @@ public final class SceneFixture implements AutoCloseable {
 
         final List<Surface> surfaces;
         final Frame rest;
+        final Frame begun;
         final Frame inspired;
 
         Breath() {
@@ -52,12 +55,28 @@ public final class SceneFixture implements AutoCloseable {
                 SceneSurfaces scene = new SceneSurfaces(simulation);
                 surfaces = scene.surfaces();
                 rest = scene.newFrame();
-                while (simulation.time() < INSPIRED_S) {
-                    simulation.step();
-                }
+                advance(simulation, BEGUN_S);
+                begun = scene.newFrame();
+                advance(simulation, INSPIRED_S);
                 inspired = scene.newFrame();
             }
         }
+
+        private static void advance(Simulation simulation, double untilS) {
+            while (simulation.time() < untilS) {
+                simulation.step();
+            }
+        }
+    }
+
+    /** The surfaces of the body, which take no context. */
+    public static List<Surface> surfacesOfTheBody() {
+        return Breath.ONCE.surfaces;
+    }
+
+    /** A frame early in the first inspiration, which takes no context. */
+    public static Frame begunBreath() {
+        return Breath.ONCE.begun.copy();
     }
 
     /** A context, or the test is skipped with the reason why there is none. */

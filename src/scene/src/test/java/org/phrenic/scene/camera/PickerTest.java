@@ -1,91 +1,63 @@
 package org.phrenic.scene.camera;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.MeshMeasure;
-import org.phrenic.scenario.Scenario;
-import org.phrenic.scene.ScenePlayer;
+import org.phrenic.mesh.query.TriangleTree;
+import org.phrenic.scene.SceneFixture;
 import org.phrenic.scene.style.ClipPlane;
-import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
 
-/** What lies under the cursor, on the coarse virtual adult male in mid-inspiration. */
+/** What lies under the cursor, on the coarse virtual adult male early in inspiration. */
 class PickerTest {
     private static final int WIDTH = 640;
     private static final int HEIGHT = 480;
     /** Frames hold float coordinates of about 1000 mm. */
     private static final double FLOAT_MM = 0.01;
 
-    private static final Scenario SCENARIO =
-            Scenario.defaults().with("resolution=low", "lungs=embedded", "sternum=kinematic");
-
-    private static ScenePlayer player;
+    private static List<Surface> surfaces;
     private static Frame frame;
     private static Picker picker;
 
     @BeforeAll
     static void breathe() {
-        player = new ScenePlayer(
-                Scenario.defaults().with("resolution=low", "lungs=embedded", "sternum=kinematic"),
-                (at, of, rate) -> {});
-        frame = player.advanceTo(0.3);
-        picker = new Picker(player.surfaces());
-    }
-
-    @AfterAll
-    static void close() {
-        player.close();
+        surfaces = SceneFixture.surfacesOfTheBody();
+        frame = SceneFixture.begunBreath();
+        picker = new Picker(surfaces);
     }
 
     private static ToDoubleFunction<Surface> only(StructureKind... kinds) {
         return s -> List.of(kinds).contains(s.kind()) ? 1 : 0;
     }
 
-    /** Where a vertex of a surface is now. */
-    private static double[] place(int surface, int vertex) {
-        Surface s = player.surfaces().get(surface);
-        if (s.motion() == Surface.Motion.DEFORMING) {
-            float[] p = frame.positions(surface);
-            return new double[] {p[3 * vertex], p[3 * vertex + 1], p[3 * vertex + 2]};
-        }
-        double[] rest = {s.rest().x(vertex), s.rest().y(vertex), s.rest().z(vertex)};
-        float[] pose = frame.pose(surface);
-        if (pose.length == 0) {
-            return rest;
-        }
-        double[] moved = new double[3];
-        for (int row = 0; row < 3; row++) {
-            moved[row] = pose[4 * row] * rest[0]
-                    + pose[4 * row + 1] * rest[1]
-                    + pose[4 * row + 2] * rest[2]
-                    + pose[4 * row + 3];
-        }
-        return moved;
+    /** Where the vertices of a surface are now. */
+    private static double[] now(int surface) {
+        Surface s = surfaces.get(surface);
+        double[] now = new double[s.rest().positions().length];
+        frame.writePositions(s, surface, now);
+        return now;
     }
 
     private static Optional<PickResult> pick(double[] ray, ToDoubleFunction<Surface> opacity) {
         return picker.pick(frame, ray, Optional.empty(), opacity);
     }
 
-    private static double[] middleOfATriangle(int surface) {
-        int[] triangles = player.surfaces().get(surface).rest().triangles();
+    private static double[] middleOfATriangle(double[] positions, Surface surface) {
+        int[] triangles = surface.rest().triangles();
         int first = triangles.length / 6 * 3;
         double[] middle = new double[3];
         for (int corner = 0; corner < 3; corner++) {
-            double[] at = place(surface, triangles[first + corner]);
             for (int k = 0; k < 3; k++) {
-                middle[k] += at[k] / 3;
+                middle[k] += positions[3 * triangles[first + corner] + k] / 3;
             }
         }
         return middle;
@@ -93,40 +65,66 @@ class PickerTest {
 
     @Test
     void everyKindOfMotionIsHitWhereItIsNow() {
-        for (int i = 0; i < player.surfaces().size(); i++) {
-            Surface s = player.surfaces().get(i);
-            double[] at = middleOfATriangle(i);
+        for (int i = 0; i < surfaces.size(); i++) {
+            Surface s = surfaces.get(i);
+            double[] now = now(i);
+            double[] at = middleOfATriangle(now, s);
             Vector3d centre =
                     Camera.of(AnatomicalView.ANTERIOR, s.rest().bounds()).eye();
-            double[] sight = new double[6];
-            double length = 0;
-            for (int k = 0; k < 3; k++) {
-                sight[k] = centre.get(k);
-                sight[3 + k] = at[k] - centre.get(k);
-                length += sight[3 + k] * sight[3 + k];
-            }
-            for (int k = 3; k < 6; k++) {
-                sight[k] /= Math.sqrt(length);
-            }
+            double[] sight = sight(centre, at);
+            double length = centre.distance(at[0], at[1], at[2]);
             Optional<PickResult> pick = pick(sight, other -> other == s ? 1 : 0);
             assertThat(pick).as(s.name()).isPresent();
             assertThat(pick.get().surface()).isSameAs(s);
             double along = (pick.get().x() - sight[0]) * sight[3]
                     + (pick.get().y() - sight[1]) * sight[4]
                     + (pick.get().z() - sight[2]) * sight[5];
-            assertThat(along).as("nothing nearer is missed").isLessThan(Math.sqrt(length) + 1);
-            double[] nearest = place(i, pick.get().vertex());
-            double away = Math.hypot(
-                    Math.hypot(
-                            nearest[0] - pick.get().x(), nearest[1] - pick.get().y()),
-                    nearest[2] - pick.get().z());
+            assertThat(along).as("nothing nearer is missed").isLessThan(length + 1);
+            int nearest = 3 * pick.get().vertex();
+            double away = Vector3d.distance(
+                    now[nearest],
+                    now[nearest + 1],
+                    now[nearest + 2],
+                    pick.get().x(),
+                    pick.get().y(),
+                    pick.get().z());
             assertThat(away).as("distance to the vertex named, mm").isLessThan(40);
         }
     }
 
+    /** A ray from a point toward another. */
+    private static double[] sight(Vector3d from, double[] to) {
+        Vector3d along = new Vector3d(to[0], to[1], to[2]).sub(from).normalize();
+        return new double[] {from.x, from.y, from.z, along.x, along.y, along.z};
+    }
+
+    /** A rib that has turned by 90 degrees and gone 40 mm to the side, farther than in any breath. */
+    @Test
+    void aBoneThatTurnsIsHitWhereItIsNowAndNamesItsPlaceAtRest() {
+        int index = surfaces.stream().map(Surface::kind).toList().indexOf(StructureKind.RIB);
+        Surface rib = surfaces.get(index);
+        float[] pose = {0, -1, 0, 40, 1, 0, 0, 0, 0, 0, 1, 0};
+        Frame turned = frame.copy();
+        System.arraycopy(pose, 0, turned.pose(index), 0, pose.length);
+        double[] middle = new double[3];
+        Frame.transform(pose, middleOfATriangle(rib.rest().positions(), rib), middle);
+        Vector3d front = new Vector3d(middle[0], middle[1] - 300, middle[2]);
+        PickResult pick = picker.pick(turned, sight(front, middle), Optional.empty(), s -> s == rib ? 1 : 0)
+                .orElseThrow();
+        assertThat(pick.y()).as("nothing nearer is missed").isLessThan(middle[1] + FLOAT_MM);
+        double[] now = new double[3];
+        Frame.transform(pose, pick.restPosition(), now);
+        assertThat(pick.position()).containsExactly(now, within(FLOAT_MM));
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        double[] rest = pick.restPosition();
+        assertThat(new TriangleTree(rib.rest()).closest(rest[0], rest[1], rest[2], FLOAT_MM, hit))
+                .as("on the bone at rest")
+                .isTrue();
+    }
+
     @Test
     void fromTheFrontTheLeftOfThePictureIsThePatientsRight() {
-        double[] bounds = Surface.bounds(player.surfaces());
+        double[] bounds = Surface.bounds(surfaces);
         Camera camera = Camera.of(AnatomicalView.ANTERIOR, bounds, (double) WIDTH / HEIGHT);
         PickResult left = sweep(camera, 0, WIDTH / 2 - 20);
         PickResult right = sweep(camera, WIDTH - 1, WIDTH / 2 + 20);
@@ -149,7 +147,7 @@ class PickerTest {
 
     @Test
     void whatIsNearlyTransparentIsLookedThroughUnlessThereIsNothingBehind() {
-        Camera camera = Camera.of(AnatomicalView.ANTERIOR, Surface.bounds(player.surfaces()), (double) WIDTH / HEIGHT);
+        Camera camera = Camera.of(AnatomicalView.ANTERIOR, Surface.bounds(surfaces), (double) WIDTH / HEIGHT);
         double[] middle = camera.ray(WIDTH / 2.0, HEIGHT / 2.0, WIDTH, HEIGHT);
         ToDoubleFunction<Surface> glassSkin = s -> s.kind() == StructureKind.SKIN ? 0.3 : 1;
         assertThat(pick(middle, glassSkin).orElseThrow().surface().kind()).isNotEqualTo(StructureKind.SKIN);
@@ -164,7 +162,7 @@ class PickerTest {
 
     @Test
     void whatThePlaneCutsAwayIsNotPicked() {
-        double[] box = Surface.bounds(player.surfaces());
+        double[] box = Surface.bounds(surfaces);
         Camera front = Camera.of(AnatomicalView.ANTERIOR, box, (double) WIDTH / HEIGHT);
         double[] middle = front.ray(WIDTH / 2.0, HEIGHT / 2.0, WIDTH, HEIGHT);
         ToDoubleFunction<Surface> skin = only(StructureKind.SKIN);
@@ -185,10 +183,9 @@ class PickerTest {
     /** A coronal plane through the middle of the liver, seen from the front, within the skin. */
     @Test
     void aClickOnACutFaceHitsTheInnermostBodyThatThePlaneCutsOpen() {
-        int liver = player.surfaces().stream().map(Surface::kind).toList().indexOf(StructureKind.LIVER);
-        Surface surface = player.surfaces().get(liver);
-        double[] now = new double[surface.rest().positions().length];
-        frame.writePositions(surface, liver, now);
+        int liver = surfaces.stream().map(Surface::kind).toList().indexOf(StructureKind.LIVER);
+        Surface surface = surfaces.get(liver);
+        double[] now = now(liver);
         double[] moved = new double[3];
         for (int i = 0; i < now.length; i++) {
             moved[i % 3] += 3 * (now[i] - surface.rest().positions()[i]) / now.length;
@@ -219,7 +216,7 @@ class PickerTest {
 
     @Test
     void aRayAlongThePlaneHitsWhatIsBehindItAlone() {
-        double[] box = Surface.bounds(player.surfaces());
+        double[] box = Surface.bounds(surfaces);
         double[] upwards = {0, 0.5 * (box[1] + box[4]), box[2] - 100, 0, 0, 1};
         assertThat(picker.pick(frame, upwards, Optional.of(ClipPlane.coronal(upwards[1] - 1)), s -> 1))
                 .isPresent();
@@ -229,24 +226,11 @@ class PickerTest {
 
     @Test
     void aPickProjectsBackToItsPixel() {
-        Camera camera = Camera.of(AnatomicalView.LEFT, Surface.bounds(player.surfaces()), (double) WIDTH / HEIGHT);
+        Camera camera = Camera.of(AnatomicalView.LEFT, Surface.bounds(surfaces), (double) WIDTH / HEIGHT);
         double[] xy = new double[2];
         PickResult pick = pick(camera.ray(300, 200, WIDTH, HEIGHT), s -> 1).orElseThrow();
         camera.project(pick.x(), pick.y(), pick.z(), WIDTH, HEIGHT, xy);
         assertThat(xy[0]).isCloseTo(300, within(FLOAT_MM));
         assertThat(xy[1]).isCloseTo(200, within(FLOAT_MM));
-    }
-
-    @Test
-    void thePlayerIsWhereARunOfThatLengthEnds() {
-        String run = SimulationRun.run(SCENARIO.with("duration_s=0.3"), null, (at, of, rate) -> {})
-                .get("state_sha256")
-                .toString();
-        assertThat(player.stateHash()).isEqualTo(run);
-    }
-
-    @Test
-    void timeDoesNotGoBack() {
-        assertThatThrownBy(() -> player.advanceTo(0.1)).hasMessageContaining("expected times in order");
     }
 }
