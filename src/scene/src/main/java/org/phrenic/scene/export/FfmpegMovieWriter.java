@@ -126,9 +126,10 @@ public record FfmpegMovieWriter(Path program) implements MovieWriter {
         byte[] bgr = ((DataBufferByte) even.getRaster().getDataBuffer()).getData();
         try (OutputStream pipe = new BufferedOutputStream(process.getOutputStream(), 1 << 16)) {
             for (BufferedImage picture = first; picture != null; picture = frames.hasNext() ? frames.next() : null) {
-                // The shifted first drawing leaves a copy of the last row and column for odd sizes.
-                g.drawImage(picture, even.getWidth() - width, even.getHeight() - height, null);
                 g.drawImage(picture, 0, 0, null);
+                // For odd sizes the last column, then the last row, once more; an even size copies nothing.
+                g.copyArea(width - 1, 0, even.getWidth() - width, height, 1, 0);
+                g.copyArea(0, height - 1, even.getWidth(), even.getHeight() - height, 0, 1);
                 pipe.write(bgr);
             }
             return true;

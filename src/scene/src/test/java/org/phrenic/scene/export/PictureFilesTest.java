@@ -8,10 +8,13 @@ import java.awt.Color;
 import java.awt.GradientPaint;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Arrays;
 import java.util.Iterator;
 import java.util.NoSuchElementException;
 import java.util.stream.IntStream;
@@ -152,7 +155,7 @@ class PictureFilesTest {
         assumeThat(FfmpegMovieWriter.find()).as("ffmpeg on the path").isPresent();
         Path file = folder.resolve("a.mp4");
         new FfmpegMovieWriter(FfmpegMovieWriter.find().orElseThrow()).write(file, 10, pictures(5, 97, 61));
-        assertThat(new String(Files.readAllBytes(file), 4, 4, java.nio.charset.StandardCharsets.US_ASCII))
+        assertThat(new String(Files.readAllBytes(file), 4, 4, StandardCharsets.US_ASCII))
                 .as("first box of an MP4")
                 .isEqualTo("ftyp");
         assertThat(left()).containsExactly(file);
@@ -164,6 +167,36 @@ class PictureFilesTest {
         assumeThat(program.getFileSystem().supportedFileAttributeViews()).contains("posix");
         Files.setPosixFilePermissions(program, PosixFilePermissions.fromString("rwxr-xr-x"));
         return bin;
+    }
+
+    /** A program that writes its arguments and all that it is given into the file that it is to make. */
+    @Test
+    void ffmpegIsGivenEveryPictureInBlueGreenRedPaddedByItsLastRowAndColumn() throws IOException {
+        Path bin = fakeFfmpeg("for last; do :; done\necho \"$@\" > \"$last\"\ncat >> \"$last\"\n");
+        Path file = folder.resolve("a.mp4");
+        new FfmpegMovieWriter(FfmpegMovieWriter.find(bin.toString()).orElseThrow())
+                .write(file, 10, pictures(5, 97, 61));
+        byte[] made = Files.readAllBytes(file);
+        int end = 0;
+        while (made[end] != '\n') {
+            end++;
+        }
+        assertThat(new String(made, 0, end, StandardCharsets.US_ASCII))
+                .contains("-pix_fmt bgr24 -video_size 98x62 -framerate 10.000000 -i -");
+        ByteArrayOutputStream expected = new ByteArrayOutputStream();
+        for (int n = 0; n < 5; n++) {
+            BufferedImage picture = picture(n, 97, 61);
+            assertThat(picture.getRGB(10 * n + 2, 20)).as("red").isEqualTo(0xffff0000);
+            for (int y = 0; y < 62; y++) {
+                for (int x = 0; x < 98; x++) {
+                    int rgb = picture.getRGB(Math.min(x, 96), Math.min(y, 60));
+                    expected.write(rgb);
+                    expected.write(rgb >> 8);
+                    expected.write(rgb >> 16);
+                }
+            }
+        }
+        assertThat(Arrays.copyOfRange(made, end + 1, made.length)).isEqualTo(expected.toByteArray());
     }
 
     @Test
