@@ -10,10 +10,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
-import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.MeshBudget;
+import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.engine.integrator.IntegratorKind;
+import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.stability.CaseResult.Outcome;
 
@@ -24,6 +26,18 @@ import org.phrenic.study.stability.CaseResult.Outcome;
 class StabilityStudyTest {
     /** A cell of the short version ends after so many evaluations of the force on a node: a tenth of a second. */
     private static final double SPENT = 4e6;
+
+    /** From rest to the end of a quiet inspiration. */
+    private static final double INSPIRATION_S = 1.6;
+
+    /** The body of the short version's cases. */
+    private static final int VERTICES = 4000;
+
+    private static final Scenario SMALL = Scenario.defaults().with("mesh_vertices=" + VERTICES, "threads=1");
+
+    private static Thorax man() {
+        return VirtualThorax.ofPreset("adult-male", new MeshBudget(VERTICES));
+    }
 
     private static StabilityStudy run(List<String> only, double spent, IntegratorKind... kinds) {
         StabilityStudy.Settings settings =
@@ -82,23 +96,29 @@ class StabilityStudyTest {
         List<String> keys = scan.isPresent()
                 ? List.of("thorax-man", "thorax-woman", "thorax-scanned")
                 : List.of("thorax-man", "thorax-woman");
-        StabilityStudy.Settings settings = StabilityStudy.Settings.QUICK
-                .only(keys, List.of(IntegratorKind.VERLET))
-                .withThreads(2)
-                .withScan(scan);
-        assertThat(StabilityStudy.of(settings, (count, total, what) -> {}).cells())
+        List<BatchRunner.Job<CaseResult>> jobs = StabilityCases.all(true, scan).stream()
+                .filter(c -> keys.contains(c.key()))
+                .map(c -> new BatchRunner.Job<>(c.key(), () -> inspiration(c)))
+                .toList();
+        assertThat(BatchRunner.run(jobs, 2, (count, total, what) -> {}))
                 .hasSize(keys.size())
                 .allSatisfy(c -> assertThat(c.outcome())
                         .as(c.caseKey() + ": " + c.sentence())
                         .isEqualTo(Outcome.STABLE));
     }
 
+    private static CaseResult inspiration(StabilityCase quiet) {
+        ReferenceSolution reference = ReferenceSolution.of(quiet, INSPIRATION_S, CaseRun.SAMPLE_S);
+        double spent = StabilityStudy.Settings.QUICK.verletEvaluations();
+        return CaseRun.of(quiet, IntegratorKind.VERLET, reference, INSPIRATION_S, spent);
+    }
+
     /** The reference solution lacks the contact as well, so only a measure of its own can notice that it is missing. */
     @Test
     void aSheetWithoutContactWithItsWallIsAFailure() {
-        Scenario scenario = Scenario.defaults().with("resolution=low", "threads=1", "preset=deep", "contact=false");
-        StabilityCase.Factory free = (integrator, refinement, durationS) ->
-                new ThoraxScene(scenario, VirtualThorax.ofPreset("adult-male", Resolution.LOW), simulation -> {});
+        Scenario scenario = SMALL.with("preset=deep", "contact=false");
+        StabilityCase.Factory free =
+                (integrator, refinement, durationS) -> new ThoraxScene(scenario, man(), simulation -> {});
         StabilityCase deep = StabilityCases.all(true, Optional.empty()).stream()
                 .filter(c -> c.key().equals("thorax-man-deep"))
                 .findFirst()
@@ -132,17 +152,9 @@ class StabilityStudyTest {
      */
     @Test
     void withDampingThePapersBreathsRepeat() {
-        Scenario scenario = Scenario.defaults()
-                .with(
-                        "material=paper",
-                        "damping_ns_per_m=0.5",
-                        "resolution=low",
-                        "lungs=off",
-                        "sternum=off",
-                        "liver=false",
-                        "threads=1");
-        try (ThoraxScene trial =
-                new ThoraxScene(scenario, VirtualThorax.ofPreset("adult-male", Resolution.LOW), simulation -> {})) {
+        Scenario scenario =
+                SMALL.with("material=paper", "damping_ns_per_m=0.5", "lungs=off", "sternum=off", "liver=false");
+        try (ThoraxScene trial = new ThoraxScene(scenario, man(), simulation -> {})) {
             NodeState shape = new NodeState(trial.system());
             double[] before = null;
             for (int breath = 1; breath <= 4; breath++) {
