@@ -46,7 +46,7 @@ public record LiverMotion(List<Row> rows, List<String> failures) {
      * @param preset of breathing
      * @param siMm descent of the whole liver from end-expiration to end-inspiration, mm; for a hold at expiration, in
      *     the breath before the hold
-     * @param apMm anterior-posterior excursion, mm
+     * @param apMm forward excursion, mm; negative if the liver goes back
      * @param lrMm left-right excursion, mm
      * @param topMm descent of the liver's highest fifth, mm
      * @param edgeMm descent of the liver's lowest fifth, mm
@@ -126,7 +126,8 @@ public record LiverMotion(List<Row> rows, List<String> failures) {
         // The table has no creep range for a hold at expiration.
         known.add(known(table, preset, "dome_right_mm", Reduction.CREEP));
         double si = descent(series, "liver_si_mm", start, deepest);
-        double ap = Math.abs(descent(series, "liver_ap_mm", start, deepest));
+        // The observable is positive toward the back.
+        double ap = descent(series, "liver_ap_mm", start, deepest);
         double lr = Math.abs(descent(series, "liver_lr_mm", start, deepest));
         double top = descent(series, "liver_top_mm", start, deepest);
         double edge = descent(series, "liver_edge_mm", start, deepest);

@@ -1,6 +1,7 @@
 package org.phrenic.study.validation;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -40,20 +41,43 @@ class LiverMotionTest {
         return new BreathSeries(COLUMNS, rows, labels);
     }
 
+    /** The liver goes down by less than the right dome, forward and to the side. */
     private static double[] row(double number, double down) {
-        return new double[] {number, down, down, down, -0.3 * down, 0.1 * down, down, 0.65 * down};
+        return new double[] {number, down, 0.8 * down, 0.9 * down, 0.3 * down, 0.1 * down, 0.95 * down, 0.65 * down};
     }
 
     @Test
     void aFreeBreathIsMeasuredFromItsStartToWhereItIsDeepest() {
         LiverMotion.Row row = LiverMotion.row("a body", "quiet", breath(0, 0), PhysiologyTable.shipped());
-        assertThat(row.comparedValues()).usingComparatorWithPrecision(1e-9).startsWith(12, 3.6, 1.2);
-        assertThat(row.topMm()).isEqualTo(row.domeMm());
-        assertThat(row.edgeMm()).isEqualTo(0.65 * row.domeMm());
+        assertThat(row.comparedValues()).usingComparatorWithPrecision(1e-9).startsWith(10.8, 3.6, 1.2);
+        assertThat(row.domeMm()).isCloseTo(12, within(1e-9));
+        assertThat(row.topMm()).isCloseTo(11.4, within(1e-9));
+        assertThat(row.edgeMm()).isCloseTo(7.8, within(1e-9));
         assertThat(row.liverCreepMm()).isNaN();
         LiverMotion motion = new LiverMotion(List.of(row), List.of());
         assertThat(motion.outOfRangeCount()).isZero();
-        assertThat(motion.table().get(1)).contains("12.0 (5.1 - 17.3)", "3.60 (0.9 - 7.7)", "1.20 (0.4 - 4)");
+        assertThat(motion.table().get(1)).contains("10.8 (5.1 - 17.3)", "3.60 (0.9 - 7.7)", "1.20 (0.4 - 4)");
+    }
+
+    /** As large as that of people who go forward, it is none of theirs. */
+    @Test
+    void aWayBackIsNegativeAndOutOfTheRangeOfWaysForward() {
+        BreathSeries forward = breath(0, 0);
+        int ap = COLUMNS.indexOf("liver_ap_mm");
+        List<double[]> rows = new ArrayList<>();
+        List<RespiratoryPhase> labels = new ArrayList<>();
+        for (int i = 0; i <= forward.lastRow(0); i++) {
+            int at = i;
+            double[] row =
+                    COLUMNS.stream().mapToDouble(c -> forward.value(c, at)).toArray();
+            row[ap] = -row[ap];
+            rows.add(row);
+            labels.add(i < 20 ? RespiratoryPhase.INSPIRATION : RespiratoryPhase.EXPIRATION);
+        }
+        LiverMotion.Row row =
+                LiverMotion.row("a body", "quiet", new BreathSeries(COLUMNS, rows, labels), PhysiologyTable.shipped());
+        assertThat(row.apMm()).isCloseTo(-3.6, within(1e-9));
+        assertThat(new LiverMotion(List.of(row), List.of()).outOfRangeCount()).isOne();
     }
 
     /**
@@ -64,7 +88,8 @@ class LiverMotionTest {
     void ofAHoldAtExpirationTheBreathBeforeAndTheCreepAreMeasured() {
         BreathSeries series = breath(0, 201);
         LiverMotion.Row row = LiverMotion.row("a body", "hold-expiration", series, PhysiologyTable.shipped());
-        assertThat(row.comparedValues()).usingComparatorWithPrecision(1e-9).containsExactly(12, 3.6, 1.2, 9);
+        assertThat(row.comparedValues()).usingComparatorWithPrecision(1e-9).containsExactly(10.8, 3.6, 1.2, 9);
+        assertThat(row.liverCreepMm()).isCloseTo(8.1, within(1e-9));
         // No creep is known at expiration; at inspiration 9 mm is more than in anybody.
         LiverMotion motion = new LiverMotion(
                 List.of(row, LiverMotion.row("a body", "hold-inspiration", series, PhysiologyTable.shipped())),
@@ -100,7 +125,7 @@ class LiverMotionTest {
                 .contains("## Not computed", "- a body, deep: diverged.");
     }
 
-    /** The liver goes forward by 0.3 of its descent, and its top as far down as the dome. */
+    /** The liver goes forward by a third of its descent, and its top goes down by 0.95 of the dome's. */
     @Test
     void thePageStatesExcursionsSharesAndTheSourcesOfTheRanges() {
         LiverMotion.Row row = LiverMotion.row("a body", "quiet", breath(0, 0), PhysiologyTable.shipped());
@@ -108,6 +133,6 @@ class LiverMotionTest {
                 new LiverMotion(List.of(row), List.of()).document(Scenario.defaults(), List.of("Commit 1")));
         assertThat(page)
                 .contains("At medium resolution; values out of their range: 0.", "- Commit 1", Disclaimer.TEXT)
-                .contains("| a body | quiet | 0.30 | 1.00 |", "liver\\_si\\_quiet: 5.1 - 17.3 mm", "PMC5978939");
+                .contains("| a body | quiet | 0.33 | 0.95 |", "liver\\_si\\_quiet: 5.1 - 17.3 mm", "PMC5978939");
     }
 }
