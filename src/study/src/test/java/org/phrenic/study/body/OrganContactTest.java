@@ -46,6 +46,27 @@ class OrganContactTest {
     }
 
     @Test
+    void twoOrgansAreInOneAnotherByTheSameInEitherOrder() {
+        Surface large = surface("large", StructureKind.ORGAN, LARGE);
+        TriangleMesh mesh = box(34, 35, 10, 20);
+        Surface small = surface("small", StructureKind.LUNG, mesh);
+        OrganContact one =
+                OrganContact.all(List.of(large, small), List.of(LARGE, mesh)).get(0);
+        OrganContact other =
+                OrganContact.all(List.of(small, large), List.of(mesh, LARGE)).get(0);
+        assertThat(one.pair()).isEqualTo("large, small");
+        assertThat(other).isEqualTo(new OrganContact("small", "large", one.overlapPercent(), one.depthMm()));
+    }
+
+    /** Two per cent and three millimetres are allowed, each whatever the other is. */
+    @Test
+    void eitherOfOverlapAndDepthCountsAlone() {
+        assertThat(new OrganContact("a", "b", 2, 3).isWithin()).isTrue();
+        assertThat(new OrganContact("a", "b", 3, 1).isWithin()).isFalse();
+        assertThat(new OrganContact("a", "b", 1, 4).isWithin()).isFalse();
+    }
+
+    @Test
     void organsSideBySideHaveNeitherOverlapNorDepth() {
         OrganContact contact = contacts(StructureKind.ORGAN, StructureKind.LIVER, box(41, 0, 0, 20))
                 .get(0);
