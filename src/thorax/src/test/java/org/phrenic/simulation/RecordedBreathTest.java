@@ -69,4 +69,19 @@ class RecordedBreathTest {
         assertThat(at(record, start + PERIOD_S - 1e-9)[0]).isCloseTo(reached, within(0.005));
         assertThat(at(record, start + 3 * PERIOD_S)[0]).isCloseTo(reached, within(0.005));
     }
+
+    /** The end is 2.06 mm above the beginning; what closes the record takes 2 mm/s from its velocity. */
+    @Test
+    void isWithoutItsDriftThroughoutThePeriod() {
+        double drift = 2;
+        RecordedBreath record = record(70, drift);
+        assertThat(record.close(3)).isTrue();
+        double start = FIRST_S + (70 - 55 + 1) * INTERVAL_S;
+        double omega = 2 * Math.PI / PERIOD_S;
+        for (double t = start; t < start + PERIOD_S; t += 0.0137) {
+            double[] state = at(record, t);
+            assertThat(state[0]).as("at %s", t).isCloseTo(curve(t, 0) + drift * (start + PERIOD_S), within(0.005));
+            assertThat(state[1]).as("velocity at %s", t).isCloseTo(-10 * omega * Math.sin(omega * t), within(0.5));
+        }
+    }
 }

@@ -35,6 +35,35 @@ class NonInversionPairsTest {
         assertThat(height(system, 3)).isCloseTo(-0.97, within(1e-12));
     }
 
+    /** By inverse mass: 4 units of momentum are shared by a mass of 4. What is across the normal stays. */
+    @Test
+    void nodesThatApproachEachOtherGoOnTogetherAndThoseThatPartGoOnParting() {
+        ParticleSystem closing = pair(-0.96);
+        setVelocity(closing, 0, 0.5, -2);
+        setVelocity(closing, 3, 0, 2);
+        closing.project(0, H);
+        assertThat(velocity(closing, 0)).containsExactly(0.5, 1);
+        assertThat(velocity(closing, 3)).containsExactly(0, 1);
+        ParticleSystem parting = pair(-0.96);
+        setVelocity(parting, 0, 0.5, 2);
+        setVelocity(parting, 3, 0, -2);
+        parting.project(0, H);
+        assertThat(velocity(parting, 0)).containsExactly(0.5, 2);
+        assertThat(velocity(parting, 3)).containsExactly(0, -2);
+    }
+
+    private static void setVelocity(ParticleSystem system, int node, double vx, double vz) {
+        int k = 3 * system.layout().internal(node);
+        system.velocities()[k] = vx;
+        system.velocities()[k + 2] = vz;
+    }
+
+    /** Along x and z. */
+    private static double[] velocity(ParticleSystem system, int node) {
+        int k = 3 * system.layout().internal(node);
+        return new double[] {system.velocities()[k], system.velocities()[k + 2]};
+    }
+
     /** Faces 3 mm past each other: put back at once, they would be thrown at 3 m/s by what opposes it. */
     @Test
     void anInvertedPairReturnsNoFasterThanTheWallPutsANodeBack() {
