@@ -2,8 +2,11 @@ package org.phrenic.mesh.io.dicom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class DicomCharsetsTest {
     /** Bytes of the examples of PS3.5, annexes H.3 and J, and of "liver" in GB18030. */
@@ -46,15 +49,23 @@ class DicomCharsetsTest {
     }
 
     /** The same set with escape sequences and without. */
-    @Test
-    void setsOfSingleBytesHaveTwoTerms() {
-        for (String set : new String[] {"101", "109", "110", "144", "127", "126", "138", "148", "166"}) {
-            assertThat(DicomCharsets.of("ISO 2022 IR " + set))
-                    .as(set)
-                    .isEqualTo(DicomCharsets.of("ISO_IR " + set))
-                    .isNotEqualTo(StandardCharsets.ISO_8859_1);
-        }
-        assertThat(DicomCharsets.of("ISO_IR 138").name()).isEqualTo("ISO-8859-8");
+    @ParameterizedTest
+    @CsvSource({
+        "101, ISO-8859-2",
+        "109, ISO-8859-3",
+        "110, ISO-8859-4",
+        "144, ISO-8859-5",
+        "127, ISO-8859-6",
+        "126, ISO-8859-7",
+        "138, ISO-8859-8",
+        "148, ISO-8859-9",
+        "203, ISO-8859-15",
+        "166, TIS-620"
+    })
+    void setsOfSingleBytesHaveTwoTerms(String set, String name) {
+        Charset expected = Charset.forName(name);
+        assertThat(DicomCharsets.of("ISO_IR " + set)).isEqualTo(expected);
+        assertThat(DicomCharsets.of("ISO 2022 IR " + set)).isEqualTo(expected);
     }
 
     @Test
