@@ -13,6 +13,12 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.phrenic.access.ultrasound.CurvilinearProbe;
+import org.phrenic.access.ultrasound.ProbePose;
+import org.phrenic.access.ultrasound.SonatedNeedle;
+import org.phrenic.access.ultrasound.UltrasoundSettings;
+import org.phrenic.cli.option.ProbeOptions;
+import picocli.CommandLine;
 
 @Execution(ExecutionMode.CONCURRENT)
 class UltrasoundCommandTest {
@@ -45,6 +51,22 @@ class UltrasoundCommandTest {
                 .isNotEqualTo(Files.readAllBytes(folder.resolve("one/ultrasound_0002.png")));
         assertThat(Files.readString(folder.resolve("one/ultrasound.json")))
                 .contains("\"face_mm\"", "\"needle_in_beam_mm\"", "\"tip_in_beam\"", "Not for clinical use");
+    }
+
+    @Test
+    void eachOptionSetsWhatItIsNamedAfter() {
+        ProbeOptions options = new ProbeOptions();
+        new CommandLine(options)
+                .parseArgs(("--rotate 1 --tilt 2 --rock 3 --frequency 2.5 --focus 60 --thickness 4 --depth 120 --gain 5"
+                                + " --depth-gain 0.7 --dynamic-range 50 --needle 1,2,3,4,5,60")
+                        .split(" "));
+        assertThat(options.angles()).isEqualTo(new ProbePose.Angles(1, 2, 3));
+        CurvilinearProbe usual = CurvilinearProbe.abdominal();
+        assertThat(options.probe()).isEqualTo(new CurvilinearProbe(usual.radiusMm(), usual.sectorDeg(), 2.5, 60, 4));
+        assertThat(options.settings()).isEqualTo(new UltrasoundSettings(120, 5, 0.7, 50));
+        SonatedNeedle needle = options.needle().orElseThrow();
+        assertThat(needle.entry()).containsExactly(1, 2, 3);
+        assertThat(needle.tip()).containsExactly(4, 5, 60);
     }
 
     private static String[] concatenate(String[] some, String... others) {
