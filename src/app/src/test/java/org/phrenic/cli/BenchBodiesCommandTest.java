@@ -93,6 +93,21 @@ class BenchBodiesCommandTest {
         assertThat(folder.resolve("out")).doesNotExist();
     }
 
+    /** Both would be written to the same folder. */
+    @Test
+    void twoScansOfOneNameAreRefused() throws IOException {
+        String[] scans = new String[2];
+        for (int i = 0; i < scans.length; i++) {
+            Path patient = Files.createDirectory(folder.resolve("patient" + i));
+            scans[i] = Files.writeString(patient.resolve("scan.nii"), "damaged").toString();
+        }
+        Path out = folder.resolve("out");
+        CommandLineRun run = bodies(scans, "--out", out.toString());
+        assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(run.err()).contains("found two bodies named scan");
+        assertThat(out).doesNotExist();
+    }
+
     private static CommandLineRun bodies(String[] options, String... more) {
         return CommandLineRun.of(Stream.of(new String[] {"bench", "bodies"}, options, more)
                 .flatMap(Stream::of)
@@ -107,8 +122,7 @@ class BenchBodiesCommandTest {
             {"--random", "1", "--set", "preset=quiet"},
             {"--random", "1", "--set", "threads=2"},
             {"--random", "1", "--pictures"},
-            {"--random", "1", "--complete", "virtual/adult-female"},
-            {"one/scan.nii", "two/scan.nii", "--out", folder.resolve("out").toString()}
+            {"--random", "1", "--complete", "virtual/adult-female"}
         }) {
             String[] args = new String[bad.length + 2];
             args[0] = "bench";

@@ -12,7 +12,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.study.sweep.SweepPlan;
 import org.phrenic.study.sweep.SweepStudy;
@@ -163,11 +163,32 @@ class SweepCommandTest {
         assertThat(folder.resolve("out")).doesNotExist();
     }
 
+    @Test
+    void aPageIsNotWrittenOverTheStudy() throws IOException {
+        Path file = Files.copy(study(), folder.resolve("study.md"));
+        String content = Files.readString(file);
+        CommandLineRun run = CommandLineRun.of(
+                "sweep", file.toString(), "--out", folder.resolve("out").toString(), "--page", file.toString());
+        assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(run.err()).contains("a file that the command reads").hasLineCount(1);
+        assertThat(file).content().isEqualTo(content);
+        assertThat(folder.resolve("out")).doesNotExist();
+    }
+
     @ParameterizedTest
-    @ValueSource(strings = {"ishigami", "small", "liver-motion", "liver-shares", "cohort", "access"})
-    void theStudiesThatComeWithTheProgramHavePlans(String name) {
+    @CsvSource({
+        "ishigami, 5120",
+        "small, 16",
+        "liver-motion, 128",
+        "liver-shares, 512",
+        "cohort, 1000",
+        "access, 200",
+        "load, 48",
+        "persons, 12"
+    })
+    void theStudiesThatComeWithTheProgramHavePlans(String name, int runs) {
         SweepPlan plan = SweepPlan.of(SweepStudy.read(STUDIES.resolve(name + ".yaml")));
-        assertThat(plan.size()).isIn(5120, 16, 128, 512, 1000, 200);
+        assertThat(plan.size()).isEqualTo(runs);
     }
 
     @Test
