@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.awt.Graphics2D;
 import java.awt.event.MouseWheelEvent;
 import java.awt.image.BufferedImage;
+import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.data.Range;
 import org.junit.jupiter.api.Test;
 import org.phrenic.ui.session.EventThread;
@@ -13,7 +14,13 @@ import org.phrenic.ui.widget.Theme;
 
 /** The wheel over the plot shows a shorter time about the mouse, and no time before the start. */
 class PlotPanelTest {
-    private static final int X = 300;
+    /** Well left of the middle. */
+    private static final int X = 150;
+
+    /** Time under the mouse, s. */
+    private static double timeAtMouse(PlotPanel panel, PlotChart chart) {
+        return chart.timeAxis().java2DToValue(X, panel.getScreenDataArea(), RectangleEdge.BOTTOM);
+    }
 
     private static Range turn(PlotPanel panel, PlotChart chart, int notches) {
         panel.dispatchEvent(new MouseWheelEvent(
@@ -44,12 +51,16 @@ class PlotPanelTest {
             Graphics2D g = new BufferedImage(600, 200, BufferedImage.TYPE_INT_RGB).createGraphics();
             panel.paint(g);
             g.dispose();
+            double time = timeAtMouse(panel, chart);
             Range closer = turn(panel, chart, -3);
             assertThat(closer.getLength()).isCloseTo(10 / Math.pow(1.25, 3), within(1e-9));
             assertThat(closer.getLowerBound()).isGreaterThan(10);
             assertThat(closer.getUpperBound()).isLessThan(20);
+            assertThat(timeAtMouse(panel, chart)).isCloseTo(time, within(1e-9));
             assertThat(zooms[0]).isEqualTo(1);
             assertThat(turn(panel, chart, 20).getLowerBound()).isZero();
+            assertThat(turn(panel, chart, -60).getLength()).isCloseTo(0.1, within(1e-9));
+            assertThat(turn(panel, chart, 200).getLength()).isCloseTo(600, within(1e-9));
         });
     }
 }

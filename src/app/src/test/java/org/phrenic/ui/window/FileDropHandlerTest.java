@@ -2,6 +2,7 @@ package org.phrenic.ui.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.io.File;
 import java.nio.file.Path;
@@ -17,8 +18,24 @@ class FileDropHandlerTest {
     private final List<String> refused = new ArrayList<>();
 
     private boolean drop(File... files) {
-        Transferable dropped = new DroppedFiles(List.of(files));
-        return new FileDropHandler(opened::add, refused::add).importData(new TransferSupport(new JPanel(), dropped));
+        TransferSupport dropped = dropped(new DroppedFiles(List.of(files)));
+        FileDropHandler handler = handler();
+        assertThat(handler.canImport(dropped)).isTrue();
+        return handler.importData(dropped);
+    }
+
+    private FileDropHandler handler() {
+        return new FileDropHandler(opened::add, refused::add);
+    }
+
+    private static TransferSupport dropped(Transferable what) {
+        return new TransferSupport(new JPanel(), what);
+    }
+
+    @Test
+    void textIsNoFile() {
+        assertThat(handler().canImport(dropped(new StringSelection("scan.yaml"))))
+                .isFalse();
     }
 
     @Test
