@@ -151,7 +151,22 @@ class CameraTest {
         perspective.project(at.x, at.y, at.z, 640, 480, one);
         parallel.project(at.x, at.y, at.z, 640, 480, other);
         assertThat(one[1]).isCloseTo(other[1], within(PIXEL));
-        assertThat(50 / perspective.mmPerPixel(480)).isCloseTo(240 - one[1], within(PIXEL));
+        double height = 240 - one[1];
+        assertThat(50 / perspective.mmPerPixel(480)).isCloseTo(height, within(PIXEL));
+        // Nearer to the viewer a perspective picture is larger, a parallel one is not.
+        at.fma(200, perspective.towardsViewer());
+        perspective.project(at.x, at.y, at.z, 640, 480, one);
+        parallel.project(at.x, at.y, at.z, 640, 480, other);
+        assertThat(240 - other[1]).isCloseTo(height, within(PIXEL));
+        assertThat(240 - one[1]).isGreaterThan(height + 5);
+    }
+
+    @Test
+    void aPictureHasTheProjectionThatIsAskedFor() {
+        PictureSettings perspective = PictureSettings.of(AnatomicalView.LEFT, 64, 64, "");
+        assertThat(perspective.camera(BODY).orthographic()).isFalse();
+        PictureSettings parallel = new PictureSettings(AnatomicalView.LEFT, 64, 64, true, 1, true, "");
+        assertThat(parallel.camera(BODY).orthographic()).isTrue();
     }
 
     @ParameterizedTest
