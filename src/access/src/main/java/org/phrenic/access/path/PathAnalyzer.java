@@ -48,7 +48,7 @@ public final class PathAnalyzer {
     /** @param needle the needle; structures closer than its radius count as touched */
     public PathAnalyzer(MovingAnatomy anatomy, Needle needle) {
         this.anatomy = anatomy;
-        ways = new EntryWays(anatomy);
+        ways = new EntryWays(anatomy, needle);
         radius = needle.radiusMm();
     }
 

@@ -40,6 +40,8 @@ class AccessMapTest {
 
     private static final double[] RIGHT_LOBE = {-90, 0, 50};
     private static final double[] DOME = {-70, 0, 95};
+    private static final double[] LOW_IN_FRONT = {-65, -60, 10};
+    private static final double[] LEFT_LOBE = {10, -65, 60};
 
     private static Workers workers;
     private static List<BreathMoment> cycle;
@@ -160,6 +162,45 @@ class AccessMapTest {
                 .isZero();
         assertThat(analyzer.analyze(new double[] {-70, -115, -60}, target).crossesPleura())
                 .isFalse();
+    }
+
+    /** Of the ribs behind which such a way rises, some are above it and some below, for the margin slopes. */
+    @Test
+    void noWayFromInFrontAndBelowAllRibsIsIntercostal() {
+        scene.update(cycle.get(0).frame());
+        double lowest = scene.hazards().stream()
+                .filter(PathAnalyzer::isCage)
+                .mapToDouble(rib -> rib.box()[2])
+                .min()
+                .orElseThrow();
+        PathAnalyzer analyzer = new PathAnalyzer(scene, Needle.standard());
+        int asked = 0;
+        for (double[] target : new double[][] {RIGHT_LOBE, LOW_IN_FRONT, LEFT_LOBE}) {
+            for (int v = 0; v < scene.skin().positions().length / 3; v++) {
+                double[] entry = entry(v);
+                if (entry[1] < -90 && entry[2] < lowest && Vectors.distance(entry, target) < 150) {
+                    asked++;
+                    assertThat(analyzer.analyze(entry, target).way().kind())
+                            .as(Arrays.toString(entry) + " to " + Arrays.toString(target))
+                            .isNotEqualTo(EntryWay.Kind.INTERCOSTAL);
+                }
+            }
+        }
+        assertThat(asked).isGreaterThan(50);
+    }
+
+    /** Their place is near one rib, of which the other may lie no lower, and a cartilage of the first higher. */
+    @Test
+    void anObliqueWayBetweenTwoRibsHasTheNameOfTheirSpace() {
+        scene.update(cycle.get(0).frame());
+        PathAnalyzer analyzer = new PathAnalyzer(scene, Needle.standard());
+        double[][] entries = {{-136, -74, -49}, {-138, -74, -12}, {-128, -88, 24}, {-130, -87, 60}, {-114, -98, 80}};
+        assertThat(List.of(entries))
+                .extracting(entry -> analyzer.analyze(entry, RIGHT_LOBE)
+                        .space()
+                        .map(IntercostalSpace::number)
+                        .orElse(0))
+                .containsExactly(9, 8, 7, 6, 5);
     }
 
     @Test

@@ -83,6 +83,21 @@ class PathAnalyzerTest {
         assertThat(reading.costalGrooveMm()).isCloseTo(32, within(TOLERANCE_MM));
     }
 
+    /** Both ribs lie on one side of a path that rises behind them, though one is higher and one lower. */
+    @Test
+    void aWayIsIntercostalOnlyWhereItPassesBetweenTheRibs() {
+        scene.update(body.still(0));
+        PathAnalysis behind = reader.analyze(new double[] {35, 0, -150}, new double[] {35, 0, -5});
+        assertThat(behind.way().label()).isEqualTo("right subcostal");
+        assertThat(read(35).way().label()).as("through rib 8").isEqualTo("over a rib or the costal margin");
+        assertThat(read(29.8).way().label())
+                .as("the needle is thicker than its path")
+                .startsWith("over a rib");
+        assertThat(read(9).way().label()).isEqualTo("8th intercostal space, right");
+        assertThat(read(-9).way().label()).isEqualTo("8th intercostal space, right");
+        assertThat(read(-43).way().label()).isEqualTo("right subcostal");
+    }
+
     @Test
     void closeBelowARibAreItsVessels() {
         scene.update(body.frame(0, 0, new double[3], -100, 0));
