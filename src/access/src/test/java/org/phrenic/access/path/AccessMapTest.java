@@ -38,6 +38,9 @@ class AccessMapTest {
     /** Places in single precision and a turned axis: what is nearer to a limit than this may fall to either side. */
     private static final double ROUNDING_MM = 2e-4;
 
+    /** A path that passes so near to a lung is no way. */
+    private static final double GRAZING_MM = 1;
+
     private static final double[] RIGHT_LOBE = {-90, 0, 50};
     private static final double[] DOME = {-70, 0, 95};
     private static final double[] LOW_IN_FRONT = {-65, -60, 10};
@@ -273,7 +276,7 @@ class AccessMapTest {
 
     /**
      * Biopsies go in at the 7th to 9th space, mid-axillary line (physiology: emedicine 149684); above, the lung lies in
-     * the way.
+     * the way, or the path grazes it.
      */
     @Test
     void toTheRightLobeTheSeventhToNinthSpacesAreFreeAtExpirationAndThoseAboveTheSixthAreNot() {
@@ -281,7 +284,7 @@ class AccessMapTest {
         scene.update(cycle.get(0).frame());
         int[] free = new int[13];
         for (int v = 0; v < map.size(); v++) {
-            if (map.isFree(0, v)) {
+            if (map.isFree(0, v) && map.marginMm(0, v) > GRAZING_MM) {
                 Optional<IntercostalSpace> space = space(map, 0, v);
                 space.ifPresent(s -> {
                     free[s.number()]++;
