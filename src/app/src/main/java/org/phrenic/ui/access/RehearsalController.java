@@ -66,7 +66,7 @@ public final class RehearsalController implements Session.Listener {
     private final ProbeController probe = new ProbeController(this);
     private final GuidanceSettings pictures = new GuidanceSettings();
     private boolean cameraPlaced;
-    private boolean awaitsScene;
+    boolean awaitsScene;
 
     private final List<Listener> listeners = new ArrayList<>();
     RehearsalStage stage = RehearsalStage.CLOSED;

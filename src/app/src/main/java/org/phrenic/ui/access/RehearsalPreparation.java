@@ -272,6 +272,8 @@ final class RehearsalPreparation {
             former = Optional.of(before);
             awaitBody();
             session.open(EditName.of("Exercise " + exercise.title()), exercise.scenario());
+            // The loading may end before any of its progress is told.
+            rehearsal.awaitsScene = true;
         }
     }
 

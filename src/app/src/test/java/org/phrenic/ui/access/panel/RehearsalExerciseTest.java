@@ -194,12 +194,19 @@ class RehearsalExerciseTest {
         assertThat(second.plan().aids()).isEqualTo(Aids.PICTURES);
     }
 
+    /** An exercise on the body of the others, whose scene has more links, so that it is assembled anew. */
+    private RehearsalPlan ofAnotherScene(String title) throws IOException {
+        String text = PLAN.replace("Own plan", title)
+                .replace("repeat_breath: false", "repeat_breath: false, links_per_node: 2")
+                .replace("[%s]", "[-90, 0, 50]");
+        return RehearsalPlan.read(
+                Files.writeString(folder.resolve("another.yaml"), text + "aids: pictures\nsteps: []\n"));
+    }
+
     /** Its scene runs, which the window is yet to learn, when Space is pressed twice. */
     @Test
     void anExerciseWhoseSceneBeginsIsNotTakenForOneWhoseSceneDoesNotCome() throws Exception {
-        String text = PLAN.replace("Own plan", "Opened").replace("mesh_vertices: 2000", "mesh_vertices: 2050");
-        RehearsalPlan opened = RehearsalPlan.read(Files.writeString(
-                folder.resolve("opened.yaml"), text.replace("[%s]", "[-90, 0, 50]") + "aids: pictures\nsteps: []\n"));
+        RehearsalPlan opened = ofAnotherScene("Opened");
         openPlan("Before", "steps: []\n");
         Session session = clinic.window().session();
         Session.Listener impatient = new Session.Listener() {
@@ -229,12 +236,9 @@ class RehearsalExerciseTest {
     /** Another exercise may be chosen by mistake, and its body may take long to load. */
     @Test
     void whatIsRehearsedGoesOnWhenTheSceneOfAnotherExerciseIsCancelled() throws Exception {
-        Path other = Files.writeString(
-                folder.resolve("other.yaml"),
-                PLAN.replace("mesh_vertices: 2000", "mesh_vertices: 2100").replace("[%s]", "[-90, 0, 50]")
-                        + "aids: pictures\n");
+        RehearsalPlan other = ofAnotherScene("Other");
         openPlan("Kept", "steps: []\n");
-        requireKept(RehearsalPlan.read(other), "Kept");
+        requireKept(other, "Kept");
         WindowHarness.doOnEdt(() -> rehearsal().startPractice());
         clinic.until("practice", () -> rehearsal().plan().orElseThrow().title().equals("Practice"));
         clinic.ready();
@@ -244,7 +248,7 @@ class RehearsalExerciseTest {
         WindowHarness.doOnEdt(() -> rehearsal().setTarget(new ScannedLesion("own", "own", new TargetLesion(own, 20))));
         clinic.until("a target of one's own", () -> targetIs(own));
         clinic.ready();
-        requireKept(RehearsalPlan.read(other), "Practice");
+        requireKept(other, "Practice");
         assertThat(targetIs(own)).isTrue();
     }
 
@@ -258,20 +262,14 @@ class RehearsalExerciseTest {
     /** Opens an exercise, cancels its scene, and requires that what was rehearsed is rehearsed. */
     private static void requireKept(RehearsalPlan other, String title) throws InterruptedException {
         Session session = clinic.window().session();
-        Session.Listener cancelling = new Session.Listener() {
-            @Override
-            public void onLoading(String what, double share) {
-                session.cancelLoading();
-            }
-        };
         String before = WindowHarness.onEdt(RehearsalExerciseTest::target);
         WindowHarness.doOnEdt(() -> {
-            session.addListener(cancelling);
             rehearsal().open(other);
             assertThat(rehearsal().pictures().aids()).isEqualTo(Aids.PICTURES);
+            assertThat(session.live().isLoading()).isTrue();
+            session.cancelLoading();
         });
         clinic.until("the present scene again", () -> rehearsal().pictures().aids() == Aids.SEE_THROUGH);
-        WindowHarness.doOnEdt(() -> session.removeListener(cancelling));
         clinic.ready();
         assertThat(WindowHarness.onEdt(() -> rehearsal().plan().orElseThrow().title()))
                 .isEqualTo(title);
