@@ -153,8 +153,8 @@ class DocumentsTest {
 
     @BeforeAll
     static void readMethods() throws IOException {
-        try (Stream<Path> files = Files.walk(Path.of("src"))) {
-            for (Path source : files.filter(p -> p.toString().endsWith(".java")).toList()) {
+        for (Path source : SourceTree.files()) {
+            if (source.toString().endsWith(".java")) {
                 DECLARED.matcher(Files.readString(source)).results().forEach(m -> METHODS_OF_SOURCES.add(m.group(1)));
             }
         }
@@ -172,15 +172,14 @@ class DocumentsTest {
 
     @Test
     void everyPackageIsIntroduced() throws IOException {
-        try (Stream<Path> sources = Files.walk(Path.of("src"))) {
-            assertThat(sources.filter(p -> p.toString().endsWith(".java"))
-                            .filter(p -> p.toString().contains("src" + File.separator + "main"))
-                            .map(Path::getParent)
-                            .distinct())
-                    .isNotEmpty()
-                    .allSatisfy(folder ->
-                            assertThat(folder.resolve("package-info.java")).exists());
-        }
+        assertThat(SourceTree.files().stream()
+                        .filter(p -> p.toString().endsWith(".java"))
+                        .filter(p -> p.toString().contains("src" + File.separator + "main"))
+                        .map(Path::getParent)
+                        .distinct())
+                .isNotEmpty()
+                .allSatisfy(folder ->
+                        assertThat(folder.resolve("package-info.java")).exists());
     }
 
     private static List<String> linksOf(Path document) throws IOException {

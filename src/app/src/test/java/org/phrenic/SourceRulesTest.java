@@ -23,7 +23,6 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
@@ -56,8 +55,8 @@ class SourceRulesTest {
     @BeforeAll
     static void read() throws IOException {
         sources = new TreeMap<>();
-        try (Stream<Path> files = Files.walk(Path.of("src"))) {
-            for (Path file : files.filter(SourceRulesTest::isProduction).toList()) {
+        for (Path file : SourceTree.files()) {
+            if (isProduction(file)) {
                 sources.put(file, Files.readAllLines(file));
             }
         }
@@ -77,8 +76,8 @@ class SourceRulesTest {
     void linesEndAt120Columns() throws IOException {
         Map<Path, List<String>> all = new TreeMap<>(sources);
         all.put(Path.of("pom.xml"), Files.readAllLines(Path.of("pom.xml")));
-        try (Stream<Path> files = Files.walk(Path.of("src"))) {
-            for (Path file : files.filter(SourceRulesTest::isOtherSource).toList()) {
+        for (Path file : SourceTree.files()) {
+            if (isOtherSource(file)) {
                 all.put(file, Files.readAllLines(file));
             }
         }
