@@ -3,6 +3,7 @@ package org.phrenic.ui.scan;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
+import java.awt.Component;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -10,6 +11,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JButton;
+import javax.swing.JDialog;
+import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,7 +31,7 @@ import org.phrenic.ui.window.WindowHarness;
 
 /** Which body an import opens. */
 class ScanImporterTest {
-    private static final Scenario SMALL = Scenario.defaults().with("resolution=low", "threads=1");
+    private static final Scenario SMALL = WindowHarness.COARSE_SHEET.with("threads=1");
 
     private final List<Path> opened = new ArrayList<>();
 
@@ -113,6 +116,10 @@ class ScanImporterTest {
                 .withMessageContaining("writing into folder " + noFolder + " failed: ");
     }
 
+    private static JTextField folderField(Component at) {
+        return WindowHarness.find(at, JTextField.class, "Thorax folder").orElseThrow();
+    }
+
     @Test
     void theAnswersForAnImportThatHasToWaitAreShownAgain() throws IOException {
         Path scan = folder.resolve("scan.mha");
@@ -122,9 +129,13 @@ class ScanImporterTest {
             EventThread.run(() -> {
                 ScanImporter importer = new ScanImporter(null, session, new Shown(), opened::add, read -> {});
                 importer.begin(scan);
-                importer.run(scan, new ScanImportDialog(scan, labels), null);
+                ScanImportDialog answered = new ScanImportDialog(scan, labels);
+                folderField(answered.content()).setText("another body");
+                importer.run(scan, answered, null);
                 importer.cancel();
-                WindowHarness.dialog("import").orElseThrow().dispose();
+                JDialog shown = WindowHarness.dialog("import").orElseThrow();
+                assertThat(folderField(shown.getRootPane()).getText()).isEqualTo("another body");
+                shown.dispose();
             });
         }
     }

@@ -105,6 +105,7 @@ class SessionTest {
             Run now = of(session);
             assertThat(now.scene()).isEqualTo(scene);
             assertThat(now.timeS()).isGreaterThanOrEqualTo(timeS);
+            assertThat(session.live().isPlaying()).isTrue();
         }
     }
 
