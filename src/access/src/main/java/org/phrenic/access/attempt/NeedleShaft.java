@@ -20,6 +20,7 @@ public final class NeedleShaft {
     private LiverTissue.Point capsule;
     private double capsuleDepth;
     private double[] directionAtCapsule = new double[3];
+    private int placements;
 
     NeedleShaft(LiverTissue tissue) {
         this.tissue = tissue;
@@ -31,7 +32,13 @@ public final class NeedleShaft {
         entry = from;
         depth = 0;
         tip = Optional.empty();
+        placements++;
         pointAt(aim);
+    }
+
+    /** How often the needle has been placed on the skin. */
+    int placements() {
+        return placements;
     }
 
     void remove() {

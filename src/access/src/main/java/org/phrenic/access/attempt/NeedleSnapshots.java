@@ -14,19 +14,17 @@ public final class NeedleSnapshots {
     static final String IMAGE_PREFIX = "ultrasound_";
 
     private final List<NeedleSnapshot> snapshots = new ArrayList<>();
-    private boolean wasPlaced;
     private int placements;
     private int samples;
     private int images;
 
     /** Observes the needle at a frame and after each command that was executed there. */
     public void observe(NeedleInsertion needle, Frame frame, RespiratoryPhase label) {
-        boolean placed = needle.shaft().isPlaced();
-        if (placed && !wasPlaced) {
-            placements++;
-            add(numbered("placed", placements), needle, frame, label);
+        int placed = needle.shaft().placements();
+        if (placed > placements) {
+            add(numbered("placed", placed), needle, frame, label);
         }
-        wasPlaced = placed;
+        placements = placed;
         int taken = needle.record().samples().size();
         if (taken > samples) {
             add(numbered("sample", taken), needle, frame, label);

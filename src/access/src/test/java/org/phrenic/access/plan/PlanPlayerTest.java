@@ -158,10 +158,11 @@ class PlanPlayerTest {
                 + "  - place: {entry: [0, 5, 0], aim: target}\n  - image: {}\n");
         assertThat(snapshots.all())
                 .extracting(NeedleSnapshot::name)
-                .containsExactly("ultrasound_1", "placed", "ultrasound_2", "sample", "sample_2", "ultrasound_3");
+                .containsExactly(
+                        "ultrasound_1", "placed", "ultrasound_2", "sample", "sample_2", "placed_2", "ultrasound_3");
         assertThat(snapshots.all())
                 .extracting(NeedleSnapshot::placed)
-                .containsExactly(false, true, true, true, true, true);
+                .containsExactly(false, true, true, true, true, true, true);
         double slantedMm = 20 * 20 / Math.hypot(90, 20);
         assertThat(tipZ(1)).as("put on the skin").isZero();
         assertThat(snapshots.all().get(1).hub()[2]).as("before it is turned").isCloseTo(0, within(1e-9));
@@ -169,6 +170,7 @@ class PlanPlayerTest {
         assertThat(tipZ(3)).isCloseTo(slantedMm, within(1e-9));
         assertThat(tipZ(4)).as("turned").isCloseTo(0, within(1e-9));
         assertThat(snapshots.all().get(5).tip()[1]).as("at another place").isCloseTo(5, within(1e-9));
+        assertThat(snapshots.all().get(6).tip()[1]).as("left there").isCloseTo(5, within(1e-9));
     }
 
     private double tipZ(int snapshot) {
