@@ -72,6 +72,11 @@ public final class SectionView extends JPanel {
         return section;
     }
 
+    /** What is said instead of a section. */
+    String hint() {
+        return hint;
+    }
+
     @Override
     public Dimension getPreferredSize() {
         return new Dimension(280, 280);
