@@ -32,11 +32,11 @@ final class HandOnNeedle {
     /**
      * Chooses the entry point, given at end-expiration.
      *
-     * @throws BadInputException if the needle is in the body
+     * @throws BadInputException if the needle is on the skin or in the body
      */
     void enter(NeedleInsertion needle, double[] onSkinAtRest, NeedleAngles initialAngles) {
-        if (needle.shaft().isPlaced() && needle.shaft().depth() > 0) {
-            throw new BadInputException("entry: found the needle in the body, expected it withdrawn first");
+        if (needle.shaft().isPlaced()) {
+            throw new BadInputException("entry: found the needle on the skin or in the body, expected it out first");
         }
         SkinPoint point = SkinEntries.pointAtRest(anatomy, onSkinAtRest);
         entryRest = Optional.of(onSkinAtRest.clone());

@@ -247,7 +247,8 @@ public final class LiveRehearsal implements StepListener {
     }
 
     /**
-     * Chooses the entry point on the skin, given at end-expiration. The request fails while the needle is in the body.
+     * Chooses the entry point on the skin, given at end-expiration. The request fails while the needle is on the skin
+     * or in the body.
      *
      * @param initialAngles angles of the needle there until it is turned or aimed
      */

@@ -1,6 +1,8 @@
 package org.phrenic.access.live;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
@@ -16,6 +18,7 @@ import org.phrenic.access.attempt.NeedleInsertion;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.document.YamlWriter;
+import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
 
 /** What is kept of a hand on the needle, at an entry 90 mm from the target. */
@@ -70,6 +73,22 @@ class HandOnNeedleTest {
         hand.place(needle, 0);
         assertThat(aimsByProgram()).isEqualTo(1);
         assertThat(needle.shaft().direction()).as("as the hand holds it").containsExactly(UPRIGHT.direction());
+    }
+
+    /** It goes in where it stands, and not where another entry would be shown. */
+    @Test
+    void aNeedleThatStandsOnTheSkinTakesNoOtherEntryUntilItIsOut() {
+        double[] other = {0, 10, -20};
+        hand.place(needle, 0);
+        hand.advance(needle, 20, 90, 0);
+        assertThat(needle.shaft().depth()).isZero();
+        assertThatThrownBy(() -> hand.enter(needle, other, UPRIGHT))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("entry: found the needle on the skin");
+        hand.advance(needle, 0, 90, 0);
+        hand.enter(needle, other, UPRIGHT);
+        hand.place(needle, 0);
+        assertThat(needle.shaft().entry()[1]).isCloseTo(10, within(1e-9));
     }
 
     @Test

@@ -60,9 +60,8 @@ public final class EntrySelection {
             return;
         }
         rehearsal.attempt.takeOver();
-        boolean inBody =
-                rehearsal.state().filter(s -> s.placed() && s.depthMm() > 0).isPresent();
-        if (inBody || rehearsal.needle().awaitsMoves()) {
+        boolean placed = rehearsal.state().filter(NeedleState::placed).isPresent();
+        if (placed || rehearsal.needle().awaitsMoves()) {
             session.note("Take the needle out first.");
             return;
         }
