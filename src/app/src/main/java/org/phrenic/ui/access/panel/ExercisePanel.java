@@ -1,5 +1,6 @@
 package org.phrenic.ui.access.panel;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -19,24 +20,56 @@ import org.phrenic.ui.widget.ListKeys;
 final class ExercisePanel extends AccessPanel {
     private static final String PRACTICE = "Press T and click on the liver for a target, E and click on the skin for an"
             + " entry, or take the best path. Scroll to insert.";
+    private static final String PRACTICE_ENTRY = "Practice: a target of your own";
+    /** Names at the end of a file's path that are shown: folder and file. */
+    private static final int SHOWN_NAMES = 2;
 
-    private final JComboBox<String> exercise = Controls.describe(
+    private final JComboBox<ListedExercise> exercise = Controls.describe(
             new JComboBox<>(), "Exercise", "What is rehearsed: free practice, or an exercise with a goal");
     private final WrappingLabel description = WrappingLabel.secondary("About the exercise");
     private final JButton restart =
             button("Begin again", "The same target again, from the start (R)", rehearsal::retry);
     private final JButton demo = button("Show me", "Plays the exercise as an example", rehearsal::playExample);
-    private final transient List<RehearsalPlan> exercises = new ArrayList<>(RehearsalPlan.exercises());
+    private final transient List<ListedExercise> exercises = new ArrayList<>();
     private final JComboBox<Aids> aids = Controls.describe(
             new JComboBox<>(Aids.values()), "Help", "What is shown: the see-through body, sections, pictures alone");
     private boolean updating;
+
+    /** An entry of the list, equal to itself alone: several exercises may have one title. */
+    private final class ListedExercise {
+        private final Optional<RehearsalPlan> plan;
+
+        private ListedExercise(Optional<RehearsalPlan> plan) {
+            this.plan = plan;
+        }
+
+        private String label() {
+            return plan.map(of -> of.title() + (of.difficulty().isEmpty() ? "" : " (" + of.difficulty() + ")"))
+                    .orElse(PRACTICE_ENTRY);
+        }
+
+        /** The title, with the end of the file's path where another exercise of the list has the same title. */
+        @Override
+        public String toString() {
+            boolean alone = exercises.stream().noneMatch(other -> other != this && label().equals(other.label()));
+            return alone
+                    ? label()
+                    : label() + ", " + plan.map(of -> endOfPath(of.file())).orElse("");
+        }
+    }
+
+    private static String endOfPath(String file) {
+        Path path = Path.of(file);
+        int names = path.getNameCount();
+        return path.subpath(Math.max(0, names - SHOWN_NAMES), names).toString();
+    }
 
     ExercisePanel(Session session, RehearsalController rehearsal) {
         super(rehearsal);
         ListKeys.chooseByEnter(exercise);
         ListKeys.chooseByEnter(aids);
-        exercise.addItem("Practice: a target of your own");
-        exercises.forEach(this::addExercise);
+        exercise.addItem(new ListedExercise(Optional.empty()));
+        RehearsalPlan.exercises().forEach(this::addExercise);
         exercise.addActionListener(e -> onSelection());
         aids.setRenderer(Controls.renderer(value -> ((Aids) value).label()));
         aids.addActionListener(e -> {
@@ -52,19 +85,14 @@ final class ExercisePanel extends AccessPanel {
     }
 
     private void addExercise(RehearsalPlan plan) {
-        exercise.addItem(label(plan));
-    }
-
-    private static String label(RehearsalPlan plan) {
-        return plan.title() + (plan.difficulty().isEmpty() ? "" : " (" + plan.difficulty() + ")");
+        ListedExercise added = new ListedExercise(Optional.of(plan));
+        exercises.add(added);
+        exercise.addItem(added);
     }
 
     private void onSelection() {
-        int chosen = exercise.getSelectedIndex();
-        if (!updating && chosen == 0) {
-            rehearsal.startPractice();
-        } else if (!updating) {
-            rehearsal.open(exercises.get(chosen - 1));
+        if (!updating && exercise.getSelectedItem() instanceof ListedExercise chosen) {
+            chosen.plan.ifPresentOrElse(rehearsal::open, rehearsal::startPractice);
         }
     }
 
@@ -84,23 +112,23 @@ final class ExercisePanel extends AccessPanel {
     /** Index in the list of exercises; a plan from another file is added to it, one from the same file replaces it. */
     private int indexOf(RehearsalPlan plan) {
         for (int i = 0; i < exercises.size(); i++) {
-            if (exercises.get(i).file().equals(plan.file())) {
-                replaceExercise(i, plan);
+            RehearsalPlan listed = exercises.get(i).plan.orElseThrow();
+            if (listed.file().equals(plan.file())) {
+                if (!listed.equals(plan)) {
+                    replaceExercise(i, plan);
+                }
                 return i;
             }
         }
-        exercises.add(plan);
         addExercise(plan);
         return exercises.size() - 1;
     }
 
     private void replaceExercise(int index, RehearsalPlan plan) {
-        boolean renamed = !label(plan).equals(label(exercises.get(index)));
-        exercises.set(index, plan);
-        if (renamed) {
-            exercise.insertItemAt(label(plan), index + 1);
-            exercise.removeItemAt(index + 2);
-        }
+        ListedExercise other = new ListedExercise(Optional.of(plan));
+        exercises.set(index, other);
+        exercise.insertItemAt(other, index + 1);
+        exercise.removeItemAt(index + 2);
     }
 
     /** Description until an entry is chosen, and goals if there are any. */
