@@ -21,8 +21,8 @@ public final class CartilageSplitter {
     private static final int GAP = 2;
     /** The same in mm, where voxels are smaller than this. */
     private static final double GAP_MM = 8;
-    /** Share of the cartilage left out from which a note is made. */
-    private static final double NOTED_SHARE = 0.01;
+    /** Share of the cartilage from which a loose piece is no speck, as of an organ, and what is left out is noted. */
+    private static final double SPECK_SHARE = 0.002;
     /** Largest distance of a loose piece of cartilage from its rib, mm. */
     private static final double REACH_MM = 15;
     /** Number of voxels of a loose piece from which distances are measured. */
@@ -70,11 +70,11 @@ public final class CartilageSplitter {
                 segmentation.voxels[region.voxel(cell)] = segment[mark];
             }
         }
-        return lost < NOTED_SHARE * total
+        return lost < SPECK_SHARE * total
                 ? Optional.empty()
                 : Optional.of(String.format(
                         Locale.ROOT,
-                        "%s: %.0f %% of it left out, no rib of the scan leads to it",
+                        "%s: %.1f %% of it left out, no rib of the scan leads to it",
                         LabelTable.COSTAL_CARTILAGES,
                         100.0 * lost / total));
     }
@@ -91,21 +91,19 @@ public final class CartilageSplitter {
         return specks;
     }
 
-    /** Marks the pieces that no path connects to a rib with the nearest rib that has no cartilage yet. */
+    /**
+     * Marks the pieces that no path connects to a rib, but specks, with the nearest rib that has no cartilage yet; the
+     * largest piece chooses first.
+     */
     private static void markLoosePieces(
             Segmentation segmentation, VoxelRegion region, byte[] marks, byte[] markOfSegment) {
-        byte[] pieces = new byte[marks.length];
-        int count = region.connectedComponents(0, pieces).length;
-        for (byte piece = VoxelRegion.SMALL_COMPONENT + 1; piece < count; piece++) {
-            IntList cells = new IntList();
+        int least = (int) Math.max(SegmentationRepair.SPECK_VOXELS, Math.ceil(SPECK_SHARE * region.memberCount()));
+        for (IntList cells : region.unmarkedComponents(marks, least)) {
             boolean[] taken = new boolean[LabelGrid.MAX_BYTE_LABEL + 1];
-            for (int cell = 0; cell < marks.length; cell++) {
-                if (pieces[cell] == piece && marks[cell] == 0) {
-                    cells.add(cell);
-                }
-                taken[marks[cell]] = marks[cell] > 0 || taken[marks[cell]];
+            for (byte mark : marks) {
+                taken[mark] = mark > 0 || taken[mark];
             }
-            byte nearest = cells.isEmpty() ? 0 : nearest(segmentation, region, cells, markOfSegment, taken);
+            byte nearest = nearest(segmentation, region, cells, markOfSegment, taken);
             for (int i = 0; i < cells.size(); i++) {
                 marks[cells.get(i)] = nearest;
             }

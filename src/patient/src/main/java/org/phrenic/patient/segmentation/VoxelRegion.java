@@ -1,6 +1,10 @@
 package org.phrenic.patient.segmentation;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import org.phrenic.mesh.IntList;
 
 /**
  * Face-connected region growing within one segment. Cells are the voxels of the segment's bounding box plus a border of
@@ -127,6 +131,31 @@ final class VoxelRegion {
             }
         }
         return Arrays.copyOf(sizes, count + 1);
+    }
+
+    /** Cells of each connected component that bears no mark and has at least so many cells, the largest first. */
+    List<IntList> unmarkedComponents(byte[] marks, int leastCells) {
+        byte[] seen = marks.clone();
+        List<IntList> components = new ArrayList<>();
+        for (int seed = 0; seed < depth.length; seed++) {
+            if (depth[seed] > 0 && seen[seed] == 0) {
+                seen[seed] = SMALL_COMPONENT;
+                queue[0] = seed;
+                int length = spread(1, 0, seen);
+                if (length >= leastCells) {
+                    IntList cells = new IntList();
+                    Arrays.stream(queue, 0, length).forEach(cells::add);
+                    components.add(cells);
+                }
+            }
+        }
+        components.sort(Comparator.comparingInt(IntList::size).reversed());
+        return components;
+    }
+
+    /** Number of cells of the segment. */
+    int memberCount() {
+        return queue.length;
     }
 
     /** Gives the cells of a mark to another segment. */
