@@ -93,7 +93,12 @@ final class DivergenceGuard {
     }
 
     private String name(int node) {
-        return names.apply(system.layout().caller(node));
+        return nameOfCaller(system.layout().caller(node));
+    }
+
+    /** Name of a node, by its number in the caller's order. */
+    String nameOfCaller(int node) {
+        return names.apply(node);
     }
 
     /** Restarts at step 0 with the current state as checkpoint. */

@@ -169,7 +169,7 @@ public final class Stepper {
     }
 
     /**
-     * Names nodes in the messages of a divergence.
+     * Names nodes in the messages of a divergence and in {@link #substepRefinementReason}.
      *
      * @param names name of a node by its number in the caller's order; without them, {@code node 12}
      */
@@ -289,7 +289,7 @@ public final class Stepper {
 
     /** Doubles the number of substeps; returns the cause of chatter if a limit prevents this, else null. */
     private String refine(int node) {
-        String cause = "node " + node + " turns round in every substep";
+        String cause = guard.nameOfCaller(node) + " turns round in every substep";
         if (policy == StepPolicy.REFUSE || refinement >= MAX_REFINEMENT || 2L * substeps > StepPolicy.MAX_SUBSTEPS) {
             return cause;
         }
