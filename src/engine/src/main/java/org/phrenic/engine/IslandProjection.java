@@ -10,7 +10,9 @@ import org.phrenic.engine.parallel.Workers;
  * Projects separable constraints by islands. Items that share nodes, directly or through others, form an island.
  * Islands are independent, so one thread carries a group of islands through all Gauss-Seidel sweeps without
  * synchronisation. An island in which the first sweep moves nothing is skipped in later sweeps (nine of ten in a quiet
- * breath). The result equals that of sweeping over all constraints one after the other.
+ * breath), and an item that is alone in its island is projected in the first sweep only. The result equals that of
+ * sweeping over all constraints one after the other, except for an item alone whose correction is cut short, as that of
+ * a sliding contact is by its largest speed: here its node is shifted once a step, there once a sweep.
  */
 final class IslandProjection {
     /**

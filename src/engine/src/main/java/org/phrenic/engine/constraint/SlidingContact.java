@@ -28,14 +28,16 @@ public final class SlidingContact implements SeparableConstraint {
     private static final double FAR_MM = 5;
 
     /**
-     * Largest correction speed of a node in one-sided contact, mm/s. It turns a sharp rotation of the wall or a deep
-     * penetration into a smooth return without a shock.
+     * Largest correction speed of a node in one-sided contact, mm/s: times the step it bounds the shift of each sweep.
+     * It turns a sharp rotation of the wall or a deep penetration into a smooth return without a shock. A node without
+     * other constraints is shifted once a step where constraints are projected by islands.
      */
     public static final double MAX_RETURN_SPEED = 100;
 
     /**
-     * Largest correction speed of a node in adhering contact, mm/s. Ordinary corrections are slower. Where the wall has
-     * an edge, the plane next to a sliding node may lie tens of millimetres away at the next refresh.
+     * Largest correction speed of a node in adhering contact, mm/s, in each sweep as {@link #MAX_RETURN_SPEED}.
+     * Ordinary corrections are slower. Where the wall has an edge, the plane next to a sliding node may lie tens of
+     * millimetres away at the next refresh.
      */
     public static final double MAX_ADHERING_SPEED = 2000;
 
