@@ -3,6 +3,9 @@ package org.phrenic.study.sweep;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.engine.ParticleSystem;
@@ -15,6 +18,9 @@ import org.phrenic.scenario.Scenario;
 public final class RunMachine {
     private static final Path CPU_INFO = Path.of("/proc/cpuinfo");
     private static final String JAVA = ", Java ";
+    /** What is said where the system does not tell the processor, as on macOS: the system itself. */
+    private static final String UNKNOWN = "unknown processor, " + System.getProperty("os.name");
+
     private static final String TEXT = describe();
 
     private RunMachine() {}
@@ -55,13 +61,27 @@ public final class RunMachine {
 
     private static String processor() {
         try (Stream<String> lines = Files.lines(CPU_INFO)) {
-            return lines.filter(line -> line.startsWith("model name"))
-                    .map(line -> line.substring(line.indexOf(':') + 1).strip())
-                    .findFirst()
-                    .orElse("unknown processor");
+            return processor(lines.toList()).orElse(UNKNOWN);
         } catch (IOException | java.io.UncheckedIOException none) {
             String windows = System.getenv("PROCESSOR_IDENTIFIER");
-            return windows == null ? "unknown processor" : windows;
+            return windows == null ? UNKNOWN : windows;
         }
+    }
+
+    /**
+     * The processor by the lines of {@code /proc/cpuinfo}: the name of its model, or on ARM, where there is none, the
+     * codes of its maker and of the kinds of its cores.
+     */
+    static Optional<String> processor(List<String> cpuInfo) {
+        Optional<String> model = values(cpuInfo, "model name").findFirst();
+        return model.or(() -> Optional.of(Stream.of("CPU implementer", "CPU part")
+                        .flatMap(key -> values(cpuInfo, key).distinct().sorted().map(value -> key + " " + value))
+                        .collect(Collectors.joining(", ")))
+                .filter(codes -> !codes.isEmpty()));
+    }
+
+    private static Stream<String> values(List<String> cpuInfo, String key) {
+        return cpuInfo.stream().filter(line -> line.startsWith(key)).map(line -> line.substring(line.indexOf(':') + 1)
+                .strip());
     }
 }
