@@ -421,9 +421,6 @@ class SegmentationRepairTest {
                 .isCloseTo(1, within(0.12)));
     }
 
-    /**
-     * Single voxels of wrong labels all over the volume: of bones they are left out, and alone they are no structure.
-     */
     /** The first face of a hole in the liver is one of a vessel; the other 149 are of the liver. */
     @Test
     void aHoleBelongsToTheStructureOfMostOfItsFaces() {
@@ -445,6 +442,9 @@ class SegmentationRepairTest {
         assertThat(counts(s)).containsEntry("liver", 15 * 15 * 15 - 1).containsEntry("aorta", 1);
     }
 
+    /**
+     * Single voxels of wrong labels all over the volume: of bones they are left out, and alone they are no structure.
+     */
     @Test
     void specksAreLeftOutAndWhatIsNothingElseIsNoStructure() {
         CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(2);
