@@ -12,7 +12,6 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.phrenic.access.BoxAnatomy;
-import org.phrenic.access.BreathCycle;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.LiverTissue;
 import org.phrenic.access.MovingAnatomy;
@@ -20,20 +19,14 @@ import org.phrenic.access.MovingStructure;
 import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.access.TargetLesion;
-import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Side;
-import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.Vectors;
-import org.phrenic.scenario.Scenario;
-import org.phrenic.simulation.SceneSurfaces;
-import org.phrenic.simulation.Simulation;
 
 /** Access to targets in the coarse virtual adult male in a deep breath that is taken fast, and in a body of boxes. */
 class AccessMapTest {
-    private static final int MOMENTS = 10;
     private static final int INSPIRED = 4;
     /** Places in single precision and a turned axis: what is nearer to a limit than this may fall to either side. */
     private static final double ROUNDING_MM = 2e-4;
@@ -47,19 +40,12 @@ class AccessMapTest {
     private static final double[] LEFT_LOBE = {10, -65, 60};
 
     private static Workers workers;
-    private static List<BreathMoment> cycle;
     private static MovingAnatomy scene;
 
     @BeforeAll
     static void breathe() {
         workers = Workers.of(2);
-        Scenario deep = Scenario.defaults()
-                .with("preset=deep", "rate_per_min=20", "mesh_vertices=5000", "lungs=embedded", "sternum=kinematic");
-        try (Simulation simulation = Simulation.of(deep, VirtualThorax.ofPreset("adult-male", new MeshBudget(5000)))) {
-            SceneSurfaces surfaces = SceneSurfaces.withOrgans(simulation);
-            cycle = BreathCycle.record(simulation, surfaces, MOMENTS);
-            scene = new MovingAnatomy(surfaces.surfaces());
-        }
+        scene = new MovingAnatomy(CoarseBreath.SURFACES);
     }
 
     @AfterAll
@@ -68,9 +54,14 @@ class AccessMapTest {
     }
 
     private static AccessMap map(double[] target, Workers on) {
-        scene.update(cycle.get(0).frame());
+        scene.update(CoarseBreath.CYCLE.get(0).frame());
         return AccessMap.of(
-                scene, cycle, TargetLesion.at(scene, target, 15), Needle.standard(), NoGoZone.defaults(), on);
+                scene,
+                CoarseBreath.CYCLE,
+                TargetLesion.at(scene, target, 15),
+                Needle.standard(),
+                NoGoZone.defaults(),
+                on);
     }
 
     private static Optional<IntercostalSpace> space(AccessMap map, int moment, int vertex) {
@@ -88,10 +79,10 @@ class AccessMapTest {
         AccessMap map = map(RIGHT_LOBE, workers);
         int asked = 0;
         for (int moment : new int[] {0, INSPIRED}) {
-            scene.update(cycle.get(moment).frame());
+            scene.update(CoarseBreath.CYCLE.get(moment).frame());
             BruteForcePath brute = new BruteForcePath(
                     scene.structures().stream().map(MovingStructure::surface).toList(),
-                    cycle.get(moment).frame(),
+                    CoarseBreath.CYCLE.get(moment).frame(),
                     Needle.standard());
             for (int v = 0; v < map.size(); v++) {
                 if (!map.isInReach(moment, v)) {
@@ -115,7 +106,7 @@ class AccessMapTest {
         for (double[] target : new double[][] {RIGHT_LOBE, DOME}) {
             AccessMap map = map(target, workers);
             for (int moment : new int[] {0, INSPIRED}) {
-                scene.update(cycle.get(moment).frame());
+                scene.update(CoarseBreath.CYCLE.get(moment).frame());
                 double[] cost = IntStream.range(0, map.size())
                         .mapToDouble(v -> Vectors.distance(entry(v), map.target(moment))
                                 + (map.touched(moment, v).contains(NoGoZone.PLEURA) ? AccessMap.PLEURA_COST_MM : 0))
@@ -146,7 +137,7 @@ class AccessMapTest {
                 assertThat(map.isInReach(0, v)).isFalse();
             }
         }
-        scene.update(cycle.get(0).frame());
+        scene.update(CoarseBreath.CYCLE.get(0).frame());
         PathAnalyzer analyzer = new PathAnalyzer(scene, Needle.standard());
         double[] target = map.target(0);
         assertThat(analyzer.analyze(new double[] {0, -118, 10}, target).way().label())
@@ -281,7 +272,7 @@ class AccessMapTest {
     @Test
     void toTheRightLobeTheSeventhToNinthSpacesAreFreeAtExpirationAndThoseAboveTheSixthAreNot() {
         AccessMap map = map(RIGHT_LOBE, workers);
-        scene.update(cycle.get(0).frame());
+        scene.update(CoarseBreath.CYCLE.get(0).frame());
         int[] free = new int[13];
         for (int v = 0; v < map.size(); v++) {
             if (map.isFree(0, v) && map.marginMm(0, v) > GRAZING_MM) {
@@ -303,7 +294,7 @@ class AccessMapTest {
     @Test
     void toTheDomeTheLungBarsTheSeventhSpaceAtTheSideWhenInspired() {
         AccessMap map = map(DOME, workers);
-        scene.update(cycle.get(0).frame());
+        scene.update(CoarseBreath.CYCLE.get(0).frame());
         int free = 0;
         for (int v = 0; v < map.size(); v++) {
             double[] entry = entry(v);
@@ -322,9 +313,9 @@ class AccessMapTest {
     @Test
     void pointsOfTheTissueMoveAsTheirNeighbourhoodAndAreFoundAgain() {
         LiverTissue tissue = new LiverTissue(scene);
-        scene.update(cycle.get(0).frame());
+        scene.update(CoarseBreath.CYCLE.get(0).frame());
         LiverTissue.Point point = tissue.pointAtRest(RIGHT_LOBE);
-        scene.update(cycle.get(INSPIRED).frame());
+        scene.update(CoarseBreath.CYCLE.get(INSPIRED).frame());
         double[] now = tissue.position(point);
         double[] back = tissue.pointNowAt(now).rest();
         for (int axis = 0; axis < 3; axis++) {

@@ -9,39 +9,33 @@ import java.util.TreeSet;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.phrenic.access.BreathCycle;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.engine.parallel.Workers;
 import org.phrenic.mesh.TriangleMesh;
-import org.phrenic.simulation.SceneSurfaces;
-import org.phrenic.simulation.Simulation;
-import org.phrenic.simulation.SimulationRun;
 
 /** The free ways of the left lobe's exercise on a coarse mesh, against every triangle of every surface. */
 class FreeWaysTest {
-    private static final int MOMENTS = 5;
     private static final Set<NoGoZone> SURFACES = EnumSet.of(NoGoZone.LUNG, NoGoZone.BONE, NoGoZone.ORGAN);
 
+    /** Every other moment of the breath. */
+    private static final List<BreathMoment> CYCLE = IntStream.range(0, CoarseBreath.MOMENTS)
+            .filter(m -> m % 2 == 0)
+            .mapToObj(CoarseBreath.CYCLE::get)
+            .toList();
+
     private static MovingAnatomy anatomy;
-    private static SceneSurfaces surfaces;
     private static AccessMap map;
 
     @BeforeAll
     static void breathe() {
-        RehearsalPlan plan = RehearsalPlan.exercises()
-                .get(3)
-                .with(List.of(
-                        "mesh_vertices=5000", "lungs=embedded", "sternum=kinematic", "preset=deep", "rate_per_min=20"));
-        try (Simulation simulation = Simulation.of(plan.scenario(), SimulationRun.loadThorax(plan.scenario()));
-                Workers workers = Workers.of(2)) {
-            surfaces = SceneSurfaces.withOrgans(simulation);
-            anatomy = new MovingAnatomy(surfaces.surfaces());
-            List<BreathMoment> cycle = BreathCycle.record(simulation, surfaces, MOMENTS);
-            anatomy.update(cycle.get(0).frame());
-            map = AccessMap.of(anatomy, cycle, plan.target(anatomy), plan.needle(), plan.avoided(), workers);
+        RehearsalPlan plan = RehearsalPlan.exercises().get(3);
+        try (Workers workers = Workers.of(2)) {
+            anatomy = new MovingAnatomy(CoarseBreath.SURFACES);
+            anatomy.update(CYCLE.get(0).frame());
+            map = AccessMap.of(anatomy, CYCLE, plan.target(anatomy), plan.needle(), plan.avoided(), workers);
         }
     }
 
@@ -54,9 +48,9 @@ class FreeWaysTest {
     /** Structures that the ways from points of the skin pass through, over all moments, and how many ways do. */
     private static int crossing(int[] points, Set<String> names) {
         int ways = 0;
-        for (int m = 0; m < MOMENTS; m++) {
+        for (int m = 0; m < CYCLE.size(); m++) {
             BruteForcePath brute = new BruteForcePath(
-                    surfaces.surfaces(),
+                    CoarseBreath.SURFACES,
                     map.cycle().get(m).frame(),
                     RehearsalPlan.exercises().get(3).needle());
             anatomy.update(map.cycle().get(m).frame());
@@ -86,7 +80,7 @@ class FreeWaysTest {
                 .filter(v -> v % 16 == 0)
                 .toArray();
         Set<String> names = new TreeSet<>();
-        assertThat(crossing(never, names)).isGreaterThan(never.length * MOMENTS / 2);
+        assertThat(crossing(never, names)).isGreaterThan(never.length * CYCLE.size() / 2);
         assertThat(names).contains("lung_L", "heart").anyMatch(name -> name.startsWith("rib_"));
     }
 
