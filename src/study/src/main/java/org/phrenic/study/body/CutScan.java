@@ -39,11 +39,13 @@ final class CutScan {
 
     private final BodyCut cut;
     private final Thorax body;
+    private final double voxelMm;
     /** Rows are the unit vectors of columns, rows and slices. */
     private final double[][] axes;
 
-    private CutScan(Thorax body, BodyCut cut) {
+    private CutScan(Thorax body, BodyCut cut, double voxelMm) {
         this.cut = cut;
+        this.voxelMm = voxelMm;
         this.body = inScan(body, cut);
         double[][] straight = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         axes = cut == BodyCut.OBLIQUE ? rotation(new double[] {1, 1, 1}) : straight;
@@ -56,7 +58,12 @@ final class CutScan {
 
     /** @param body at the inspiration of the cut */
     static LabelGrid of(Thorax body, BodyCut cut) {
-        return new CutScan(body, cut).volume();
+        return of(body, cut, BodyCut.VOXEL_MM);
+    }
+
+    /** As {@link #of(Thorax, BodyCut)}, with voxels of another edge length in a slice, mm. */
+    static LabelGrid of(Thorax body, BodyCut cut, double voxelMm) {
+        return new CutScan(body, cut, voxelMm).volume();
     }
 
     private LabelGrid volume() {
@@ -65,7 +72,7 @@ final class CutScan {
         // Bones are written last: they keep their thickness where surfaces overlap.
         shown.sort(Comparator.comparing(s -> BodyCut.isBone(s.kind())));
         double[] box = box(shown);
-        double[] step = {BodyCut.VOXEL_MM, BodyCut.VOXEL_MM, cut.sliceMm()};
+        double[] step = {voxelMm, voxelMm, Math.max(voxelMm, cut.sliceMm())};
         int[] size = new int[3];
         double[] toMm = new double[12];
         double[] toVoxel = new double[12];
@@ -133,8 +140,8 @@ final class CutScan {
             for (int k = 0; k < p.length; k += 3) {
                 for (int axis = 0; axis < 3; axis++) {
                     double at = axes[axis][0] * p[k] + axes[axis][1] * p[k + 1] + axes[axis][2] * p[k + 2];
-                    box[axis] = Math.min(box[axis], at - MARGIN * BodyCut.VOXEL_MM);
-                    box[axis + 3] = Math.max(box[axis + 3], at + MARGIN * BodyCut.VOXEL_MM);
+                    box[axis] = Math.min(box[axis], at - MARGIN * voxelMm);
+                    box[axis + 3] = Math.max(box[axis + 3], at + MARGIN * voxelMm);
                 }
             }
         }

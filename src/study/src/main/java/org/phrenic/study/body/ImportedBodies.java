@@ -50,7 +50,7 @@ public final class ImportedBodies {
     public static List<BodyCase> cuts(
             BodyCase source, Collection<BodyCut> cuts, Supplier<Thorax> template, Path folder) {
         InspiredBody inspired = new InspiredBody(source.thorax(), Resolution.LOW.budget(), shares(cuts));
-        return cuts(source, cuts, inspired, template, folder);
+        return cuts(source, cuts, inspired, template, folder, BodyCut.VOXEL_MM);
     }
 
     /** The shares of inspiration at which scans show a body. */
@@ -61,9 +61,19 @@ public final class ImportedBodies {
                 .collect(Collectors.toSet());
     }
 
-    /** As {@link #cuts(BodyCase, Collection, Supplier, Path)}, with the inspiration of the body. */
+    /**
+     * As {@link #cuts(BodyCase, Collection, Supplier, Path)}.
+     *
+     * @param inspired inspiration of the body
+     * @param voxelMm edge length of the voxels, mm
+     */
     static List<BodyCase> cuts(
-            BodyCase source, Collection<BodyCut> cuts, InspiredBody inspired, Supplier<Thorax> template, Path folder) {
+            BodyCase source,
+            Collection<BodyCut> cuts,
+            InspiredBody inspired,
+            Supplier<Thorax> template,
+            Path folder,
+            double voxelMm) {
         String stem = stem(source.name());
         return cuts.stream()
                 .map(cut -> {
@@ -76,7 +86,7 @@ public final class ImportedBodies {
                                 Thorax body = cut.inspiration() > 0
                                         ? inspired.at(cut.inspiration())
                                         : source.thorax().get();
-                                return imported(scanned(name, body, cut, template.get(), folder), folder);
+                                return imported(scanned(name, body, cut, template.get(), folder, voxelMm), folder);
                             },
                             Optional.of(() -> CutScan.inScan(source.thorax().get(), cut)));
                 })
@@ -84,7 +94,7 @@ public final class ImportedBodies {
     }
 
     /** Writes what a scan of a body shows and asks for its import. */
-    static ImportRequest scanned(String name, Thorax body, BodyCut cut, Thorax template, Path folder) {
+    static ImportRequest scanned(String name, Thorax body, BodyCut cut, Thorax template, Path folder, double voxelMm) {
         if (cut == BodyCut.BONE_MESHES) {
             Path meshes = folder.resolve(name + MESHES);
             deleteMeshes(meshes);
@@ -94,7 +104,7 @@ public final class ImportedBodies {
             return ImportRequest.of(meshes, name, Optional.empty(), template);
         }
         Path file = folder.resolve(name + ".nii.gz");
-        NiftiWriter.write(file, CutScan.of(body, cut));
+        NiftiWriter.write(file, CutScan.of(body, cut, voxelMm));
         return ImportRequest.of(file, name, Optional.of(cut.numbers()), template);
     }
 

@@ -25,7 +25,7 @@ class ImportedBodiesTest {
         Files.createDirectories(meshes);
         Files.writeString(meshes.resolve("clavicle_R.stl"), "of another");
         Files.writeString(meshes.resolve("notes.txt"), "of the user");
-        ImportedBodies.scanned("man", MAN, BodyCut.BONE_MESHES, MAN, folder);
+        ImportedBodies.scanned("man", MAN, BodyCut.BONE_MESHES, MAN, folder, BodyCut.VOXEL_MM);
         assertThat(meshes.resolve("clavicle_R.stl")).doesNotExist();
         assertThat(meshes.resolve("rib_05_R.vtp")).exists();
         assertThat(meshes.resolve("notes.txt")).hasContent("of the user");

@@ -24,6 +24,9 @@ class InspiredBodyTest {
     /** Coarser meshes than at low resolution: volumes and heights hardly depend on them. */
     private static final MeshBudget COARSE = new MeshBudget(8000);
 
+    /** Edge length of voxels, mm: domes and lungs hardly depend on it. */
+    private static final double VOXEL_MM = 3;
+
     private static final Thorax WOMAN = VirtualThorax.ofPreset("adult-female", COARSE);
     private static final InspiredBody INSPIRED = new InspiredBody(
             () -> WOMAN,
@@ -72,7 +75,7 @@ class InspiredBodyTest {
         double top = WOMAN.structuresOf(StructureKind.DIAPHRAGM).get(0).mesh().bounds()[5];
         List<BodyCut> cuts = List.of(BodyCut.INSPIRED_ABDOMEN);
         Supplier<Thorax> template = () -> VirtualThorax.ofPreset("adult-male", COARSE);
-        for (BodyCase scan : ImportedBodies.cuts(woman, cuts, INSPIRED, template, folder)) {
+        for (BodyCase scan : ImportedBodies.cuts(woman, cuts, INSPIRED, template, folder, VOXEL_MM)) {
             Thorax imported = scan.thorax().get();
             assertThat(imported.structuresOf(StructureKind.DIAPHRAGM)
                             .get(0)
