@@ -16,12 +16,13 @@ import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
 
 /**
- * Numbers of ribs. Where a label holds parts of two ribs or names a rib of the other side, or all ribs share one label,
- * the connected ribs are numbered from top to bottom on each side. Without thoracic vertebrae they are counted from the
- * first or the last ({@link CutRibCount}). The numbers are otherwise those of least cost: the height of a rib's
- * vertebral end above or below the vertebra of its number, the share of its voxels that carry another number, and
- * numbers left out. Of a rib whose vertebral end is cut off the vertebra lies higher than what is left. Where no
- * vertebra above the twelfth is shown, the height of the lowest rib alone tells its number.
+ * Numbers of ribs. Where a label holds parts of two ribs or names a rib of the other side, labels leave out a number
+ * between two ribs that follow each other beside thoracic vertebrae, or all ribs share one label, the connected ribs
+ * are numbered from top to bottom on each side. Without thoracic vertebrae they are counted from the first or the last
+ * ({@link CutRibCount}). The numbers are otherwise those of least cost: the height of a rib's vertebral end above or
+ * below the vertebra of its number, the share of its voxels that carry another number, and numbers left out. Of a rib
+ * whose vertebral end is cut off the vertebra lies higher than what is left. Where no vertebra above the twelfth is
+ * shown, the height of the lowest rib alone tells its number.
  */
 final class RibNumbering {
     static final int RIBS = 12;
@@ -102,15 +103,9 @@ final class RibNumbering {
         }
         Optional<Integer> divided = components.dividedSegment();
         if (divided.isPresent()) {
-            return Optional.of("label " + label(s, divided.get()) + " holds parts of two ribs");
+            return Optional.of("label " + RibSides.label(s, divided.get()) + " holds parts of two ribs");
         }
-        return new RibSides(s, components.ribs())
-                .misplaced()
-                .map(segment -> "label " + label(s, segment) + " names a rib of the other side");
-    }
-
-    private static int label(Segmentation s, int segment) {
-        return s.labels(s.names().get(segment - 1)).get(0);
+        return new RibSides(s, components.ribs()).contradiction();
     }
 
     private String renumber(String found) {

@@ -6,12 +6,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
+import org.phrenic.engine.math.OrderStatistic;
 import org.phrenic.patient.label.LabelTable;
 
 /**
@@ -29,6 +31,9 @@ final class RibSides {
      * side: ribs of one side all begin at the spine, those of two lie beside each other.
      */
     private static final double ONE_SIDE = 0.25;
+
+    /** Distance of two ribs over the median distance of neighbours, below which no rib is missing between them. */
+    private static final double NEIGHBOURS = 1.5;
 
     private final Segmentation s;
     private final List<RibComponents.Rib> ribs;
@@ -190,12 +195,42 @@ final class RibSides {
         return side == Side.RIGHT ? toLeft < NEARER * toRight : toRight < NEARER * toLeft;
     }
 
-    /** The segment of a rib that lies among those of the other side, if there is one. */
-    Optional<Integer> misplaced() {
+    /** What contradicts the numbers or sides of labels, one phrase; empty if nothing does. */
+    Optional<String> contradiction() {
         return ribs.stream()
                 .filter(rib ->
                         labelled(rib).filter(side -> isMisplaced(rib, side)).isPresent())
-                .map(RibComponents.Rib::dominantSegment)
-                .findFirst();
+                .findFirst()
+                .map(rib -> "label " + label(s, rib.dominantSegment()) + " names a rib of the other side")
+                .or(() -> new VertebraHeights(s).showThorax()
+                        ? slip(Side.RIGHT).or(() -> slip(Side.LEFT))
+                        : Optional.empty());
+    }
+
+    /** Two ribs of a side whose labels leave out a number, though they are as near to each other as neighbours. */
+    private Optional<String> slip(Side side) {
+        TreeMap<Integer, RibComponents.Rib> byLevel = new TreeMap<>();
+        ribs.stream().filter(rib -> of(rib).filter(side::equals).isPresent()).forEach(rib -> StructureName.parse(
+                        s.names().get(rib.dominantSegment() - 1))
+                .filter(name -> name.kind() == StructureKind.RIB)
+                .ifPresent(
+                        name -> byLevel.merge(name.level(), rib, (a, b) -> a.voxels.size() < b.voxels.size() ? b : a)));
+        double[] steps = byLevel.keySet().stream()
+                .filter(level -> byLevel.containsKey(level + 1))
+                .mapToDouble(level -> byLevel.get(level).heightAbove(byLevel.get(level + 1)))
+                .toArray();
+        return byLevel.keySet().stream()
+                .filter(level -> !byLevel.containsKey(level + 1) && byLevel.containsKey(level + 2))
+                .filter(level -> byLevel.get(level).heightAbove(byLevel.get(level + 2))
+                        < NEIGHBOURS * OrderStatistic.median(steps))
+                .findFirst()
+                .map(level -> "labels " + label(s, byLevel.get(level).dominantSegment()) + " and "
+                        + label(s, byLevel.get(level + 2).dominantSegment())
+                        + " leave out a number, though no rib is missing between them");
+    }
+
+    /** The first label of a segment. */
+    static int label(Segmentation s, int segment) {
+        return s.labels(s.names().get(segment - 1)).get(0);
     }
 }

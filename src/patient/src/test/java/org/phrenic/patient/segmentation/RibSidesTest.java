@@ -3,6 +3,7 @@ package org.phrenic.patient.segmentation;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -35,6 +36,48 @@ class RibSidesTest {
             cage.labels[v] = gap && broken ? 0 : cage.labels[v];
         }
         return cage;
+    }
+
+    /** From the fourth right rib on each has the label of the next one, and the last has none. */
+    @Test
+    void ribsWhoseLabelsLeaveOutANumberAreNumberedByTheirVertebrae() {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        byte[] truth = cage.labels.clone();
+        for (int v = 0; v < truth.length; v++) {
+            int label = truth[v] & LabelGrid.MAX_BYTE_LABEL;
+            boolean slipped = label >= CageVoxels.rib(4, true) && label <= CageVoxels.rib(11, true);
+            boolean last = label == CageVoxels.rib(12, true);
+            cage.labels[v] = last ? 0 : slipped ? (byte) (label + 1) : truth[v];
+        }
+        Segmentation s = cage.segmentation(CageVoxels.table(false));
+        assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
+                .startsWith("labels 106 and 108 leave out a number, though no rib is missing between them:"));
+        Map<Integer, String> names = CageVoxels.table(false).structures();
+        Map<String, Set<String>> found = new TreeMap<>();
+        for (int v = 0; v < s.voxels.length; v++) {
+            int[] at = new int[3];
+            for (int axis = 0; axis < 3; axis++) {
+                at[axis] = (int) Math.round(s.coordinate(v, axis) / CageVoxels.SPACING_MM);
+            }
+            int label = truth[at[0] + CageVoxels.COLUMNS * (at[1] + CageVoxels.ROWS * at[2])];
+            String name = names.getOrDefault(label & LabelGrid.MAX_BYTE_LABEL, "");
+            if (name.startsWith("rib") && s.segmentAt(v) > 0) {
+                found.computeIfAbsent(name, n -> new TreeSet<>()).add(s.names().get(s.segmentAt(v) - 1));
+            }
+        }
+        assertThat(found).hasSize(23).allSatisfy((name, numbered) -> assertThat(numbered)
+                .containsExactly(name));
+    }
+
+    @Test
+    void ribsBesideAMissingOneKeepTheirNumbers() {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        for (int v = 0; v < cage.labels.length; v++) {
+            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            cage.labels[v] = label == CageVoxels.rib(4, true) ? 0 : cage.labels[v];
+        }
+        assertThat(SegmentationRepair.numberRibs(cage.segmentation(CageVoxels.table(false))))
+                .isEmpty();
     }
 
     /** Names of the structures after ribs are numbered, with all ribs of the cage under one name. */
