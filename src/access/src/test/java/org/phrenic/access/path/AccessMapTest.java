@@ -161,7 +161,7 @@ class AccessMapTest {
     /** Of the ribs behind which such a way rises, some are above it and some below, for the margin slopes. */
     @Test
     void noWayFromInFrontAndBelowAllRibsIsIntercostal() {
-        scene.update(cycle.get(0).frame());
+        scene.update(CoarseBreath.CYCLE.get(0).frame());
         double lowest = scene.hazards().stream()
                 .filter(PathAnalyzer::isCage)
                 .mapToDouble(rib -> rib.box()[2])
@@ -186,7 +186,7 @@ class AccessMapTest {
     /** Their place is near one rib, of which the other may lie no lower, and a cartilage of the first higher. */
     @Test
     void anObliqueWayBetweenTwoRibsHasTheNameOfTheirSpace() {
-        scene.update(cycle.get(0).frame());
+        scene.update(CoarseBreath.CYCLE.get(0).frame());
         PathAnalyzer analyzer = new PathAnalyzer(scene, Needle.standard());
         double[][] entries = {{-136, -74, -49}, {-138, -74, -12}, {-128, -88, 24}, {-130, -87, 60}, {-114, -98, 80}};
         assertThat(List.of(entries))
