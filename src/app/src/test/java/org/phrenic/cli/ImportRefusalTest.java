@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -18,6 +19,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.phrenic.cli.report.ExitCode;
+import org.phrenic.document.YamlDocument;
+import org.phrenic.document.report.Disclaimer;
 import org.phrenic.mesh.io.volume.VolumeSamples;
 import org.phrenic.patient.ScanSamples;
 
@@ -316,15 +319,11 @@ class ImportRefusalTest {
         CommandLineRun run = imported(volume, "--labels", table(rows).toString(), "--complete", "none", "--edge", "16");
         assertThat(run.exitCode()).as(run.err()).isEqualTo(ExitCode.SUCCESS);
         // What is said is in the report of the folder as well.
-        assertThat(Files.readString(folder.resolve("out").resolve("import.json")))
-                .contains(
-                        run.out()
-                                        .lines()
-                                        .filter(l -> l.contains("labels of the volume"))
-                                        .toList()
-                                        .isEmpty()
-                                ? "notes"
-                                : "labels of the volume");
+        String notes = YamlDocument.read(folder.resolve("out").resolve("import.json")).texts("notes").stream()
+                .map(note -> note + ".\n")
+                .collect(Collectors.joining());
+        assertThat(run.out())
+                .endsWith("it takes a diaphragm and ribs.\n" + notes + "\n" + Disclaimer.TEXT + System.lineSeparator());
         return run.out();
     }
 
@@ -349,7 +348,9 @@ class ImportRefusalTest {
 
     @Test
     void aVolumeWithoutATableIsRefused() throws IOException {
-        assertRefused(imported(scan(LITTLE, ScanSamples.voxels(), 4, 4, 4)), "labels 1, 5 without names");
+        CommandLineRun run = imported(scan(LITTLE, ScanSamples.voxels(), 4, 4, 4));
+        assertRefused(run, "labels 1, 5 without names");
+        assertThat(run.err()).as("the template without --complete").contains("loading virtual/adult-male");
     }
 
     @Test
