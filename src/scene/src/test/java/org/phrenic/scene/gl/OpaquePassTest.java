@@ -18,6 +18,8 @@ import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.Camera;
 import org.phrenic.scene.style.Appearance;
 import org.phrenic.scene.style.ClipPlane;
+import org.phrenic.scene.style.ColourField;
+import org.phrenic.scene.style.ColourScale;
 import org.phrenic.scene.style.SceneBackground;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.simulation.observe.Frame;
@@ -57,11 +59,17 @@ class OpaquePassTest {
         return fixture.offscreen.render(renderer, frame, camera, style, WIDTH, HEIGHT);
     }
 
-    private void sameAsDrawnAnew(String what, Frame frame, Camera camera, SceneStyle style) {
+    private BufferedImage drawnAnew(Frame frame, Camera camera, SceneStyle style) {
         // The first picture of a view is drawn whole.
         draw(anewEachTime, frame, camera.orbit(90, 0), style);
-        BufferedImage anew = draw(anewEachTime, frame, camera, style);
-        BufferedImage kept = draw(keeping, frame, camera, style);
+        return draw(anewEachTime, frame, camera, style);
+    }
+
+    private void sameAsDrawnAnew(String what, Frame frame, Camera camera, SceneStyle style) {
+        same(what, drawnAnew(frame, camera, style), draw(keeping, frame, camera, style));
+    }
+
+    private static void same(String what, BufferedImage anew, BufferedImage kept) {
         int greatest = 0;
         for (int y = 0; y < HEIGHT; y++) {
             for (int x = 0; x < WIDTH; x++) {
@@ -117,10 +125,30 @@ class OpaquePassTest {
         }) {
             draw(keeping, fixture.rest, camera, style);
             draw(keeping, fixture.rest, camera, style);
-            sameAsDrawnAnew("another style", fixture.inspired, camera, other);
-            sameAsDrawnAnew("another style, second picture", fixture.inspired, camera, other);
+            BufferedImage anew = drawnAnew(fixture.inspired, camera, other);
+            same("another style", anew, draw(keeping, fixture.inspired, camera, other));
+            same("another style, second picture", anew, draw(keeping, fixture.inspired, camera, other));
         }
         sameAsDrawnAnew("a turned camera", fixture.inspired, camera.orbit(15, 0), style);
+    }
+
+    @Test
+    void aStillSurfaceHasTheColoursOfItsValuesWhenTheyChange() {
+        String vertebra = fixture.name(StructureKind.VERTEBRA);
+        int vertices = fixture.surfaces.stream()
+                .filter(s -> s.name().equals(vertebra))
+                .mapToInt(s -> s.rest().vertexCount())
+                .findFirst()
+                .orElseThrow();
+        Camera camera = fixture.camera(AnatomicalView.POSTERIOR);
+        SceneStyle distance = style().withField(ColourField.DISTANCE, vertebra, ColourScale.sequential(10, "mm"));
+        for (float mm : new float[] {0, 10, 5}) {
+            float[] values = new float[vertices];
+            Arrays.fill(values, mm);
+            keeping.setField(vertebra, values);
+            anewEachTime.setField(vertebra, values);
+            sameAsDrawnAnew("values of " + mm + " mm", fixture.inspired, camera, distance);
+        }
     }
 
     @Test

@@ -149,9 +149,9 @@ class RendererTest {
 
     @Test
     void nothingOfTheGraphicsCardIsKept() {
-        for (int i = 0; i < 4; i++) {
+        for (int i = 0; i < 2; i++) {
             Renderer renderer = new Renderer(fixture.surfaces, fixture.overlays);
-            draw(renderer, everything().withTransparency(Transparency.values()[i % 2]));
+            draw(renderer, everything().withTransparency(Transparency.values()[i]));
             assertThat(renderer.liveObjects()).isPositive();
             fixture.offscreen.release(renderer);
             assertThat(renderer.liveObjects())
@@ -161,16 +161,16 @@ class RendererTest {
     }
 
     @Test
-    void fortyPicturesTakeNoMoreThanAFew() {
+    void fourteenPicturesTakeNoMoreThanAFew() {
         Renderer renderer = new Renderer(fixture.surfaces, fixture.overlays);
         fixture.offscreen.run(gl -> {
             int after = 0;
-            for (int i = 0; i < 44; i++) {
+            for (int i = 0; i < 14; i++) {
                 renderer.draw(
                         gl,
                         i % 2 == 0 ? fixture.rest : fixture.inspired,
                         fixture.camera(AnatomicalView.LEFT).orbit(i, 0),
-                        i % 20 == 0 ? everything() : fixture.style(),
+                        i % 8 == 0 ? everything() : fixture.style(),
                         40 + i % 4,
                         30);
                 if (i == 4) {
@@ -240,7 +240,7 @@ class RendererTest {
                 fixture.offscreen.render(renderer, fixture.rest, camera, fixture.style(), WIDTH, HEIGHT);
         BufferedImage parallel = fixture.offscreen.render(
                 renderer, fixture.rest, camera.withProjection(true), fixture.style(), WIDTH, HEIGHT);
-        assertThat(PictureDifference.of(perspective, parallel).mean()).isLessThan(12);
+        assertThat(PictureDifference.of(perspective, parallel).mean()).isBetween(0.1, 12.0);
         fixture.offscreen.release(renderer);
     }
 
