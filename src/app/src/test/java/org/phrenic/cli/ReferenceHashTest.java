@@ -30,7 +30,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class ReferenceHashTest {
     private static final Pattern HASH = Pattern.compile("\"state_sha256\"\\s*:\\s*\"([0-9a-f]{64})\"");
     private static final Path SHARED = Path.of("..", "shared");
-    private static final String PLAN_HASH = "612afdf44ae024bf2c305cff72e5beb2f0aa6a5950cecd7f61993ee5033e9737";
+    private static final String PLAN_HASH = "f918c6beeb5f912494c2d29d400f627fa0e031523d58f789b6891fc2f0784159";
 
     record ReferenceScene(String name, String options, String hash) {
         @Override
