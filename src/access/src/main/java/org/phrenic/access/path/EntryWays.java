@@ -17,8 +17,9 @@ import org.phrenic.mesh.query.TriangleTree;
 /**
  * Names the ways of paths in the current frame. A path passes the rib cage where it comes nearest to a rib with its
  * cartilage. Where that place lies between this rib and a neighbour of it the way is intercostal; between it and
- * another rib, or where the needle touches it, the way is over a rib or the costal margin. Every other way passes below
- * the costal margin: it is subcostal, or subxiphoid within {@value #MIDLINE_MM} mm of the {@link Midline}. Not
+ * another rib, or where the needle touches it, the way is over a rib or the costal margin, as is any other way that
+ * enters above the tip of the xiphoid process within {@value #MIDLINE_MM} mm of the {@link Midline}. Every other way
+ * passes below the costal margin: it is subxiphoid within this distance of the midline, and subcostal beside it. Not
  * thread-safe.
  */
 final class EntryWays {

@@ -178,7 +178,7 @@ public final class PlanPlayer {
                 still && !hold ? OptionalInt.empty() : event.occurrence(before, breathBefore, phase, breath);
         Optional<BreathEvent> occurred =
                 number.isPresent() ? Optional.of(new BreathEvent(event.kind(), number)) : Optional.empty();
-        // A wait for the next event of a kind is not ended by the one that ended the wait before it.
+        // A wait for the next event of a kind, but for a hold, is not ended by the one that ended the wait before it.
         if (number.isPresent() && (hold || event.breath().isPresent() || !occurred.equals(awaited))) {
             awaited = occurred;
             return true;

@@ -18,6 +18,9 @@ import org.phrenic.patient.label.LabelTable;
  */
 public final class SegmentationRepair {
     /** Pieces of a bone below this share of its voxels are specks. */
+    /** Smallest volume of specks that a note states, ml. */
+    private static final double LEAST_NOTED_ML = 0.01;
+
     private static final double BONE_SPECK = 0.005;
     /** Pieces of an organ below this share of its voxels are specks. */
     private static final double ORGAN_SPECK = 0.002;
@@ -132,7 +135,7 @@ public final class SegmentationRepair {
                     "specks of %d structure%s are left out, %.2f ml in all",
                     speckSegments,
                     speckSegments == 1 ? "" : "s",
-                    s.grid().volumeMl(specks)));
+                    Math.max(LEAST_NOTED_ML, s.grid().volumeMl(specks))));
         }
     }
 

@@ -71,7 +71,6 @@ public record PatientImport(
         String sentence = alignment.sentence(body.name());
         List<String> notes = new ArrayList<>(expired.notes());
         inspired.body().notes().forEach(note -> notes.add("end of inhale: " + note));
-        notes.add("end of inhale: " + sentence);
         return new PatientImport(pair.name(), body, targets, new TargetAlignment(alignment.motion(), sentence), notes);
     }
 

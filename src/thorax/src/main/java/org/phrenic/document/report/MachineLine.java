@@ -6,8 +6,10 @@ public final class MachineLine {
 
     /** Operating system, architecture, number of processors and Java version, as one sentence. */
     public static String text() {
+        int processors = Runtime.getRuntime().availableProcessors();
         return "Machine: " + System.getProperty("os.name") + " " + System.getProperty("os.arch") + ", "
-                + Runtime.getRuntime().availableProcessors() + " processors, Java " + System.getProperty("java.version")
+                + processors + (processors == 1 ? " processor, Java " : " processors, Java ")
+                + System.getProperty("java.version")
                 + ".";
     }
 }
