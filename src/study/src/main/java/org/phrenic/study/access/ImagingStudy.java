@@ -76,6 +76,15 @@ public final class ImagingStudy {
      * @throws org.phrenic.engine.integrator.DivergenceException if the scene diverges beside the images
      */
     public static Result of(Scenario scenario, double seconds) {
+        return of(scenario, seconds, WARM_UP, PICTURES);
+    }
+
+    /**
+     * Like {@link #of(Scenario, double)}, with a choice of pictures of each kind that are taken alone.
+     *
+     * @param warmUp pictures before those whose time is measured
+     */
+    static Result of(Scenario scenario, double seconds, int warmUp, int pictures) {
         try (Simulation simulation = Simulation.of(scenario, SimulationRun.loadThorax(scenario))) {
             SceneSurfaces scene = SceneSurfaces.withOrgans(simulation);
             Frame frame = scene.newFrame();
@@ -87,8 +96,8 @@ public final class ImagingStudy {
                     CArm.SOURCE_ISOCENTRE_MM,
                     new CArm.Detector(FIELD_MM, PIXELS, PIXELS));
             Fluoroscope fluoroscope = new Fluoroscope(scene.surfaces(), THREADS);
-            Times radiographs = time(() -> fluoroscope.take(frame, arm, Fluoroscope.ENERGY_KEV));
-            Times images = time(images(scene, frame, THREADS));
+            Times radiographs = time(() -> fluoroscope.take(frame, arm, Fluoroscope.ENERGY_KEV), warmUp, pictures);
+            Times images = time(images(scene, frame, THREADS), warmUp, pictures);
             Running running = new Running(simulation, scene, frame);
             Times beside = running.take(seconds);
             double factor = running.factor();
@@ -100,9 +109,9 @@ public final class ImagingStudy {
         }
     }
 
-    private static Times time(Runnable picture) {
+    private static Times time(Runnable picture, int warmUp, int pictures) {
         List<Double> seconds = new ArrayList<>();
-        for (int i = -WARM_UP; i < PICTURES; i++) {
+        for (int i = -warmUp; i < pictures; i++) {
             long begun = System.nanoTime();
             picture.run();
             if (i >= 0) {

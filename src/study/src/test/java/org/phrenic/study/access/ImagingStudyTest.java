@@ -11,7 +11,7 @@ import org.phrenic.scenario.Scenario;
 
 class ImagingStudyTest {
     private static final Scenario SMALL =
-            Scenario.defaults().with("resolution=low", "lungs=embedded", "sternum=kinematic");
+            Scenario.defaults().with("resolution=low", "mesh_vertices=3000", "lungs=embedded", "sternum=kinematic");
 
     /**
      * The lightest sheet under the greatest pressure, undamped: no body bears it, and images of it are of no breath.
@@ -26,7 +26,7 @@ class ImagingStudyTest {
                 "time_step_s=0.01",
                 "preset=deep",
                 "rate_per_min=20");
-        assertThatThrownBy(() -> ImagingStudy.of(heavy, 300))
+        assertThatThrownBy(() -> ImagingStudy.of(heavy, 300, 0, 1))
                 .isInstanceOf(DivergenceException.class)
                 .hasMessageContaining("diverged");
     }
