@@ -25,10 +25,41 @@ final class BruteForcePath {
     /** Triangles are looked at that may be this much farther from a path than the limit. */
     private static final double NEAR_MM = 0.01;
 
-    /** Of each triangle, nine coordinates of corners, and its centre with the radius of the sphere around it. */
-    private record Part(NoGoZone what, String name, double limit, double[] corners, double[] spheres) {
+    /**
+     * Of each triangle, nine coordinates of corners, and its centre with the radius of the sphere around it.
+     *
+     * @param box of all corners: minimum x, y, z, then maximum x, y, z, mm
+     */
+    private record Part(NoGoZone what, String name, double limit, double[] corners, double[] spheres, double[] box) {
         Part(NoGoZone what, String name, double limit, double[] corners) {
-            this(what, name, limit, corners, spheres(corners));
+            this(what, name, limit, corners, spheres(corners), box(corners));
+        }
+
+        private static double[] box(double[] corners) {
+            double[] out = {
+                Double.POSITIVE_INFINITY,
+                Double.POSITIVE_INFINITY,
+                Double.POSITIVE_INFINITY,
+                Double.NEGATIVE_INFINITY,
+                Double.NEGATIVE_INFINITY,
+                Double.NEGATIVE_INFINITY
+            };
+            for (int c = 0; c < corners.length; c++) {
+                out[c % 3] = Math.min(out[c % 3], corners[c]);
+                out[3 + c % 3] = Math.max(out[3 + c % 3], corners[c]);
+            }
+            return out;
+        }
+
+        /** Whether a path lies farther than a limit from all triangles along an axis. */
+        boolean isFar(double[] from, double[] to, double limit) {
+            for (int axis = 0; axis < 3; axis++) {
+                if (Math.min(from[axis], to[axis]) > box[3 + axis] + limit
+                        || Math.max(from[axis], to[axis]) < box[axis] - limit) {
+                    return true;
+                }
+            }
+            return false;
         }
 
         private static double[] spheres(double[] c) {
@@ -107,6 +138,9 @@ final class BruteForcePath {
         slack = Double.POSITIVE_INFINITY;
         double[] d = Vectors.subtract(to, from);
         for (Part part : parts) {
+            if (part.isFar(from, to, part.limit + NEAR_MM)) {
+                continue;
+            }
             double least = Double.POSITIVE_INFINITY;
             double[] c = part.corners;
             for (int o = 0; o < c.length; o += 9) {
@@ -127,7 +161,10 @@ final class BruteForcePath {
         Set<String> out = new TreeSet<>();
         double[] d = Vectors.subtract(to, from);
         for (Part part : parts) {
-            for (int o = 0; o < part.corners.length && zones.contains(part.what); o += 9) {
+            if (!zones.contains(part.what) || part.isFar(from, to, NEAR_MM)) {
+                continue;
+            }
+            for (int o = 0; o < part.corners.length; o += 9) {
                 if (part.isNear(o / 9, from, d, NEAR_MM) && pierces(part.corners, o, from, d)) {
                     out.add(part.name);
                 }
