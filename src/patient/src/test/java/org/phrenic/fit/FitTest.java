@@ -33,7 +33,7 @@ import org.phrenic.scenario.Scenario;
  * --synthetic 5} is the long one.
  */
 class FitTest {
-    private static final String MESH = "mesh_vertices=2500";
+    private static final String MESH = "mesh_vertices=1500";
 
     private static final String[] SHEET_ALONE = {
         "preset=deep", MESH, "lungs=off", "sternum=off", "liver=false", "threads=1"
