@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
-import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -15,7 +15,10 @@ import org.phrenic.mesh.TriangleMesh;
 
 class BodyVariationTest {
     private static final BodyVariation SAME = new BodyVariation(1, 1, 1, 0, 0, 0);
-    private static final Thorax MAN = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
+    private static final Thorax MAN = VirtualThorax.ofPreset("adult-male", new MeshBudget(4000));
+    private static final Thorax SCALED = new BodyVariation(1.2, 0.9, 1.1, 0, 0, 0).of(MAN, "scaled");
+    private static final Thorax LIFTED = new BodyVariation(1, 1, 1, 0, 0, 20).of(MAN, "lifted");
+    private static final Thorax BENT = new BodyVariation(1, 1, 1, 20, 0, 0).of(MAN, "bent");
 
     private static double[] box(Thorax body, String structure) {
         return body.find(structure).orElseThrow().mesh().bounds();
@@ -31,19 +34,17 @@ class BodyVariationTest {
 
     @Test
     void axesAreScaledOneByOne() {
-        Thorax scaled = new BodyVariation(1.2, 0.9, 1.1, 0, 0, 0).of(MAN, "scaled");
         double volume = MeshMeasure.signedVolume(MAN.find("liver").orElseThrow().mesh());
-        assertThat(MeshMeasure.signedVolume(scaled.find("liver").orElseThrow().mesh()) / volume)
+        assertThat(MeshMeasure.signedVolume(SCALED.find("liver").orElseThrow().mesh()) / volume)
                 .isCloseTo(1.2 * 0.9 * 1.1, within(1e-9));
-        assertThat(box(scaled, "rib_07_L")[3]).isCloseTo(1.2 * box(MAN, "rib_07_L")[3], within(1e-9));
+        assertThat(box(SCALED, "rib_07_L")[3]).isCloseTo(1.2 * box(MAN, "rib_07_L")[3], within(1e-9));
     }
 
     @Test
     void liftRaisesTheDomesAndNeitherTheInsertionNorTheBones() {
-        Thorax lifted = new BodyVariation(1, 1, 1, 0, 0, 20).of(MAN, "lifted");
-        assertThat(box(lifted, "diaphragm")[5] - box(MAN, "diaphragm")[5]).isBetween(12.0, 20.0);
-        assertThat(box(lifted, "diaphragm")[2]).isEqualTo(box(MAN, "diaphragm")[2]);
-        assertThat(box(lifted, "rib_08_R")).isEqualTo(box(MAN, "rib_08_R"));
+        assertThat(box(LIFTED, "diaphragm")[5] - box(MAN, "diaphragm")[5]).isBetween(12.0, 20.0);
+        assertThat(box(LIFTED, "diaphragm")[2]).isEqualTo(box(MAN, "diaphragm")[2]);
+        assertThat(box(LIFTED, "rib_08_R")).isEqualTo(box(MAN, "rib_08_R"));
     }
 
     private static TriangleMesh organOf(Thorax body, String name) {
@@ -67,29 +68,26 @@ class BodyVariationTest {
 
     @Test
     void furtherOrgansAreScaledAndBentWithTheBody() {
-        Thorax scaled = new BodyVariation(1.2, 0.9, 1.1, 0, 0, 0).of(MAN, "scaled");
-        assertThat(scaled.organs().get())
+        assertThat(SCALED.organs().get())
                 .extracting(Structure::name)
                 .isEqualTo(MAN.organs().get().stream().map(Structure::name).toList());
         double[] given = organBox(MAN, "kidney_R");
         double[] factors = {1.2, 0.9, 1.1};
-        double[] box = organBox(scaled, "kidney_R");
+        double[] box = organBox(SCALED, "kidney_R");
         for (int side = 0; side < box.length; side++) {
             assertThat(box[side]).isCloseTo(factors[side % 3] * given[side], within(1e-9));
         }
-        Thorax bent = new BodyVariation(1, 1, 1, 20, 0, 0).of(MAN, "bent");
-        assertThat(organBox(bent, "heart")[1]).isLessThan(organBox(MAN, "heart")[1] - 5);
+        assertThat(organBox(BENT, "heart")[1]).isLessThan(organBox(MAN, "heart")[1] - 5);
     }
 
     /** Heart and stomach go on lying beside the left dome, the pleura about the lungs. */
     @Test
     void liftRaisesTheOrgansBesideTheDomesAndThePleura() {
-        Thorax lifted = new BodyVariation(1, 1, 1, 0, 0, 20).of(MAN, "lifted");
-        assertThat(organBox(lifted, "stomach")[5] - organBox(MAN, "stomach")[5]).isBetween(8.0, 20.0);
-        assertThat(meanHeight(organOf(lifted, "heart")) - meanHeight(organOf(MAN, "heart")))
+        assertThat(organBox(LIFTED, "stomach")[5] - organBox(MAN, "stomach")[5]).isBetween(8.0, 20.0);
+        assertThat(meanHeight(organOf(LIFTED, "heart")) - meanHeight(organOf(MAN, "heart")))
                 .isBetween(5.0, 20.0);
-        assertThat(organBox(lifted, "kidney_R")[2]).isEqualTo(organBox(MAN, "kidney_R")[2]);
-        assertThat(organOf(lifted, "pleura_R").positions())
+        assertThat(organBox(LIFTED, "kidney_R")[2]).isEqualTo(organBox(MAN, "kidney_R")[2]);
+        assertThat(organOf(LIFTED, "pleura_R").positions())
                 .isNotEqualTo(organOf(MAN, "pleura_R").positions());
     }
 
@@ -105,9 +103,8 @@ class BodyVariationTest {
     /** The first thoracic vertebra goes forward (negative y). */
     @Test
     void kyphosisBendsTheSpineForward() {
-        Thorax bent = new BodyVariation(1, 1, 1, 20, 0, 0).of(MAN, "bent");
-        assertThat(box(bent, "vertebra_T01")[1]).isLessThan(box(MAN, "vertebra_T01")[1] - 30);
-        assertThat(box(bent, "vertebra_L03")).isEqualTo(box(MAN, "vertebra_L03"));
+        assertThat(box(BENT, "vertebra_T01")[1]).isLessThan(box(MAN, "vertebra_T01")[1] - 30);
+        assertThat(box(BENT, "vertebra_L03")).isEqualTo(box(MAN, "vertebra_L03"));
     }
 
     @Test
