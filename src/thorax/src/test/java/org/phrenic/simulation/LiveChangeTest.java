@@ -44,7 +44,9 @@ class LiveChangeTest {
     /** A held time is a difference of two. */
     private static final double ROUNDING = 1e-12;
 
-    /** A mesh for equal bits: four blocks of nodes on the sheet, which two threads share. */
+    /**
+     * A mesh for what any sheet does, and for equal bits: four blocks of nodes on the sheet, which two threads share.
+     */
     private static final String SMALL = "mesh_vertices=3000";
 
     /** Steps between two changes: a ramp takes thirteen times as long, so that several are always on their way. */
@@ -182,7 +184,7 @@ class LiveChangeTest {
 
     @Test
     void soDoTheKeysOfSternumAndLungsInTheWholeScene() {
-        Scenario start = Runs.scenario("threads=2");
+        Scenario start = Runs.scenario(SMALL, "threads=2");
         List<ScheduledChange> changes = List.of(
                 ScheduledChange.parse("5:lung_stiffness_n_per_m=12"),
                 ScheduledChange.parse("20:sternum_coupling=2"),
@@ -247,7 +249,7 @@ class LiveChangeTest {
     @Test
     void tissueMadeStifferSofterHeavierOrUnderAnotherPressureStaysWhereItIsAtRest() {
         // Everything but the breath: whole scene, held at end-expiration.
-        try (Simulation simulation = Runs.simulation(Runs.scenario("hold=true", "threads=2"))) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario("hold=true", SMALL, "threads=2"))) {
             for (String change : List.of(
                     "muscle_stiffness_n_per_m=1200",
                     "muscle_stiffness_n_per_m=150",
@@ -264,7 +266,7 @@ class LiveChangeTest {
 
     @Test
     void aChangeNeverJerksAndNeverStepsBeyondTheLimit() {
-        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone()))) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone(SMALL)))) {
             SceneObserver observer = new SceneObserver(simulation.scene());
             steps(simulation, 300);
             for (String change : List.of(
@@ -313,7 +315,7 @@ class LiveChangeTest {
 
     @Test
     void aBreathThatIsHeldStandsStillWhereItIsAndGoesOnFromThere() {
-        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone("preset=deep")))) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone("preset=deep", SMALL)))) {
             steps(simulation, 1500);
             simulation.change(Assignment.parse("hold=true"));
             steps(simulation, 600);
@@ -336,7 +338,7 @@ class LiveChangeTest {
 
     @Test
     void whatDidNotHelpIsFollowedByTakingBackTheChangesBefore() {
-        Scenario start = Runs.scenario(Runs.sheetAlone());
+        Scenario start = Runs.scenario(Runs.sheetAlone(SMALL));
         try (Simulation simulation = Runs.simulation(start)) {
             assertThat(simulation.undoLastChange()).isFalse();
             simulation.change(List.of(Assignment.parse("depth=2"), Assignment.parse("muscle=false")));
@@ -361,7 +363,7 @@ class LiveChangeTest {
     /** A slider sends many values while it is dragged; none of those on its way is a setting to go back to. */
     @Test
     void theDragOfASliderIsTakenBackAsOne() {
-        Scenario start = Runs.scenario(Runs.sheetAlone());
+        Scenario start = Runs.scenario(Runs.sheetAlone(SMALL));
         try (Simulation simulation = Runs.simulation(start)) {
             simulation.change(Assignment.parse("depth=2"));
             steps(simulation, 3);
@@ -382,7 +384,7 @@ class LiveChangeTest {
 
     @Test
     void timeIsTheSumOfStepCountsTimesTheirSteps() {
-        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone()))) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone(SMALL)))) {
             steps(simulation, 100);
             simulation.change(Assignment.parse("time_step_s=0.0003"));
             steps(simulation, 100);
@@ -394,7 +396,7 @@ class LiveChangeTest {
 
     @Test
     void anUnknownAStructuralAndAnImpossibleChangeAreOneSentenceAndChangeNothing() {
-        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone()))) {
+        try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone(SMALL)))) {
             for (String bad : List.of("depht=1", "resolution=high", "depth=9", "integrator=rk2")) {
                 Scenario before = simulation.settings();
                 boolean refused = false;
