@@ -20,8 +20,8 @@ import org.phrenic.simulation.observe.Frame;
 /** Errors of the virtual machine, such as full memory, while a scene runs or loads. */
 @Isolated("looks at the threads of the process")
 class ErrorsInARunTest extends LiveRunEvents {
-    private static final Scenario SMALL =
-            Scenario.defaults().with("resolution=low", "lungs=embedded", "sternum=kinematic", "threads=1");
+    private static final Scenario SMALL = Scenario.defaults()
+            .with("resolution=low", "mesh_vertices=3000", "lungs=embedded", "sternum=kinematic", "threads=1");
 
     private final AtomicReference<Error> ofNextBody = new AtomicReference<>();
     private LiveRun run;

@@ -11,7 +11,9 @@ import org.phrenic.scenario.Scenario;
 
 /** A run that each test starts and that is closed after it. The sheet alone is stepped, for it is quick. */
 abstract class LiveRunHarness extends LiveRunEvents {
-    private static final String[] SMALL = {"resolution=low", "lungs=embedded", "sternum=kinematic", "threads=1"};
+    private static final String[] SMALL = {
+        "resolution=low", "mesh_vertices=3000", "lungs=embedded", "sternum=kinematic", "threads=1"
+    };
 
     LiveRun run;
 

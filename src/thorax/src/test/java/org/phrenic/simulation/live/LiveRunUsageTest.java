@@ -46,7 +46,7 @@ class LiveRunUsageTest extends LiveRunHarness {
                 settled = used();
             }
         }
-        // A scene is some 30 MB: not one is left behind by twenty resets.
+        // A scene is some 8 MB: not one is left behind by twenty resets.
         assertThat(used() - settled).isLessThan(15L << 20);
         change("resolution=medium");
         run.close();
