@@ -241,13 +241,13 @@ class LiveAttemptTest {
             when(needle, s -> s.probe().isPresent() && s.hasNeedle());
             run.pause();
             double pausedS = pausedAtS();
+            MovingAnatomy body = new MovingAnatomy(scene.surfaces());
             for (int step = 0; step < 12; step++) {
                 NeedleState shown = needle.state();
                 assertThat(shown.timeS()).isCloseTo(pausedS, within(1e-9));
                 Frame picture = scene.newFrame().get();
                 assertThat(run.copyNewestFrame(picture)).isTrue();
                 assertThat(picture.timeS()).isEqualTo(shown.timeS());
-                MovingAnatomy body = new MovingAnatomy(scene.surfaces());
                 body.update(picture);
                 NeedleInsertion out = new NeedleInsertion(body, study.target(), Needle.standard(), Set.of());
                 assertThat(shown.target()).isEqualTo(out.targetNow());
@@ -272,7 +272,8 @@ class LiveAttemptTest {
             when(needle, s -> s.probe().isPresent());
             double fromS = stepOnce();
             double nowS = fromS;
-            while (nowS < fromS + 2 * Rehearsal.FRAME_INTERVAL_S) {
+            while (nowS < fromS + 2 * Rehearsal.FRAME_INTERVAL_S
+                    && moments.keySet().stream().noneMatch(timeS -> timeS > fromS)) {
                 // Longer than a state is left undescribed.
                 LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(150));
                 nowS = stepOnce();
