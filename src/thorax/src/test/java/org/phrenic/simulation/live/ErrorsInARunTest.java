@@ -2,13 +2,15 @@ package org.phrenic.simulation.live;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
+import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.parallel.Isolated;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.file.UserCache;
 import org.phrenic.scenario.Assignment;
@@ -18,7 +20,6 @@ import org.phrenic.simulation.SimulationRun;
 import org.phrenic.simulation.observe.Frame;
 
 /** Errors of the virtual machine, such as full memory, while a scene runs or loads. */
-@Isolated("looks at the threads of the process")
 class ErrorsInARunTest extends LiveRunEvents {
     private static final Scenario SMALL = Scenario.defaults()
             .with("resolution=low", "mesh_vertices=3000", "lungs=embedded", "sternum=kinematic", "threads=1");
@@ -122,32 +123,32 @@ class ErrorsInARunTest extends LiveRunEvents {
         assertThat(next(scenes).isAtRest()).isFalse();
     }
 
+    /** The threads of a scene are in the group of the thread that loads it. */
     @Test
     void aSceneThatEndsWithAnErrorLeavesNoThreads() throws InterruptedException {
-        List<Thread> before = workers();
+        ThreadGroup group = new ThreadGroup("a scene");
+        AtomicInteger whileSettling = new AtomicInteger();
         SimulationRun.Progress full = new SimulationRun.Progress() {
             @Override
             public void advanced(double simulatedS, double totalS, double stepsPerS) {}
 
             @Override
             public void settling(double doneS, double totalS) {
+                whileSettling.set(group.activeCount());
                 throw new OutOfMemoryError("Java heap space");
             }
         };
         Scenario parallel = SMALL.with("threads=2", "time_step_s=0.001");
-        assertThatExceptionOfType(OutOfMemoryError.class)
-                .isThrownBy(() -> Simulation.of(parallel, SimulationRun.loadThorax(parallel), UserCache.off(), full));
-        for (Thread thread : workers()) {
-            if (!before.contains(thread)) {
-                thread.join(TimeUnit.SECONDS.toMillis(PATIENCE_S));
-                assertThat(thread.isAlive()).isFalse();
-            }
+        FutureTask<Simulation> loaded = new FutureTask<>(
+                () -> Simulation.of(parallel, SimulationRun.loadThorax(parallel), UserCache.off(), full));
+        new Thread(group, loaded).start();
+        assertThatThrownBy(() -> loaded.get(PATIENCE_S, TimeUnit.SECONDS)).hasCauseInstanceOf(OutOfMemoryError.class);
+        assertThat(whileSettling).as("the loading thread and a worker").hasValueGreaterThan(1);
+        Thread[] left = new Thread[2 * whileSettling.get()];
+        int count = group.enumerate(left);
+        for (int i = 0; i < count; i++) {
+            left[i].join(TimeUnit.SECONDS.toMillis(PATIENCE_S));
+            assertThat(left[i].isAlive()).as(left[i].getName()).isFalse();
         }
-    }
-
-    private static List<Thread> workers() {
-        return Thread.getAllStackTraces().keySet().stream()
-                .filter(thread -> thread.getName().startsWith("phrenic-worker"))
-                .toList();
     }
 }
