@@ -242,13 +242,16 @@ class BodyCompletionTest {
         }
     }
 
-    /** The right lung in two lobes, of which the end of the scan cuts the lower one off. */
+    /**
+     * Every second rib and vertebra, and the right lung in two lobes, of which the scan's end cuts off the lower one.
+     */
     @Test
     void aLungOfWhichOneLobeIsCutOffIsCompletedWhole() {
         Thorax patient = thorax("adult-female");
         List<PatientStructure> seen = new ArrayList<>();
         for (Structure s : patient.structures()) {
-            if (s.kind() == StructureKind.RIB || s.kind() == StructureKind.VERTEBRA) {
+            boolean bone = s.kind() == StructureKind.RIB || s.kind() == StructureKind.VERTEBRA;
+            if (bone && s.level() % 2 == 0) {
                 seen.add(scanned(s, ""));
             }
         }
