@@ -31,6 +31,11 @@ public final class DiaphragmCompletion {
      * @param parted as {@link BreathLevel#parted}
      */
     public static PatientBody complete(PatientBody body, boolean moved, Optional<Side> parted) {
+        return complete(body, moved, parted, Resolution.HIGH.diaphragmVertices());
+    }
+
+    /** The same with a sheet of about so many vertices. */
+    static PatientBody complete(PatientBody body, boolean moved, Optional<Side> parted, int vertices) {
         if (hasUsable(body)) {
             return body;
         }
@@ -46,7 +51,7 @@ public final class DiaphragmCompletion {
         Thorax straight = frame.toFrame(bare);
         Structure sheet;
         try {
-            TriangleMesh built = DiaphragmBuilder.build(straight, parted, Resolution.HIGH.diaphragmVertices());
+            TriangleMesh built = DiaphragmBuilder.build(straight, parted, vertices);
             sheet = new Structure(NAME, StructureKind.DIAPHRAGM, 0, Side.MIDLINE, frame.toScan(built));
             YieldToSheet contact = new YieldToSheet(bare, frame, built);
             rest.replaceAll(

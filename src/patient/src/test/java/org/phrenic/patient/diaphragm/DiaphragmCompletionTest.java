@@ -17,6 +17,9 @@ import org.phrenic.patient.PatientStructure.Source;
 
 /** The virtual woman with an organ that has no room between its neighbours. */
 class DiaphragmCompletionTest {
+    /** A third of those that an import gives the sheet. */
+    private static final int VERTICES = 4000;
+
     private static final String LIVER = "liver";
     private static final String LUNG = "lung_R";
     private static final List<Structure> WOMAN =
@@ -42,6 +45,10 @@ class DiaphragmCompletionTest {
         return s.withMesh(s.mesh().withPositions(p));
     }
 
+    private static PatientBody complete(PatientBody body, boolean moved) {
+        return DiaphragmCompletion.complete(body, moved, Optional.empty(), VERTICES);
+    }
+
     private static TriangleMesh mesh(PatientBody body, String name) {
         return body.structure(name).orElseThrow().structure().mesh();
     }
@@ -58,16 +65,15 @@ class DiaphragmCompletionTest {
     @Test
     void anOrganOfTheScanStaysWhereTheScanShowsIt() {
         PatientBody body = broadLiver(Source.SCAN);
-        PatientBody whole = DiaphragmCompletion.complete(body, false);
+        PatientBody whole = complete(body, false);
         assertThat(mesh(whole, LIVER)).isSameAs(mesh(body, LIVER));
         assertThat(throughMm(whole)).isGreaterThan(3);
     }
 
     @Test
     void anOrganOfATemplateAndOneThatWasMovedYieldToTheSheet() {
-        for (PatientBody whole : List.of(
-                DiaphragmCompletion.complete(broadLiver(Source.VIRTUAL), false),
-                DiaphragmCompletion.complete(broadLiver(Source.SCAN), true))) {
+        for (PatientBody whole :
+                List.of(complete(broadLiver(Source.VIRTUAL), false), complete(broadLiver(Source.SCAN), true))) {
             assertThat(throughMm(whole)).isLessThan(2.5);
             double[] before = mesh(broadLiver(Source.VIRTUAL), LIVER).positions();
             double[] after = mesh(whole, LIVER).positions();
@@ -87,8 +93,8 @@ class DiaphragmCompletionTest {
     @Test
     void whereOrgansOverlapTheOneInTheScanSaysWhereTheSheetLies() {
         UnaryOperator<double[]> lower = p -> new double[] {p[0], p[1], p[2] - 10};
-        PatientBody ofTemplate = DiaphragmCompletion.complete(with(LUNG, Source.VIRTUAL, lower), false);
-        PatientBody ofScan = DiaphragmCompletion.complete(with(LUNG, Source.SCAN, lower), false);
+        PatientBody ofTemplate = complete(with(LUNG, Source.VIRTUAL, lower), false);
+        PatientBody ofScan = complete(with(LUNG, Source.SCAN, lower), false);
         assertThat(mesh(ofTemplate, LIVER)).isSameAs(mesh(ofScan, LIVER));
 
         assertThat(throughMm(ofTemplate)).isLessThan(1.5);
@@ -97,8 +103,8 @@ class DiaphragmCompletionTest {
 
     @Test
     void aDiaphragmThatWasBuiltStaysInTheBodyThatIsCompletedAgain() {
-        PatientBody whole = DiaphragmCompletion.complete(with(LIVER, Source.SCAN, p -> p), false);
-        assertThat(DiaphragmCompletion.complete(whole, false)).isSameAs(whole);
+        PatientBody whole = complete(with(LIVER, Source.SCAN, p -> p), false);
+        assertThat(complete(whole, false)).isSameAs(whole);
     }
 
     /** Without lungs nothing tells where the domes stand. */
@@ -112,8 +118,7 @@ class DiaphragmCompletionTest {
                         Optional.empty(),
                         Optional.empty()))
                 .toList();
-        PatientBody body =
-                DiaphragmCompletion.complete(new PatientBody("woman", structures, List.of(), List.of()), false);
+        PatientBody body = complete(new PatientBody("woman", structures, List.of(), List.of()), false);
         assertThat(body.notes()).singleElement().asString().startsWith("no diaphragm is built");
         assertThat(body.structure("diaphragm")).isEmpty();
         assertThat(body.missing()).contains("diaphragm");
