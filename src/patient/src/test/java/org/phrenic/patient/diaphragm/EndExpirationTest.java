@@ -31,8 +31,8 @@ class EndExpirationTest {
 
     static final PatientBody INSPIRED = body(true, s -> true);
     static final BreathLevel LEVEL = level(INSPIRED).orElseThrow();
-    private static final PatientBody RESTING =
-            EndExpiration.of(INSPIRED, INSPIRED, LEVEL).body();
+    private static final RaisedBody RAISED = EndExpiration.of(INSPIRED, INSPIRED, LEVEL);
+    private static final PatientBody RESTING = RAISED.body();
 
     private static PatientBody body(boolean inspired, Predicate<Structure> kept) {
         double apex = MAN.structuresOf(StructureKind.LUNG).stream()
@@ -265,7 +265,7 @@ class EndExpirationTest {
                 .contains(
                         String.format(Locale.ROOT, "the domes are raised by %.0f mm", raised.domesMm()),
                         String.format(Locale.ROOT, "stay %.0f mm below", flat.descentMm() - raised.domesMm())));
-        assertThat(EndExpiration.of(INSPIRED, INSPIRED, LEVEL).domesMm()).isEqualTo(LEVEL.descentMm());
+        assertThat(RAISED.domesMm()).isEqualTo(LEVEL.descentMm());
         assertThat(RESTING.notes()).noneMatch(note -> note.contains("below end-expiration"));
     }
 
