@@ -7,17 +7,20 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 
 class AbsentObstaclesTest {
+    /** The body of other tests of this module; the names of the organs are the same on any mesh. */
+    private static final MeshBudget COARSE = new MeshBudget(5000);
+
     /** Maps of access to a virtual body avoid all organs that are looked for. */
     @ParameterizedTest
     @ValueSource(strings = {"adult-male", "adult-female", "high-colon-male"})
     void virtualBodiesLackNone(String preset) {
-        Thorax body = VirtualThorax.ofPreset(preset, Resolution.LOW);
+        Thorax body = VirtualThorax.ofPreset(preset, COARSE);
         List<String> names = Stream.concat(body.structures().stream(), body.organs().get().stream())
                 .map(Structure::name)
                 .toList();
