@@ -14,6 +14,8 @@ import org.phrenic.simulation.Simulation;
 
 /** Access to a target as a study: directions of ways, the motion of the target, its factors. */
 class AccessStudyTest {
+    private static final String COARSE = "mesh_vertices: 2000, lungs: embedded, sternum: kinematic";
+
     /** LPS: x to the left, y to the back, z up. */
     @Test
     void directionsHaveTheirSectors() {
@@ -42,7 +44,7 @@ class AccessStudyTest {
     void aTargetGoesDownInInspirationAndSomeWaysToItAreFree() {
         SweepPlan plan = SweepPlan.of(SweepStudy.parse(
                 "study.yaml",
-                "model: access\nsettings: {mesh_vertices: 3000, rate_per_min: 60}\n"
+                "model: access\nsettings: {" + COARSE + ", rate_per_min: 60}\n"
                         + "design: {kind: list, columns: [target.from_right], points: [[0.2]]}\n"));
         RunRow row = RunRow.of(plan.model(), plan.points().get(0));
         assertThat(row.failure()).isEmpty();
@@ -65,7 +67,7 @@ class AccessStudyTest {
     void organsOfABodyInAnotherSizeStandInTheWay() {
         SweepPlan plan = SweepPlan.of(SweepStudy.parse(
                 "study.yaml",
-                "model: access\nsettings: {mesh_vertices: 3000, rate_per_min: 60}\n"
+                "model: access\nsettings: {" + COARSE + ", rate_per_min: 150}\n"
                         + "design: {kind: list, columns: [body.scale], points: [[1.05]]}\n"));
         SweepPoint point = plan.points().get(0);
         try (Simulation simulation = ((AccessModel) plan.model()).simulation(point)) {
