@@ -149,6 +149,12 @@ class YamlTest {
         refusedText("a: !!javax.script.ScriptEngineManager [x]\n", "line 1", "tag is not allowed");
     }
 
+    /** The map, the list and the values of the list are a million values, and one more. */
+    @Test
+    void moreThanAMillionValuesAreRefused() {
+        refusedText("a: [0" + ",0".repeat(999_998) + "]\n", "expected at most 30 levels and 1000000 values");
+    }
+
     /** A list of many points, as a study leaves one. */
     @Test
     void aFileOfManyMegabytesIsRead() {
