@@ -2,6 +2,7 @@ package org.phrenic.ui.access.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.awt.event.MouseEvent;
 import java.nio.file.Files;
@@ -121,6 +122,32 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
         window.key("shift U");
         clinic.until("lifted", () -> state().probe().isEmpty());
         clinic.until("no image", () -> ultrasound().view().shot().isEmpty());
+    }
+
+    /** The middle of the view, which keys turn and move, is chosen by the keyboard as a place is by a click. */
+    @Test
+    void theEnterKeyPutsTheProbeInTheMiddleOfTheViewAndNamesWhatIsThere() throws Exception {
+        SceneViewport view = window.window().view();
+        assumeThat(view.isUnavailable()).isFalse();
+        window.key("shift U");
+        clinic.until("no probe", () -> rehearsal().probe().hold().isEmpty());
+        nameNothing(view);
+        window.key("U");
+        clinic.until("a pick that is awaited", () -> rehearsal().pickMode().mode() == PickMode.Kind.PROBE);
+        window.key("ENTER");
+        clinic.until("a place", () -> rehearsal().probe().hold().isPresent());
+        assertThat(WindowHarness.onEdt(() -> rehearsal().pickMode().mode())).isEqualTo(PickMode.Kind.NONE);
+        assertThat(WindowHarness.onEdt(view::picked)).isEmpty();
+        window.key("ENTER");
+        clinic.until("a name", () -> view.picked().isPresent());
+        nameNothing(view);
+        window.key("shift U");
+    }
+
+    /** A click beside the body, after which no structure is named or stands out. */
+    private static void nameNothing(SceneViewport view) throws InterruptedException {
+        clickView(new double[] {4, 60});
+        clinic.until("no name", () -> view.picked().isEmpty());
     }
 
     @Test
