@@ -63,6 +63,8 @@ final class MotionCommand extends ReportingCommand {
 
     @Override
     public Integer call() {
+        // Before the table of times is read: of another table what it lacks would be told.
+        requireKept(options.timesFile());
         MotionRequest request = options.request();
         ReportFolder.requireWritable(out);
         requireInputsKept(request);
@@ -85,9 +87,14 @@ final class MotionCommand extends ReportingCommand {
         return ExitCode.SUCCESS;
     }
 
-    /** Refuses to write over the points, the times or the image. */
+    /** Refuses to write the trajectories over a table. */
+    private void requireKept(Path table) {
+        ReportFolder.requireNotRead("--out", out.resolve("trajectories.csv"), table);
+    }
+
+    /** Refuses to write over the points or the image. */
     private void requireInputsKept(MotionRequest request) {
-        ReportFolder.requireNotRead("--out", out.resolve("trajectories.csv"), request.points(), options.timesFile());
+        requireKept(request.points());
         if (request.image() == null) {
             return;
         }
