@@ -179,7 +179,8 @@ class ValidationTest {
     @Test
     void aRealThoraxBreathesInTheOrderOfPeople() {
         String folder = SharedThorax.path("anatomy/male-thorax").toString();
-        Scenario settings = Scenario.defaults().with("resolution=low", "lungs=embedded", "sternum=kinematic");
+        Scenario settings =
+                Scenario.defaults().with("resolution=low", "lungs=embedded", "sternum=kinematic", "rate_per_min=30");
         Validation validation = Validation.of(
                 PhysiologyTable.shipped(), settings, List.of(folder), List.of("quiet"), 2, (c, t, w) -> {});
         assertThat(validation.bodies().get(0).sex()).contains("male");
