@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Collectors;
 import javax.swing.JComboBox;
@@ -21,6 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.access.ScannedLesion;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.path.AccessMap;
+import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.NeedleState;
 import org.phrenic.access.plan.Rehearsal;
@@ -28,6 +30,7 @@ import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RehearsalReport;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.material.RigidTendon;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.ui.access.RehearsalController;
 import org.phrenic.ui.access.RehearsalStage;
@@ -238,7 +241,11 @@ class RehearsalExerciseTest {
     void whatIsRehearsedGoesOnWhenTheSceneOfAnotherExerciseIsCancelled() throws Exception {
         RehearsalPlan other = ofAnotherScene("Other");
         openPlan("Kept", "steps: []\n");
-        requireKept(other, "Kept");
+        requireKept("Kept", () -> {
+            rehearsal().open(other);
+            assertThat(rehearsal().pictures().aids()).isEqualTo(Aids.PICTURES);
+            cancelLoading();
+        });
         WindowHarness.doOnEdt(() -> rehearsal().startPractice());
         clinic.until("practice", () -> rehearsal().plan().orElseThrow().title().equals("Practice"));
         clinic.ready();
@@ -248,8 +255,28 @@ class RehearsalExerciseTest {
         WindowHarness.doOnEdt(() -> rehearsal().setTarget(new ScannedLesion("own", "own", new TargetLesion(own, 20))));
         clinic.until("a target of one's own", () -> targetIs(own));
         clinic.ready();
-        requireKept(other, "Practice");
+        requireKept("Practice", RehearsalExerciseTest::cancelAnotherSceneWhenItsLoadingIsTold);
         assertThat(targetIs(own)).isTrue();
+    }
+
+    private static void cancelLoading() {
+        Session session = clinic.window().session();
+        assertThat(session.live().isLoading()).isTrue();
+        session.cancelLoading();
+    }
+
+    /** An edit that needs another scene is cancelled as by a person, who sees its progress first. */
+    private static void cancelAnotherSceneWhenItsLoadingIsTold() {
+        Session session = clinic.window().session();
+        session.addListener(new Session.Listener() {
+            @Override
+            public void onLoading(String what, double share) {
+                session.removeListener(this);
+                assertThat(rehearsal().stage()).isEqualTo(RehearsalStage.LOADING);
+                cancelLoading();
+            }
+        });
+        session.change("Links", Assignment.of("test", RigidTendon.LINKS_PER_NODE, 2));
     }
 
     private static boolean targetIs(double... rest) {
@@ -259,18 +286,14 @@ class RehearsalExerciseTest {
                 .isPresent();
     }
 
-    /** Opens an exercise, cancels its scene, and requires that what was rehearsed is rehearsed. */
-    private static void requireKept(RehearsalPlan other, String title) throws InterruptedException {
-        Session session = clinic.window().session();
+    /** Lets the scene of another exercise, or of an edit, be cancelled, and requires that what was rehearsed is so. */
+    private static void requireKept(String title, Runnable cancelled) throws InterruptedException {
         String before = WindowHarness.onEdt(RehearsalExerciseTest::target);
-        WindowHarness.doOnEdt(() -> {
-            rehearsal().open(other);
-            assertThat(rehearsal().pictures().aids()).isEqualTo(Aids.PICTURES);
-            assertThat(session.live().isLoading()).isTrue();
-            session.cancelLoading();
-        });
-        clinic.until("the present scene again", () -> rehearsal().pictures().aids() == Aids.SEE_THROUGH);
-        clinic.ready();
+        Optional<TargetAccess> map = WindowHarness.onEdt(() -> rehearsal().study());
+        WindowHarness.doOnEdt(cancelled::run);
+        clinic.until(
+                "a map anew", () -> clinic.isReady() && !rehearsal().study().equals(map));
+        assertThat(WindowHarness.onEdt(() -> rehearsal().pictures().aids())).isEqualTo(Aids.SEE_THROUGH);
         assertThat(WindowHarness.onEdt(() -> rehearsal().plan().orElseThrow().title()))
                 .isEqualTo(title);
         assertThat(WindowHarness.onEdt(RehearsalExerciseTest::target)).isEqualTo(before);
