@@ -20,6 +20,7 @@ import org.phrenic.file.AtomicFile;
 import org.phrenic.file.OutputException;
 import org.phrenic.scene.NeedlePictures;
 import org.phrenic.scene.UltrasoundPicture;
+import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.ui.session.FileWrites;
 import org.phrenic.ui.view.SceneViewport;
 
@@ -104,12 +105,20 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
         }
     }
 
+    private List<String> render(Rehearsal rehearsal, Function<NeedlePictures, List<String>> what) {
+        return betweenFrames(gl -> {
+            try (NeedlePictures pictures = NeedlePictures.using(gl, rehearsal.surfaces(), pictureSize)) {
+                return what.apply(pictures);
+            }
+        });
+    }
+
     /**
      * The files that a task writes between two frames of the view.
      *
      * @throws IllegalStateException if it does not begin in time, or the driver fails
      */
-    private List<String> render(Rehearsal rehearsal, Function<NeedlePictures, List<String>> what) {
+    List<String> betweenFrames(Function<OffscreenContext, List<String>> what) {
         CompletableFuture<List<String>> files = new CompletableFuture<>();
         CompletableFuture<Boolean> begun = new CompletableFuture<>();
         view.runTask(gl -> {
@@ -117,8 +126,8 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
                 // The report is written without these pictures.
                 return;
             }
-            try (NeedlePictures pictures = NeedlePictures.using(gl, rehearsal.surfaces(), pictureSize)) {
-                files.complete(what.apply(pictures));
+            try {
+                files.complete(what.apply(gl));
             } catch (RuntimeException | Error e) {
                 files.completeExceptionally(e);
             }
@@ -134,7 +143,9 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
             if (e.getCause() instanceof OutputException disk) {
                 throw disk;
             }
-            throw new IllegalStateException("The pictures were not drawn: " + e.getCause() + ".", e.getCause());
+            Throwable cause = e.getCause();
+            String why = cause.getMessage() == null ? cause.toString() : cause.getMessage();
+            throw new IllegalStateException("The pictures were not drawn: " + why + ".", cause);
         }
     }
 }

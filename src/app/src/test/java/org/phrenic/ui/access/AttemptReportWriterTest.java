@@ -1,8 +1,10 @@
 package org.phrenic.ui.access;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
+import com.jogamp.opengl.GLException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -26,7 +28,7 @@ import org.phrenic.ui.view.SceneViewport;
 /** A report that cannot be written, or not whole. */
 class AttemptReportWriterTest {
     private static final int SIDE = 64;
-    /** Pixels of a side that no driver has. */
+    /** Pixels of a side whose square no picture in memory has. */
     private static final int TOO_LARGE = 1 << 17;
 
     private static final long PATIENCE_MS = 60_000;
@@ -91,14 +93,34 @@ class AttemptReportWriterTest {
         assertThat(folder.resolve("report.html")).exists();
     }
 
-    @Test
-    void aReportWhosePicturesTheDriverRefusesIsSavedAndSaysSo() {
+    private void requireView() {
         CountDownLatch drawn = new CountDownLatch(1);
         view.runTask(gl -> drawn.countDown());
         EventThread.until("a view, or none", () -> drawn.getCount() == 0 || view.isUnavailable());
-        assumeThat(view.isUnavailable()).isFalse();
-        assertThat(outcome(folder, TOO_LARGE, PATIENCE_MS)).startsWith(SAVED + "The pictures were not drawn: ");
+        assumeThat(view.isUnavailable()).as(view.unavailableReason()).isFalse();
+    }
+
+    @Test
+    void aReportWhosePicturesAreTooLargeIsSavedAndSaysSo() {
+        requireView();
+        assertThat(outcome(folder, TOO_LARGE, PATIENCE_MS))
+                .startsWith(SAVED + "The pictures were not drawn: ")
+                .contains(String.valueOf(TOO_LARGE))
+                .doesNotContain("Exception");
         assertThat(folder.resolve("report.html")).exists();
+    }
+
+    @Test
+    void whatTheDriverRefusesIsToldInWordsAlone() {
+        requireView();
+        assertThatThrownBy(() -> new AttemptReportWriter(view, SIDE, PATIENCE_MS).betweenFrames(gl -> {
+                    gl.run(g -> {
+                        throw new GLException("the device was lost");
+                    });
+                    return List.of();
+                }))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("The pictures were not drawn: drawing failed: the device was lost.");
     }
 
     /** After the report is saved the window may end at any time, and the report names the pictures that it has. */
