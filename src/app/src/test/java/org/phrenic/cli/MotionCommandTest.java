@@ -32,6 +32,7 @@ class MotionCommandTest {
         return CommandLineRun.of(args.toArray(new String[0]));
     }
 
+    /** Phases and times are refused before the body is looked for, whose assembly would take longer. */
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -39,8 +40,8 @@ class MotionCommandTest {
                 "--at 0 | found none of --grid, --points and --warp",
                 "--grid 5mm | found 0 of --phases, --at and --times",
                 "--grid 5mm --at 0 --phases 3 | found 2 of --phases, --at and --times",
-                "--grid 5mm --phases ten | --phases: found 'ten'",
-                "--grid 5mm --times none.csv | none.csv: found no such file",
+                "--grid 5mm --phases ten --set anatomy=nowhere | --phases: found 'ten'",
+                "--grid 5mm --times none.csv --set anatomy=nowhere | none.csv: found no such file",
                 "--grid five --at 0 | --grid: found 'five', expected a number",
                 "--grid 5mm --labels --at 0 | --labels: found no --warp",
                 "--grid 5mm --at 0 --format tif | --format: found 'tif', expected one of nii.gz",
