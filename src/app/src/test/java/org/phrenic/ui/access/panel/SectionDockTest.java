@@ -57,6 +57,14 @@ class SectionDockTest {
         }));
     }
 
+    /** On the event dispatch thread, so that no stage of the rehearsal comes meanwhile. */
+    private static void requireNoHint() {
+        assertThat(views()).allSatisfy(view -> {
+            assertThat(view.section()).isNull();
+            assertThat(view.hint()).isEmpty();
+        });
+    }
+
     /** No further section comes of a run that stands still. */
     @Test
     void theSectionsOfAPausedNeedleComeBackWithTheHelp() throws Exception {
@@ -83,11 +91,13 @@ class SectionDockTest {
     @Test
     void anEntryIsAskedForOnlyWhereItMayBeChosen(@TempDir Path folder) throws Exception {
         RehearsalPlan plan = waiting(folder);
-        WindowHarness.doOnEdt(() -> rehearsal().open(plan));
-        requireHint("");
-        assertThat(WindowHarness.onEdt(() -> dock.along().hint()))
-                .as("no body is there")
-                .isEmpty();
+        WindowHarness.doOnEdt(() -> {
+            rehearsal().open(plan);
+            assertThat(rehearsal().stage())
+                    .as("its breath is yet to be recorded")
+                    .isEqualTo(RehearsalStage.RECORDING_BREATH);
+            requireNoHint();
+        });
         clinic.until("the plan", () -> rehearsal()
                 .plan()
                 .filter(of -> of.title().equals("Waiting"))
@@ -96,10 +106,10 @@ class SectionDockTest {
         requireHint("Choose an entry");
         WindowHarness.doOnEdt(() -> rehearsal().playExample());
         clinic.until("the waiting plan", () -> rehearsal().state().isPresent());
-        assertThat(WindowHarness.onEdt(() -> rehearsal().stage())).isEqualTo(RehearsalStage.PLAYING);
-        assertThat(WindowHarness.onEdt(() -> dock.along().hint()))
-                .as("a plan is played")
-                .isEmpty();
+        WindowHarness.doOnEdt(() -> {
+            assertThat(rehearsal().stage()).as("a plan is played").isEqualTo(RehearsalStage.PLAYING);
+            requireNoHint();
+        });
         WindowHarness.doOnEdt(() -> rehearsal().retry());
         clinic.ready();
         requireHint("Choose an entry");
