@@ -11,12 +11,19 @@ import java.util.stream.Stream;
 final class SourceTree {
     private SourceTree() {}
 
-    /** Sources, resources and build file of every module, of production and of tests. */
+    /**
+     * Sources, resources and build file of every module, of production and of tests. What has no build file is no
+     * module: a folder of an editor, or what a build has left of a module of another branch.
+     */
     static List<Path> files() throws IOException {
         List<Path> all = new ArrayList<>();
         try (Stream<Path> modules = Files.list(Path.of("src"))) {
             for (Path module : modules.sorted().toList()) {
-                all.add(module.resolve("pom.xml"));
+                Path build = module.resolve("pom.xml");
+                if (!Files.isRegularFile(build)) {
+                    continue;
+                }
+                all.add(build);
                 try (Stream<Path> files = Files.walk(module.resolve("src"))) {
                     files.filter(Files::isRegularFile).forEach(all::add);
                 }
