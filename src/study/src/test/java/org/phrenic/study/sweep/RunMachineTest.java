@@ -2,6 +2,9 @@ package org.phrenic.study.sweep;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -36,9 +39,16 @@ class RunMachineTest {
     }
 
     @Test
-    void theTextNamesTheProgramBeforeJavaAndTheProcessorAfterIt() {
-        assertThat(RunMachine.text())
-                .startsWith(RunMachine.program())
-                .contains(", Java ", System.getProperty("os.arch"));
+    void theTextNamesTheProgramBeforeJavaAndTheProcessorAfterIt() throws IOException {
+        String text = RunMachine.text();
+        String java = ", Java " + Runtime.version() + ", " + System.getProperty("os.arch") + ", ";
+        assertThat(text).startsWith(RunMachine.program() + java);
+        String processor = text.substring((RunMachine.program() + java).length());
+        assertThat(processor).isNotBlank();
+        Path cpuInfo = Path.of("/proc/cpuinfo");
+        if (Files.isReadable(cpuInfo)) {
+            RunMachine.processor(Files.readAllLines(cpuInfo))
+                    .ifPresent(told -> assertThat(processor).isEqualTo(told));
+        }
     }
 }
