@@ -15,7 +15,6 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.engine.integrator.IntegratorKind;
-import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.stability.CaseResult.Outcome;
 
@@ -26,9 +25,6 @@ import org.phrenic.study.stability.CaseResult.Outcome;
 class StabilityStudyTest {
     /** A cell of the short version ends after so many evaluations of the force on a node: a tenth of a second. */
     private static final double SPENT = 4e6;
-
-    /** From rest to the end of a quiet inspiration. */
-    private static final double INSPIRATION_S = 1.6;
 
     /** The body of the short version's cases. */
     private static final int VERTICES = 4000;
@@ -89,28 +85,22 @@ class StabilityStudyTest {
                 .isIn(Outcome.STABLE, Outcome.RECOVERED));
     }
 
-    /** The default scene of each body, from rest to the end of inspiration. */
+    /** From rest into expiration, which begins at 1.6 s; the scanned body is one of them where its files are. */
     @Test
     void theDefaultSceneOfEachBodyHoldsItsBounds() {
         Optional<String> scan = Optional.of("../shared/anatomy/male-thorax").filter(f -> Files.isDirectory(Path.of(f)));
         List<String> keys = scan.isPresent()
                 ? List.of("thorax-man", "thorax-woman", "thorax-scanned")
                 : List.of("thorax-man", "thorax-woman");
-        List<BatchRunner.Job<CaseResult>> jobs = StabilityCases.all(true, scan).stream()
-                .filter(c -> keys.contains(c.key()))
-                .map(c -> new BatchRunner.Job<>(c.key(), () -> inspiration(c)))
-                .toList();
-        assertThat(BatchRunner.run(jobs, 2, (count, total, what) -> {}))
+        StabilityStudy.Settings settings = StabilityStudy.Settings.QUICK
+                .only(keys, List.of(IntegratorKind.VERLET))
+                .withThreads(2)
+                .withScan(scan);
+        assertThat(StabilityStudy.of(settings, (count, total, what) -> {}).cells())
                 .hasSize(keys.size())
                 .allSatisfy(c -> assertThat(c.outcome())
                         .as(c.caseKey() + ": " + c.sentence())
                         .isEqualTo(Outcome.STABLE));
-    }
-
-    private static CaseResult inspiration(StabilityCase quiet) {
-        ReferenceSolution reference = ReferenceSolution.of(quiet, INSPIRATION_S, CaseRun.SAMPLE_S);
-        double spent = StabilityStudy.Settings.QUICK.verletEvaluations();
-        return CaseRun.of(quiet, IntegratorKind.VERLET, reference, INSPIRATION_S, spent);
     }
 
     /** The reference solution lacks the contact as well, so only a measure of its own can notice that it is missing. */
