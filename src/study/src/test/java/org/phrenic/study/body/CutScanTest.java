@@ -41,6 +41,7 @@ class CutScanTest {
     /** An import builds the diaphragm between them. */
     @Test
     void aScanOfAVirtualBodyShowsItsFurtherOrgans() {
+        int compared = 0;
         for (Structure organ : MAN.organs().get()) {
             int label =
                     switch (organ.name()) {
@@ -51,13 +52,14 @@ class CutScanTest {
                         default -> 0;
                     };
             if (label > 0) {
+                compared++;
                 double volume = MeshMeasure.signedVolume(organ.mesh());
                 assertThat(count(WHOLE, label) * WHOLE.voxelVolume() / volume)
                         .as(organ.name())
                         .isCloseTo(1, within(0.03));
             }
         }
-        assertThat(count(WHOLE, 2)).isPositive();
+        assertThat(compared).isEqualTo(4);
         assertThat(count(CutScan.of(MAN, BodyCut.COMMON_LABELS), 4)).isPositive();
     }
 
