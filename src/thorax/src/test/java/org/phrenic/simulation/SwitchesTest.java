@@ -10,6 +10,8 @@ class SwitchesTest {
     private static final double QUARTER_BREATH_S = 1;
     /** A coarser body than that of the other tests: what links keep is no matter of the mesh. */
     private static final String COARSE = "mesh_vertices=3000";
+    /** A sheet that nothing drives goes less far from its shape at rest, rms, mm. */
+    private static final double STILL_MM = 0.05;
 
     private static final String[] THREE_LINKS = Runs.sheetAlone("links_per_node=3", "tendon=plane", COARSE);
 
@@ -38,7 +40,7 @@ class SwitchesTest {
         assertThat(bare.links()).isZero();
         assertThat(bare.most("lung_volume_change_ml")).isZero();
         assertThat(bare.most("liver_si_mm")).isZero();
-        assertThat(bare.most("from_rest_rms_mm")).as("nothing drives it").isLessThan(0.05);
+        assertThat(bare.most("from_rest_rms_mm")).as("nothing drives it").isLessThan(STILL_MM);
         assertThat(bare.most("rigid_link_error")).isZero();
     }
 
@@ -57,7 +59,7 @@ class SwitchesTest {
         Runs.Run passive = Runs.of(QUARTER_BREATH_S, Runs.sheetAlone("muscle=false", "pressure=false"));
         assertThat(passive.most("rib_turn")).isGreaterThan(0.05);
         assertThat(Math.abs(passive.last().get("dome_right_mm"))).isLessThan(4);
-        assertThat(passive.most("from_rest_rms_mm")).as("the sheet follows").isGreaterThan(0.1);
+        assertThat(passive.most("from_rest_rms_mm")).as("the sheet follows").isGreaterThan(2 * STILL_MM);
     }
 
     /** Links that share nodes disturb each other; every sweep over them reduces what is left of their error. */

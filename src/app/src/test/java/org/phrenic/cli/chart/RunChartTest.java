@@ -25,7 +25,7 @@ class RunChartTest {
     private static final int ORANGE = 0xd55e00;
     private static final int GREEN = 0x009e73;
 
-    /** Most of the width of a picture, pixels. */
+    /** A quarter of the width of a picture, pixels: a line of a legend is shorter, and a level curve longer. */
     private static final int LINE = 300;
 
     /** Rows in which each column has its own number, that of its place. */

@@ -16,6 +16,10 @@ import org.phrenic.ui.widget.Theme;
 class PlotPanelTest {
     /** Well left of the middle. */
     private static final int X = 150;
+    /** Limits of the zoom, s: a fortieth of a quiet breath of 4 s, and 150 of them. */
+    private static final double LEAST_S = 0.1;
+
+    private static final double MOST_S = 600;
 
     /** Time under the mouse, s. */
     private static double timeAtMouse(PlotPanel panel, PlotChart chart) {
@@ -59,8 +63,8 @@ class PlotPanelTest {
             assertThat(timeAtMouse(panel, chart)).isCloseTo(time, within(1e-9));
             assertThat(zooms[0]).isEqualTo(1);
             assertThat(turn(panel, chart, 20).getLowerBound()).isZero();
-            assertThat(turn(panel, chart, -60).getLength()).isCloseTo(0.1, within(1e-9));
-            assertThat(turn(panel, chart, 200).getLength()).isCloseTo(600, within(1e-9));
+            assertThat(turn(panel, chart, -60).getLength()).isCloseTo(LEAST_S, within(1e-9));
+            assertThat(turn(panel, chart, 200).getLength()).isCloseTo(MOST_S, within(1e-9));
         });
     }
 }
