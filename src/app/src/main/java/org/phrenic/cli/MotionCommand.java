@@ -63,7 +63,7 @@ final class MotionCommand extends ReportingCommand {
 
     @Override
     public Integer call() {
-        // Before the table of times is read: of another table what it lacks would be told.
+        // The request reads the table of times, which these trajectories would replace.
         requireKept(options.timesFile());
         MotionRequest request = options.request();
         ReportFolder.requireWritable(out);
