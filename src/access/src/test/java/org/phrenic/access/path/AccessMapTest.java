@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
@@ -31,7 +33,7 @@ class AccessMapTest {
     /** Places in single precision and a turned axis: what is nearer to a limit than this may fall to either side. */
     private static final double ROUNDING_MM = 2e-4;
 
-    /** A path that passes so near to a lung is no way. */
+    /** A path that passes so near to what it avoids is no way. */
     private static final double GRAZING_MM = 1;
 
     private static final double[] RIGHT_LOBE = {-90, 0, 50};
@@ -183,18 +185,53 @@ class AccessMapTest {
         assertThat(asked).isGreaterThan(50);
     }
 
-    /** Their place is near one rib, of which the other may lie no lower, and a cartilage of the first higher. */
+    /**
+     * Their place is near one rib, of which the other may lie no lower, and a cartilage of the first higher. The space
+     * is that below the upper one of the two ribs that lie nearest to the way.
+     */
     @Test
     void anObliqueWayBetweenTwoRibsHasTheNameOfTheirSpace() {
         scene.update(CoarseBreath.CYCLE.get(0).frame());
         PathAnalyzer analyzer = new PathAnalyzer(scene, Needle.standard());
         double[][] entries = {{-136, -74, -49}, {-138, -74, -12}, {-128, -88, 24}, {-130, -87, 60}, {-114, -98, 80}};
+        for (double[] entry : entries) {
+            assertThat(analyzer.analyze(entry, RIGHT_LOBE).space().map(IntercostalSpace::number))
+                    .as(Arrays.toString(entry))
+                    .contains(upperOfTheNearestRibs(entry, RIGHT_LOBE));
+        }
         assertThat(List.of(entries))
-                .extracting(entry -> analyzer.analyze(entry, RIGHT_LOBE)
-                        .space()
-                        .map(IntercostalSpace::number)
-                        .orElse(0))
+                .extracting(entry -> upperOfTheNearestRibs(entry, RIGHT_LOBE))
                 .containsExactly(9, 8, 7, 6, 5);
+    }
+
+    /** The number of the upper one of the two ribs on the right whose vertices lie nearest to a path. */
+    private static int upperOfTheNearestRibs(double[] entry, double[] target) {
+        List<Integer> nearest = IntStream.rangeClosed(1, 12)
+                .boxed()
+                .sorted(Comparator.comparingDouble(number -> distanceOfRib(number, entry, target)))
+                .limit(2)
+                .sorted()
+                .toList();
+        assertThat(nearest.get(1) - nearest.get(0)).as("neighbours").isEqualTo(1);
+        return nearest.get(0);
+    }
+
+    private static double distanceOfRib(int number, double[] entry, double[] target) {
+        String name = String.format(Locale.ROOT, "rib_%02d_R", number);
+        double[] rib = scene.hazards().stream()
+                .filter(hazard -> hazard.surface().name().equals(name))
+                .findFirst()
+                .orElseThrow()
+                .positions();
+        double[] way = Vectors.subtract(target, entry);
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < rib.length; i += 3) {
+            double[] vertex = Arrays.copyOfRange(rib, i, i + 3);
+            double along = Vectors.dot(Vectors.subtract(vertex, entry), way) / Vectors.dot(way, way);
+            double[] on = Vectors.addScaled(entry, way, Math.max(0, Math.min(1, along)));
+            least = Math.min(least, Vectors.distance(vertex, on));
+        }
+        return least;
     }
 
     @Test
@@ -267,22 +304,30 @@ class AccessMapTest {
 
     /**
      * Biopsies go in at the 7th to 9th space, mid-axillary line (physiology: emedicine 149684); above, the lung lies in
-     * the way, or the path grazes it.
+     * the way, but for a path that grazes the sixth costal cartilage.
      */
     @Test
     void toTheRightLobeTheSeventhToNinthSpacesAreFreeAtExpirationAndThoseAboveTheSixthAreNot() {
         AccessMap map = map(RIGHT_LOBE, workers);
         scene.update(CoarseBreath.CYCLE.get(0).frame());
+        PathAnalyzer analyzer = new PathAnalyzer(scene, Needle.standard());
         int[] free = new int[13];
+        int[] grazing = new int[13];
         for (int v = 0; v < map.size(); v++) {
-            if (map.isFree(0, v) && map.marginMm(0, v) > GRAZING_MM) {
-                Optional<IntercostalSpace> space = space(map, 0, v);
-                space.ifPresent(s -> {
-                    free[s.number()]++;
-                    assertThat(s.side()).isEqualTo(Side.RIGHT);
-                });
+            Optional<IntercostalSpace> space = map.isFree(0, v) ? space(map, 0, v) : Optional.empty();
+            if (space.isPresent()) {
+                assertThat(space.get().side()).isEqualTo(Side.RIGHT);
+                int number = space.get().number();
+                PathAnalyzer.Margin margin = analyzer.margin(entry(v), map.target(0), NoGoZone.defaults());
+                (margin.mm() > GRAZING_MM ? free : grazing)[number]++;
+                if (margin.mm() <= GRAZING_MM && number < 6) {
+                    assertThat(margin.nearest()).startsWith("costal_cartilage");
+                }
             }
         }
+        assertThat(Arrays.stream(grazing, 0, 6).sum())
+                .as("at the lower edge of the fifth space")
+                .isLessThanOrEqualTo(1);
         assertThat(free[7]).isGreaterThan(10);
         assertThat(free[8]).isGreaterThan(10);
         assertThat(free[9]).isGreaterThan(10);
