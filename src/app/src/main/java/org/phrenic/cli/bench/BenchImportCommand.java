@@ -79,18 +79,17 @@ final class BenchImportCommand extends ReportingCommand {
                 classPath(),
                 PROGRAM));
         List<ImportCost> costs = new ArrayList<>();
-        ImportCostReport report = report(costs);
         try {
             for (ScanSize size : wanted) {
                 costs.add(cost(size, program));
-                report = report(costs);
+                ImportCostReport report = report(costs);
                 out.write("import.md", MarkdownPage.format(report.document(provenance.lines())));
                 out.write("import.json", report.values());
             }
         } finally {
             // A size that is not imported, such as for want of memory, leaves what was measured of the others.
             if (!costs.isEmpty()) {
-                ImportCostReport measured = report;
+                ImportCostReport measured = report(costs);
                 print(measured.values(), () -> table(measured));
             }
         }

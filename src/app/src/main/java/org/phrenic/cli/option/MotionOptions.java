@@ -55,6 +55,9 @@ public final class MotionOptions {
             description = "CSV with a column time_s of simulated times, such as observables.csv.")
     private Path times;
 
+    /** The times of --at or --times, in ascending order, once they are read. */
+    private double[] stated;
+
     @Option(names = "--format", paramLabel = "EXT", description = "nii.gz (default), nii, nrrd or mha.")
     private String format = "nii.gz";
 
@@ -77,7 +80,7 @@ public final class MotionOptions {
                     "motion: found " + given + " of --phases, --at and --times, expected one of them");
         }
         if (phases == null) {
-            sorted();
+            stated = sorted();
         } else {
             count();
         }
@@ -101,7 +104,7 @@ public final class MotionOptions {
     }
 
     /**
-     * The times in ascending order, s.
+     * The times in ascending order, s, after {@link #request}.
      *
      * @param breathS duration of a breath
      * @param lastS time of the last step of the scenario
@@ -114,9 +117,8 @@ public final class MotionOptions {
                     .mapToDouble(i -> i * breathS / count)
                     .toArray();
         }
-        double[] sorted = sorted();
-        OptionValues.requireWithin(times != null ? "--times" : "--at", sorted, lastS);
-        return sorted;
+        OptionValues.requireWithin(times != null ? "--times" : "--at", stated, lastS);
+        return stated.clone();
     }
 
     private int count() {

@@ -140,10 +140,10 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
             }
             return files.join();
         } catch (CompletionException e) {
-            if (e.getCause() instanceof OutputException disk) {
+            Throwable cause = e.getCause();
+            if (cause instanceof OutputException disk) {
                 throw disk;
             }
-            Throwable cause = e.getCause();
             String why = cause.getMessage() == null ? cause.toString() : cause.getMessage();
             throw new IllegalStateException("The pictures were not drawn: " + why + ".", cause);
         }

@@ -202,9 +202,8 @@ final class RibSides {
                         labelled(rib).filter(side -> isMisplaced(rib, side)).isPresent())
                 .findFirst()
                 .map(rib -> "label " + label(s, rib.dominantSegment()) + " names a rib of the other side")
-                .or(() -> new VertebraHeights(s).showThorax()
-                        ? slip(Side.RIGHT).or(() -> slip(Side.LEFT))
-                        : Optional.empty());
+                .or(() ->
+                        slip(Side.RIGHT).or(() -> slip(Side.LEFT)).filter(slip -> new VertebraHeights(s).showThorax()));
     }
 
     /** Two ribs of a side whose labels leave out a number, though they are as near to each other as neighbours. */

@@ -17,10 +17,9 @@ import org.phrenic.patient.label.LabelTable;
  * out, and ribs numbered where their labels do not tell them apart.
  */
 public final class SegmentationRepair {
-    /** Pieces of a bone below this share of its voxels are specks. */
     /** Smallest volume of specks that a note states, ml. */
     private static final double LEAST_NOTED_ML = 0.01;
-
+    /** Pieces of a bone below this share of its voxels are specks. */
     private static final double BONE_SPECK = 0.005;
     /** Pieces of an organ below this share of its voxels are specks. */
     private static final double ORGAN_SPECK = 0.002;

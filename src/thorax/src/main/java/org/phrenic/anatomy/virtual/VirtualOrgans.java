@@ -1,9 +1,6 @@
 package org.phrenic.anatomy.virtual;
 
-import java.lang.ref.SoftReference;
 import java.util.List;
-import java.util.Map;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
@@ -12,7 +9,7 @@ import org.phrenic.file.UserCache;
 /** The organs and vessels of a virtual body, generated or read from a cache when they are first asked for. */
 final class VirtualOrgans implements Supplier<List<Structure>> {
     /** Organs of presets without a cache by name, kept while memory allows. */
-    private static final Map<String, SoftReference<VirtualOrgans>> PRESETS = new ConcurrentHashMap<>();
+    private static final SoftValues<VirtualOrgans> PRESETS = new SoftValues<>();
 
     private final Supplier<List<Structure>> source;
     private List<Structure> kept;
@@ -28,14 +25,7 @@ final class VirtualOrgans implements Supplier<List<Structure>> {
 
     /** Organs of a preset, which a cache keeps. They do not depend on the number of vertices of the body. */
     static VirtualOrgans ofPreset(String preset, UserCache cache) {
-        if (!cache.isOff()) {
-            return in(cache, preset);
-        }
-        SoftReference<VirtualOrgans> kept = PRESETS.get(preset);
-        VirtualOrgans known = kept == null ? null : kept.get();
-        VirtualOrgans organs = known == null ? in(cache, preset) : known;
-        PRESETS.put(preset, new SoftReference<>(organs));
-        return organs;
+        return cache.isOff() ? PRESETS.get(preset, () -> in(cache, preset)) : in(cache, preset);
     }
 
     private static VirtualOrgans in(UserCache cache, String preset) {

@@ -1,6 +1,5 @@
 package org.phrenic.anatomy.virtual;
 
-import java.lang.ref.SoftReference;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -33,10 +32,10 @@ public final class VirtualThorax {
     private static final Tube RIB = new Tube(12, 60, 2.4, 3);
     private static final Tube DISC = new Tube(28, 4, 2.3, 1);
     /** Bodies of presets by name and resolution, kept while memory allows. */
-    private static final Map<String, SoftReference<Thorax>> PRESETS = new ConcurrentHashMap<>();
+    private static final SoftValues<Thorax> PRESETS = new SoftValues<>();
 
     /** Meshes of presets that do not depend on the number of vertices, by name, kept while memory allows. */
-    private static final Map<String, SoftReference<Map<String, TriangleMesh>>> FIXED = new ConcurrentHashMap<>();
+    private static final SoftValues<Map<String, TriangleMesh>> FIXED = new SoftValues<>();
 
     private final VirtualThoraxParameters parameters;
     private final MeshBudget budget;
@@ -91,25 +90,14 @@ public final class VirtualThorax {
 
     /** The thorax of a preset with a number of vertices, read from a cache or kept there. */
     public static Thorax ofPreset(String preset, MeshBudget budget, UserCache cache) {
-        Thorax[] found = new Thorax[1];
-        PRESETS.compute(key(preset, budget), (key, known) -> {
-            found[0] = known == null ? null : known.get();
-            if (found[0] != null) {
-                return known;
-            }
-            found[0] = CachedBody.in(cache, key, () -> generatePreset(preset, budget))
-                    .withOrgans(VirtualOrgans.ofPreset(preset, cache));
-            return new SoftReference<>(found[0]);
-        });
-        return found[0];
+        String key = key(preset, budget);
+        return PRESETS.get(key, () -> CachedBody.in(cache, key, () -> generatePreset(preset, budget))
+                .withOrgans(VirtualOrgans.ofPreset(preset, cache)));
     }
 
     /** Generates the thorax of a preset, with the meshes that its other numbers of vertices have as well. */
     private static Thorax generatePreset(String preset, MeshBudget budget) {
-        SoftReference<Map<String, TriangleMesh>> kept = FIXED.get(preset);
-        Map<String, TriangleMesh> known = kept == null ? null : kept.get();
-        Map<String, TriangleMesh> fixed = known == null ? new ConcurrentHashMap<>() : known;
-        FIXED.put(preset, new SoftReference<>(fixed));
+        Map<String, TriangleMesh> fixed = FIXED.get(preset, ConcurrentHashMap::new);
         return new VirtualThorax(VirtualThoraxParameters.preset(preset), budget, fixed).build();
     }
 
