@@ -21,6 +21,7 @@ final class ContouredRegion implements LabelPainter.Voxels {
     private final ContourFill fill;
     private final TreeMap<Integer, List<double[]>> bySlice;
     private final double widest;
+    private int slicesBetween;
 
     /** @param bySlice corners of the contours in columns and rows, by slice */
     ContouredRegion(SliceGrid grid, ContourFill fill, Map<Integer, List<double[]>> bySlice) {
@@ -39,13 +40,9 @@ final class ContouredRegion implements LabelPainter.Voxels {
         widest = Math.min(2 * usual, MAX_GAP_MM / Vectors.length(grid.axes().steps()[2]));
     }
 
-    /** Number of slices between contoured ones that are filled if their neighbours overlap. */
+    /** Number of slices between contoured ones that the last {@link #forEach} filled. */
     int slicesBetween() {
-        int count = 0;
-        for (int slice : bySlice.keySet()) {
-            count += Math.max(0, gapAbove(slice) - 1);
-        }
-        return count;
+        return slicesBetween;
     }
 
     /** Number of slices from a contoured one to the next; 0 if that is too far away. */
@@ -57,6 +54,7 @@ final class ContouredRegion implements LabelPainter.Voxels {
     @Override
     public void forEach(IntConsumer voxel) {
         IntList before = new IntList();
+        slicesBetween = 0;
         for (int slice : bySlice.keySet()) {
             IntList pixels = filled(slice);
             Integer low = bySlice.lowerKey(slice);
@@ -86,6 +84,7 @@ final class ContouredRegion implements LabelPainter.Voxels {
         if (!shape.overlap()) {
             return;
         }
+        slicesBetween += high - low - 1;
         for (int slice = low + 1; slice < high; slice++) {
             int first = slice * grid.columns() * grid.rows();
             shape.between((double) (slice - low) / (high - low), pixel -> voxel.accept(first + pixel));

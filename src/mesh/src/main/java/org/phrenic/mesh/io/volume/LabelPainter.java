@@ -42,11 +42,12 @@ final class LabelPainter {
         this.slices = slices;
     }
 
-    /** Adds a structure; its voxels are asked for twice. */
-    void add(int label, Voxels voxels) {
+    /** Adds a structure, whose voxels are asked for twice; returns their number. */
+    long add(int label, Voxels voxels) {
         long[] count = new long[1];
         voxels.forEach(voxel -> count[0]++);
         structures.add(new Structure(label, voxels, count[0]));
+        return count[0];
     }
 
     /**

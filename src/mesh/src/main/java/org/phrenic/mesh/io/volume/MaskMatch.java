@@ -37,7 +37,7 @@ final class MaskMatch {
         all.addAll(masks);
         new LabelLattice(all);
         Set<String> names = new HashSet<>();
-        volumes.forEach(volume -> names.add(volume.names().get(0).toLowerCase(Locale.ROOT)));
+        volumes.forEach(volume -> volume.names().forEach(name -> names.add(name.toLowerCase(Locale.ROOT))));
         return masks.stream()
                 .flatMap(mask -> mask.names().stream())
                 .filter(name -> names.contains(name.toLowerCase(Locale.ROOT)))

@@ -49,21 +49,22 @@ final class StructureSet {
         ContourFill fill = new ContourFill(grid.columns(), grid.rows());
         Set<Integer> filled = new HashSet<>();
         List<String> between = new ArrayList<>();
+        List<String> small = new ArrayList<>();
         contours.forEach((number, closed) -> {
             Map<Integer, List<double[]>> bySlice = bySlice(grid, number, closed);
             if (!bySlice.isEmpty()) {
                 ContouredRegion region = new ContouredRegion(grid, fill, bySlice);
-                painter.add(number, region);
-                filled.add(number);
+                if (painter.add(number, region) == 0) {
+                    small.add(name(number));
+                } else {
+                    filled.add(number);
+                }
                 if (region.slicesBetween() > 0) {
                     between.add(name(number));
                 }
             }
         });
-        if (filled.isEmpty()) {
-            throw new BadInputException(
-                    set.file() + ": found contours in none of the slices, expected planar ones along the series");
-        }
+        requireFilled(filled, small);
         if (!between.isEmpty()) {
             notes.add("slices between contoured ones have the shape between their neighbours': "
                     + String.join(", ", between));
@@ -72,6 +73,22 @@ final class StructureSet {
         names.keySet().retainAll(filled);
         return new LabelVolume(
                 series.isPresent() ? labels : EmptySlices.beyond(labels), LabelPainter.named(names), notes);
+    }
+
+    /** Tells of regions too small for a voxel, whose contours hold the middle of none. */
+    private void requireFilled(Set<Integer> filled, List<String> small) {
+        String told = String.join(", ", small);
+        if (filled.isEmpty() && small.isEmpty()) {
+            throw new BadInputException(
+                    set.file() + ": found contours in none of the slices, expected planar ones along the series");
+        }
+        if (filled.isEmpty()) {
+            throw new BadInputException(set.file() + ": found contours that hold the middle of no voxel (" + told
+                    + "), expected larger ones");
+        }
+        if (!small.isEmpty()) {
+            notes.add("contours that hold the middle of no voxel were left out: " + told);
+        }
     }
 
     /** The name of a region, or its number. */

@@ -79,6 +79,14 @@ class DataSetFolderTest {
                 .contains("labels.nii.gz is left out, as segmentations holds masks with names");
     }
 
+    /** The mask of a patient without a lesion, beside the masks of all organs. */
+    @Test
+    void anEmptyMaskBesideTheFolderOfTheMasksTakesNothingFromThem() throws IOException {
+        masks("scan/segmentations");
+        volume("scan/lesion.nii.gz", UINT8, v -> 0);
+        assertIsOfMasks(folder.resolve("scan"));
+    }
+
     /** A volume of numbers says less than masks with names, as in a case of AbdomenAtlas. */
     @Test
     void masksWithNamesArePreferredToOneVolumeOfNumbers() throws IOException {

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -131,6 +132,30 @@ class DicomVolumeTest {
         assertThat(volume.notes()).anyMatch(note -> note.contains("contours of liver reach beyond the voxels"));
         assertThat(LabelVolumeFiles.read(resource("ct/contours.dcm")).notes())
                 .noneMatch(note -> note.contains("beyond"));
+    }
+
+    /** The cyst is drawn around 2 x 1 pixels in two slices; here all corners of an outline lie in its first one. */
+    @Test
+    void aRegionTooSmallForAVoxelIsLeftOutWithANote() throws IOException {
+        String file = Files.readString(resource("ct/contours.dcm"), StandardCharsets.ISO_8859_1);
+        String[] outlines = {
+            "-27.7748\\16.6342\\443.8683\\-25.8955\\17.3183\\443.8683\\-24.0161\\18.0023\\443.8683"
+                    + "\\-24.5116\\19.3638\\444.2566\\-26.3910\\18.6798\\444.2566\\-28.2704\\17.9958\\444.2566",
+            "-27.5093\\15.9046\\446.7661\\-25.6299\\16.5887\\446.7661\\-23.7505\\17.2727\\446.7661"
+                    + "\\-24.2461\\18.6342\\447.1544\\-26.1254\\17.9502\\447.1544\\-28.0048\\17.2661\\447.1544"
+        };
+        for (String outline : outlines) {
+            assertThat(file).contains(outline);
+            String corner = outline.substring(0, outline.indexOf("\\-", 1));
+            file = file.replace(outline, String.join("\\", Collections.nCopies(6, corner)));
+        }
+        for (int slice = 0; slice < 6; slice++) {
+            Files.copy(resource("ct/IM" + slice + ".dcm"), folder.resolve("IM" + slice + ".dcm"));
+        }
+        Path contours = folder.resolve("contours.dcm");
+        LabelVolume volume = LabelVolumeFiles.read(Files.writeString(contours, file, StandardCharsets.ISO_8859_1));
+        assertThat(volume.names().values()).containsExactlyInAnyOrder("liver", "Milz ä");
+        assertThat(volume.notes()).contains("contours that hold the middle of no voxel were left out: cyst");
     }
 
     /**
