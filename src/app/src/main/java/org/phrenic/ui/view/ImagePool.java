@@ -20,10 +20,12 @@ final class ImagePool {
         if (inUse >= MAX_IMAGES) {
             return Optional.empty();
         }
-        inUse++;
         free.removeIf(image -> image.getWidth() != width || image.getHeight() != height);
         BufferedImage kept = free.poll();
-        return Optional.of(kept == null ? new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB) : kept);
+        BufferedImage image = kept == null ? new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB) : kept;
+        // An image that is refused for lack of memory is not in use.
+        inUse++;
+        return Optional.of(image);
     }
 
     synchronized void release(BufferedImage image) {

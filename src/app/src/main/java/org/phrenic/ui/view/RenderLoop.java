@@ -147,10 +147,7 @@ public final class RenderLoop implements AutoCloseable {
         });
     }
 
-    /**
-     * Picks the surface under a pixel; {@code done} gets it on the render thread, nothing in another scene or on
-     * failure.
-     */
+    /** Picks the surface under a pixel; {@code done} gets it on the render thread, nothing in another scene. */
     void pick(
             double px, double py, Request at, ToDoubleFunction<Surface> opacity, Consumer<Optional<PickResult>> done) {
         runTask(gl -> {
@@ -200,7 +197,7 @@ public final class RenderLoop implements AutoCloseable {
             try {
                 wanted = requested;
                 now = version;
-                task = tasks.poll();
+                task = tasks.peek();
                 if (closed) {
                     return;
                 }
@@ -232,6 +229,7 @@ public final class RenderLoop implements AutoCloseable {
             firstBody.get().ifPresent(body -> prepare(gl, body));
         }
         if (task != null) {
+            update(tasks::remove);
             task.accept(gl);
         }
         Optional<BufferedImage> canvas = wanted != null && wanted.width() > 0 && wanted.height() > 0
@@ -270,18 +268,21 @@ public final class RenderLoop implements AutoCloseable {
         imagePool.release(old.image());
     }
 
+    /** Sets a scene up; one that cannot be, for lack of memory, is set up at the next turn. */
     private void setScene(OffscreenContext gl, LiveScene wanted) {
         if (scene == null || scene.id() != wanted.id()) {
-            scene = wanted;
+            scene = null;
             if (renderer != null) {
                 gl.release(renderer);
+                renderer = null;
             }
-            List<Surface> all = new ArrayList<>(scene.surfaces());
+            List<Surface> all = new ArrayList<>(wanted.surfaces());
             all.addAll(NeedleMarkers.surfaces());
-            renderer = new Renderer(all, scene.overlays());
+            frame = wanted.newFrame().get();
+            renderer = new Renderer(all, wanted.overlays());
             shownAccess = Optional.empty();
             picker = null;
-            frame = scene.newFrame().get();
+            scene = wanted;
         }
     }
 

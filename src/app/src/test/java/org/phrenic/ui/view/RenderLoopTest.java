@@ -9,6 +9,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.phrenic.scenario.Scenario;
@@ -151,6 +152,45 @@ class RenderLoopTest {
         CompletableFuture<Optional<PickResult>> answer = new CompletableFuture<>();
         loop.pick(SIDE / 2.0, SIDE / 2.0, at, surface -> 1, answer::complete);
         return answer.get(100, TimeUnit.SECONDS);
+    }
+
+    /** As without memory for a moment: the view is drawn and the picture written when there is some again. */
+    @Test
+    void aBodyThatCannotBeSetUpAtOnceIsSetUpLater() throws Exception {
+        Scenario small = Scenario.defaults().with("resolution=low", "mesh_vertices=2000", "threads=1");
+        FirstPicture first = new FirstPicture();
+        try (Session session = new Session(small)) {
+            RenderLoop loop = new RenderLoop(session.live(), Optional::empty, first);
+            LiveScene body = atRest(small);
+            AtomicInteger attempts = new AtomicInteger();
+            CompletableFuture<Boolean> written = new CompletableFuture<>();
+            LiveScene late = new LiveScene(
+                    small,
+                    body.surfaces(),
+                    body.overlays(),
+                    () -> {
+                        if (attempts.getAndIncrement() == 0) {
+                            loop.runTask(gl -> written.complete(true));
+                        }
+                        if (attempts.get() < 4) {
+                            throw new OutOfMemoryError("frame");
+                        }
+                        return body.newFrame().get();
+                    },
+                    body.nodes(),
+                    body.body(),
+                    body.id());
+            loop.start();
+            try {
+                loop.request(request(late));
+                assertThat(first.picture.get(100, TimeUnit.SECONDS).cost().triangles())
+                        .isGreaterThan(10_000);
+                assertThat(written.get(100, TimeUnit.SECONDS)).isTrue();
+                assertThat(attempts).hasValue(4);
+            } finally {
+                loop.close();
+            }
+        }
     }
 
     /** What is sent with the first picture keeps the user waiting. */
