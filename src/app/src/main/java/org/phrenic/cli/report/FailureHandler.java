@@ -99,7 +99,7 @@ public record FailureHandler(BooleanSupplier debug) implements IParameterExcepti
     private static String sentence(Exception failure) {
         Throwable cause = failure instanceof UncheckedIOException ? failure.getCause() : failure;
         if (!(cause instanceof FileSystemException)) {
-            return cause.getMessage();
+            return cause.getMessage() == null ? failure.getMessage() : cause.getMessage();
         }
         String kind = cause.getClass().getSimpleName().replaceFirst("Exception$", "");
         return cause.getMessage() + ": "

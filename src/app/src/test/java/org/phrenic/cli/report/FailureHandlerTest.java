@@ -2,9 +2,11 @@ package org.phrenic.cli.report;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.io.UncheckedIOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -47,6 +49,16 @@ class FailureHandlerTest {
         assertThat(exitCode(failure(new IOException("No space left on device"))))
                 .isEqualTo(ExitCode.FAILURE);
         assertThat(err).hasToString("phrenic: summary.json: writing failed" + System.lineSeparator());
+    }
+
+    /** A file that becomes shorter while it is read: the exception has no words of its own. */
+    @Test
+    void anErrorWithoutWordsIsToldInOneSentence() {
+        assertThat(exitCode(() -> {
+                    throw new UncheckedIOException("fit.shapes: reading failed", new EOFException());
+                }))
+                .isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(err).hasToString("phrenic: fit.shapes: reading failed" + System.lineSeparator());
     }
 
     @Test

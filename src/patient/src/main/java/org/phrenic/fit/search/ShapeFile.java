@@ -70,7 +70,7 @@ final class ShapeFile {
             ByteBuffer.wrap(bytes).asFloatBuffer().get(shape);
             return shape;
         } catch (IOException e) {
-            throw new UncheckedIOException(e);
+            throw new UncheckedIOException(file + ": reading failed", e);
         }
     }
 
