@@ -13,7 +13,10 @@ import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.study.measure.SceneObservables;
 
-/** Simulates a preset from rest and records its observables: one breath, or up to the end of its hold. */
+/**
+ * Simulates a preset from rest and records its observables: one breath, or up to the end of its hold. What is measured
+ * on a structure that the body lacks is NaN.
+ */
 public final class PresetRun {
     /** Sampling interval of a validation, s. */
     public static final double SAMPLE_S = 0.05;
@@ -57,7 +60,7 @@ public final class PresetRun {
             held |= isHold;
             labels.add(label == RespiratoryPhase.HOLD && !isHold ? RespiratoryPhase.EXPIRATION : label);
             if (over) {
-                return new BreathSeries(columns, rows, labels);
+                return new BreathSeries(columns, rows, labels).withUnknown(UnknownObservables.of(simulation.scene()));
             }
             long steps = Math.max(1, Math.round(sampleS / simulation.stepper().dt()));
             for (long i = 0; i < steps; i++) {

@@ -1,5 +1,6 @@
 package org.phrenic.study.sweep;
 
+import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -85,9 +86,17 @@ final class BreathModel implements SweepModel {
                     .mapToDouble(response -> response.valueIn(breath))
                     .toArray();
             double[][] curves =
-                    series.stream().map(name -> resampled(breath, name)).toArray(double[][]::new);
+                    series.stream().map(name -> seriesOf(breath, name)).toArray(double[][]::new);
             return new SweepOutcome(values, simulation.stateHash(), curves);
         }
+    }
+
+    private static double[] seriesOf(BreathSeries breath, String name) {
+        double[] values = resampled(breath, name);
+        if (Arrays.stream(values).noneMatch(Double::isFinite)) {
+            throw new IllegalStateException("series '" + name + "': found no number, expected a body that has " + name);
+        }
+        return values;
     }
 
     /** An observable at equal steps from the first to the last sample. */

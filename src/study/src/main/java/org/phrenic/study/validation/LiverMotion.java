@@ -106,7 +106,10 @@ public record LiverMotion(List<Row> rows, List<String> failures) {
                 Scenario run = on.with("preset=" + preset);
                 jobs.add(new BatchRunner.Job<>(
                         anatomy + ", " + preset,
-                        () -> row(anatomy, preset, KnownObservables.of(run, thorax, MEASURED), table)));
+                        () -> {
+                            BreathSeries breath = PresetRun.of(run, thorax, PresetRun.SAMPLE_S, MEASURED);
+                            return row(anatomy, preset, breath, table);
+                        }));
             }
         }
         Attempts<Row> done = Attempts.of(jobs, threads, progress);

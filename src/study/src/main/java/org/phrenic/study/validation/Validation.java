@@ -18,6 +18,7 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.study.Attempts;
 import org.phrenic.study.BreathSeries;
+import org.phrenic.study.PresetRun;
 import org.phrenic.study.validation.Finding.Verdict;
 
 /**
@@ -85,7 +86,8 @@ public record Validation(PhysiologyTable table, Scenario settings, List<Body> bo
             for (String preset : presets) {
                 Scenario run = on.with("preset=" + preset);
                 jobs.add(new BatchRunner.Job<>(
-                        name(anatomy, preset), () -> KnownObservables.of(run, thorax, observables(table, preset))));
+                        name(anatomy, preset),
+                        () -> PresetRun.of(run, thorax, PresetRun.SAMPLE_S, observables(table, preset))));
             }
         }
         Attempts<BreathSeries> series = Attempts.of(jobs, threads, progress);

@@ -163,6 +163,31 @@ class BreathStudyTest {
                 .hasMessage("response 'liver_top_mm_size': found no number, expected a body that has liver_top_mm");
     }
 
+    /** What is measured on an organ that is not there is unknown: 0 would enter the means and the indices. */
+    @Test
+    void aResponseThatABodyLacksIsAFailedRun() {
+        String points = "{kind: list, columns: [liver, lungs], points: [[false, embedded], [true, 'off']]}";
+        String lungs = "  - {name: air, observable: lung_volume_change_ml, reduction: size}\n";
+        SweepPlan plan = SweepPlan.of(study("", points, RESPONSE + lungs));
+        assertThat(plan.points())
+                .extracting(point -> RunRow.of(plan.model(), point).failure())
+                .containsExactly(
+                        "response 'descent': found no number, expected a body that has liver_si_mm",
+                        "response 'air': found no number, expected a body that has lung_volume_change_ml");
+    }
+
+    /** A curve without a point would be drawn without a reason. */
+    @Test
+    void aSeriesThatABodyLacksIsAFailedRun() {
+        String dome = RESPONSE.replace("liver_si_mm", "dome_right_mm");
+        String point = "{kind: list, columns: [liver], points: [[false]]}";
+        for (String series : List.of("liver_si_mm", "liver_top_mm")) {
+            SweepPlan plan = SweepPlan.of(study("", point, dome + "series: [" + series + "]\n"));
+            assertThat(RunRow.of(plan.model(), plan.points().get(0)).failure())
+                    .isEqualTo("series '" + series + "': found no number, expected a body that has " + series);
+        }
+    }
+
     @Test
     void bodiesOfATableOfPointsAreTakenFromItsFolder() throws IOException {
         Path tables = Files.createDirectories(folder.resolve("tables/bodies/one"))
