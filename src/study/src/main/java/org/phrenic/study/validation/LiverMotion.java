@@ -14,8 +14,10 @@ import org.phrenic.document.report.ReportDocument;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.study.Attempts;
 import org.phrenic.study.BreathSeries;
@@ -105,15 +107,20 @@ public record LiverMotion(List<Row> rows, List<String> failures) {
             for (String preset : PRESETS) {
                 Scenario run = on.with("preset=" + preset);
                 jobs.add(new BatchRunner.Job<>(
-                        anatomy + ", " + preset,
-                        () -> {
-                            BreathSeries breath = PresetRun.of(run, thorax, PresetRun.SAMPLE_S, MEASURED);
-                            return row(anatomy, preset, breath, table);
-                        }));
+                        anatomy + ", " + preset, () -> row(anatomy, preset, breath(run, thorax), table)));
             }
         }
         Attempts<Row> done = Attempts.of(jobs, threads, progress);
         return new LiverMotion(done.results(), done.failures());
+    }
+
+    private static BreathSeries breath(Scenario scenario, Thorax thorax) {
+        try (Simulation simulation = Simulation.of(scenario, thorax)) {
+            if (simulation.scene().liver().isEmpty()) {
+                throw new BadInputException("found no liver, expected a body with a liver, and liver=true");
+            }
+            return PresetRun.of(simulation, PresetRun.SAMPLE_S, MEASURED);
+        }
     }
 
     /** Evaluates one run. */

@@ -1,6 +1,7 @@
 package org.phrenic.study.validation;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
@@ -9,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.file.BadInputException;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.BreathSeries;
 import org.phrenic.study.PresetRun;
@@ -113,6 +115,16 @@ class LiverMotionTest {
         assertThat(MarkdownPage.format(motion.document(Scenario.defaults(), List.of())))
                 .doesNotContain("NaN", "OUT");
         assertThat(motion.values().toString()).doesNotContain("NaN");
+    }
+
+    /** A check of nothing is no passed check. */
+    @Test
+    void aBodyWithoutALiverIsRefused() {
+        Scenario without = Scenario.defaults().with("resolution=low", "liver=false");
+        PhysiologyTable table = PhysiologyTable.shipped();
+        assertThatThrownBy(() -> LiverMotion.of(table, without, List.of("virtual/adult-male"), 1, (c, t, w) -> {}))
+                .isInstanceOf(BadInputException.class)
+                .hasMessage("found no liver, expected a body with a liver, and liver=true");
     }
 
     @Test
