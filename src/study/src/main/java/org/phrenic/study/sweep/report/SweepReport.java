@@ -31,6 +31,7 @@ public final class SweepReport {
     private static final double SMALL_WIDTH = 300;
     private static final double SMALL_HEIGHT = 200;
     private static final double MINUTE_S = 60;
+    private static final String SPAN = "span of means";
 
     private final SweepResults results;
     private final double leftS;
@@ -81,8 +82,7 @@ public final class SweepReport {
             for (int f : order(a)) {
                 List<String> row = new ArrayList<>(List.of(a.name(), factors.get(f)));
                 measures(a, f).forEach(e -> row.add(text(e)));
-                double[] ends = a.curves().get(f).extremes();
-                row.add(ofAnySize(ends[1] - ends[0]));
+                row.add(ofAnySize(span(a, f)));
                 rows.add(row);
             }
         }
@@ -93,7 +93,7 @@ public final class SweepReport {
     public List<String> sensitivityHeadings() {
         List<String> headings = new ArrayList<>(List.of("response", "factor"));
         headings.addAll(measureNames());
-        headings.add("span of means");
+        headings.add(SPAN);
         return headings;
     }
 
@@ -111,6 +111,12 @@ public final class SweepReport {
         a.morris()
                 .ifPresent(m -> list.addAll(List.of(m.muStar().get(f), m.sigma().get(f), m.mu().get(f))));
         return list;
+    }
+
+    /** Greatest minus least mean of the response over the bins of a factor. */
+    private static double span(ResponseAnalysis a, int f) {
+        double[] ends = a.curves().get(f).extremes();
+        return ends[1] - ends[0];
     }
 
     private static String text(Estimate e) {
@@ -135,8 +141,7 @@ public final class SweepReport {
         } else if (a.morris().isPresent()) {
             value = a.morris().get().muStar().get(f).value();
         } else {
-            double[] ends = a.curves().get(f).extremes();
-            value = ends[1] - ends[0];
+            value = span(a, f);
         }
         return Double.isNaN(value) ? 0 : value;
     }
@@ -260,11 +265,12 @@ public final class SweepReport {
     }
 
     private void measures(ReportDocument page, ResponseAnalysis a) {
-        if (!measureNames().isEmpty()) {
-            List<Column> columns = new ArrayList<>(List.of(Column.text("factor")));
-            measureNames().forEach(name -> columns.add(Column.number(name + " [95 %]")));
-            page.table("", columns, order(a).stream().map(f -> measured(a, f)).toList());
+        List<Column> columns = new ArrayList<>(List.of(Column.text("factor")));
+        measureNames().forEach(name -> columns.add(Column.number(name + " [95 %]")));
+        if (measureNames().isEmpty()) {
+            columns.add(Column.number(SPAN));
         }
+        page.table("", columns, order(a).stream().map(f -> measured(a, f)).toList());
         a.sobol()
                 .ifPresent(s -> page.figure(
                         "Sobol' indices: first order (blue), total (orange), with 95 % intervals of " + s.samples()
@@ -280,6 +286,9 @@ public final class SweepReport {
     private List<String> measured(ResponseAnalysis a, int f) {
         List<String> row = new ArrayList<>(List.of(factors.get(f)));
         measures(a, f).forEach(e -> row.add(text(e)));
+        if (measureNames().isEmpty()) {
+            row.add(ofAnySize(span(a, f)));
+        }
         return row;
     }
 

@@ -33,5 +33,8 @@ class SweepReportTest {
         assertThat(report.sensitivity()).containsExactly(List.of("descent_m", "depth", "0.00778"));
         assertThat(MarkdownPage.format(report.summary(List.of())))
                 .contains("| 0.00845 | 0.00550 | 0.00456 |", "| 0.0123 |");
+        assertThat(MarkdownPage.format(report.summary(List.of())))
+                .as("what the factor of a design without indices does")
+                .contains("span of means", "| depth | 0.00778 |");
     }
 }
