@@ -52,7 +52,7 @@ final class BarChart {
         SvgCanvas svg = new SvgCanvas(WIDTH, height);
         for (double tick : axis.ticks()) {
             svg.line(axis.at(tick), TOP, axis.at(tick), height - BOTTOM, SvgCanvas.PALE);
-            svg.label(axis.at(tick), height - BOTTOM + 15, "middle", PlotAxis.text(tick));
+            svg.label(axis.at(tick), height - BOTTOM + 15, "middle", axis.text(tick));
         }
         double y = TOP;
         for (int g = 0; g < groups.size(); g++) {

@@ -48,10 +48,10 @@ final class CurveChart {
         SvgCanvas svg = new SvgCanvas(width, height);
         for (double tick : up.ticks()) {
             svg.line(LEFT, up.at(tick), width - RIGHT, up.at(tick), SvgCanvas.PALE);
-            svg.label(LEFT - 5, up.at(tick) + 4, "end", PlotAxis.text(tick));
+            svg.label(LEFT - 5, up.at(tick) + 4, "end", up.text(tick));
         }
         if (names.isEmpty()) {
-            across.ticks().forEach(tick -> mark(svg, across.at(tick), PlotAxis.text(tick)));
+            across.ticks().forEach(tick -> mark(svg, across.at(tick), across.text(tick)));
         }
         for (int i = 0; i < names.size(); i++) {
             mark(svg, across.at(i), names.get(i));

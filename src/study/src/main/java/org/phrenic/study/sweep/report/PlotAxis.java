@@ -16,7 +16,7 @@ import org.phrenic.file.Numbers;
 record PlotAxis(double low, double high, double from, double to) {
     private static final double MARGIN = 0.04;
     private static final int TICKS = 5;
-    /** Significant digits of a tick. */
+    /** Significant digits of a tick whose step needs no more. */
     private static final int TICK_DIGITS = 4;
 
     /** An axis that shows all finite values, with a margin. */
@@ -36,13 +36,18 @@ record PlotAxis(double low, double high, double from, double to) {
         return Arrays.stream(values).map(this::at).toArray();
     }
 
-    /** Round values within the axis: multiples of 1, 2 or 5 times a power of ten. */
-    List<Double> ticks() {
+    /** Between two ticks: 1, 2 or 5 times a power of ten. */
+    private double step() {
         double rough = (high - low) / TICKS;
         double power = StrictMath.pow(10, Math.floor(StrictMath.log10(rough)));
-        double step = rough / power <= 1
+        return rough / power <= 1
                 ? power
                 : rough / power <= 2 ? 2 * power : rough / power <= 5 ? 5 * power : 10 * power;
+    }
+
+    /** Round values within the axis: multiples of the step. */
+    List<Double> ticks() {
+        double step = step();
         List<Double> ticks = new ArrayList<>();
         for (long i = (long) Math.ceil(low / step); i * step <= high; i++) {
             ticks.add(i * step);
@@ -50,7 +55,14 @@ record PlotAxis(double low, double high, double from, double to) {
         return ticks;
     }
 
-    static String text(double tick) {
-        return Numbers.trimmed(tick, TICK_DIGITS);
+    /** A tick down to the digit of the step. */
+    String text(double tick) {
+        double digits = 1 + leading(tick) - leading(step());
+        return Numbers.trimmed(tick, (int) Math.max(TICK_DIGITS, digits));
+    }
+
+    /** Power of ten of the first digit of a number. */
+    private static double leading(double value) {
+        return Math.floor(StrictMath.log10(Math.abs(value)));
     }
 }

@@ -7,15 +7,23 @@ import org.junit.jupiter.api.Test;
 
 class PlotAxisTest {
     private static List<String> texts(double... values) {
-        return PlotAxis.around(0, 100, values).ticks().stream()
-                .map(PlotAxis::text)
-                .toList();
+        PlotAxis axis = PlotAxis.around(0, 100, values);
+        return axis.ticks().stream().map(axis::text).toList();
     }
 
     @Test
     void aTickIsWrittenAsAReaderWritesIt() {
         assertThat(texts(0, 20000)).containsExactly("0", "5000", "10000", "15000", "20000");
         assertThat(texts(0, 0.5)).containsExactly("0", "0.2", "0.4");
+    }
+
+    /** A response that a factor hardly moves: rounded ticks would be read as other values, or twice. */
+    @Test
+    void ticksOfASmallRangeOfLargeNumbersHaveTheDigitsOfTheirStep() {
+        assertThat(texts(131.2, 131.4)).containsExactly("131.2", "131.25", "131.3", "131.35", "131.4");
+        assertThat(texts(2501.2, 2503.1)).containsExactly("2501.5", "2502", "2502.5", "2503");
+        assertThat(texts(12341, 12359)).containsExactly("12345", "12350", "12355");
+        assertThat(texts(-131.4, -131.2)).contains("-131.25");
     }
 
     @Test
