@@ -7,6 +7,7 @@ import java.util.Set;
 import org.phrenic.breathing.BreathState;
 import org.phrenic.breathing.BreathingPattern;
 import org.phrenic.breathing.RespiratoryPhase;
+import org.phrenic.file.BadInputException;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
@@ -22,8 +23,7 @@ final class HeldBreaths {
 
     /** Whether at least one combination of listed presets, recordings and holds has one. */
     static boolean in(SweepStudy study) {
-        return combinations(study).stream()
-                .anyMatch(assignments -> isHeld(study.scenario().with(assignments)));
+        return combinations(study).stream().anyMatch(assignments -> isHeld(study.scenario(), assignments));
     }
 
     private static Set<List<Assignment>> combinations(SweepStudy study) {
@@ -57,6 +57,15 @@ final class HeldBreaths {
 
     private static Assignment assignment(Factor factor, String value) {
         return Assignment.read("factor '" + factor.key() + "'", factor.key(), value);
+    }
+
+    /** Whether a combination has a hold; one that is refused has no breath. */
+    private static boolean isHeld(Scenario shared, List<Assignment> assignments) {
+        try {
+            return isHeld(shared.with(assignments));
+        } catch (BadInputException refused) {
+            return false;
+        }
     }
 
     /** Whether a change on the way holds the breath; with another preset the breath that is measured ends. */

@@ -115,6 +115,17 @@ class StudyCheckTest {
         }
     }
 
+    /** The refused combination is a failed run, as with every other response. */
+    @ParameterizedTest
+    @ValueSource(strings = {"[cough, hold-inspiration]", "[hold-inspiration, cough]"})
+    void creepIsComputedBesideACombinationThatIsRefused(String presets) {
+        String rate = "settings: {rate_per_min: 60}\n";
+        String study = rate + "factors:\n  - {key: preset, values: " + presets + "}\n" + GRID + CREEP;
+        SweepPlan plan = SweepPlan.of(SweepStudy.parse("study.yaml", study));
+        SweepPoint cough = plan.points().get(presets.startsWith("[cough") ? 0 : 1);
+        assertThat(RunRow.of(plan.model(), cough).failure()).startsWith("preset cough with rate_per_min 60");
+    }
+
     @Test
     void pointsAreStatedOnceAndInAListOnly() throws IOException {
         Files.writeString(folder.resolve("p.csv"), "depth\n1\n");
