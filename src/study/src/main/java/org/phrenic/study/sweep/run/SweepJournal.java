@@ -62,7 +62,6 @@ final class SweepJournal implements AutoCloseable {
         try {
             FileLock lock = lock();
             if (lock == null) {
-                file.close();
                 throw new BadInputException(path + ": found a journal that another process writes, expected none"
                         + " (the study runs already)");
             }
@@ -72,7 +71,11 @@ final class SweepJournal implements AutoCloseable {
                 append(CsvWriter.format(header(model, true), List.of()));
             }
         } catch (IOException failure) {
+            close();
             throw failed(path, failure);
+        } catch (RuntimeException refused) {
+            close();
+            throw refused;
         }
     }
 

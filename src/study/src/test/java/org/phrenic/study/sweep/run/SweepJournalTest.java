@@ -196,6 +196,19 @@ class SweepJournalTest {
         assertThat(resumed(out, plan)).isTrue();
     }
 
+    /** A second try would be told that another process writes. */
+    @Test
+    void aJournalThatIsRefusedIsNotKeptOpen() throws IOException {
+        SweepPlan plan = plan(KNOWN);
+        Path path = Files.writeString(folder.resolve("journal.csv"), "index,index\n");
+        for (int i = 0; i < 2; i++) {
+            assertThatThrownBy(() -> new SweepJournal(path, plan.model(), plan.fingerprint()))
+                    .isInstanceOf(BadInputException.class)
+                    .hasMessageContaining("'index'")
+                    .hasMessageNotContaining("another process");
+        }
+    }
+
     private static final class Notes implements ProgressListener {
         private final List<String> sentences = new ArrayList<>();
 
