@@ -98,8 +98,8 @@ public record WayCheck(int ways, int crossing, Map<String, Integer> crossed, int
     }
 
     /**
-     * Whether a segment passes through a triangle or its border: its ends lie on two sides of the plane, and its line
-     * passes all edges in one sense.
+     * Whether a segment passes through a triangle or its border: its ends lie on two sides of the plane, or one of them
+     * in it, and its line passes all edges in one sense. A segment in the plane passes through none.
      *
      * @param path start and end, six numbers
      * @param a index of the first coordinate of a corner in {@code p}
@@ -107,7 +107,7 @@ public record WayCheck(int ways, int crossing, Map<String, Integer> crossed, int
     static boolean isCrossed(double[] path, double[] p, int a, int b, int c) {
         double from = volume(path, 0, p, a, b, c);
         double to = volume(path, 3, p, a, b, c);
-        if (from * to > 0) {
+        if (from * to > 0 || (from == 0 && to == 0)) {
             return false;
         }
         double ab = edge(path, p, a, b);

@@ -43,6 +43,8 @@ class WayCheckTest {
         assertThat(isCrossed(3, 3, 5, 3, 3, -5)).as("passes beside").isFalse();
         assertThat(isCrossed(-1, 1, 5, 3, 1, -5)).as("oblique").isTrue();
         assertThat(isCrossed(0, 0, 1, 0, 0, -1)).as("through a corner").isTrue();
+        assertThat(isCrossed(10, 10, 0, 20, 11, 0)).as("in the plane").isFalse();
+        assertThat(isCrossed(1, 1, 5, 1, 1, 0)).as("ends in it").isTrue();
     }
 
     /** The skin about two closed bones about the liver, of which the map knows neither bone. */
