@@ -19,6 +19,10 @@ class ErrorTableTest {
     private Path folder;
 
     private static ErrorTable.Row row(String preset, double stepS, double rmsMm, double cpuS) {
+        return row(preset, stepS, rmsMm, cpuS, 0);
+    }
+
+    private static ErrorTable.Row row(String preset, double stepS, double rmsMm, double cpuS, double uncertaintyMm) {
         SolverSettings settings = new SolverSettings(IntegratorKind.VERLET, stepS, 2, 0.02);
         return new ErrorTable.Row(
                 "paper",
@@ -26,11 +30,12 @@ class ErrorTableTest {
                 "low",
                 12_028,
                 4,
-                0,
+                uncertaintyMm,
                 10 * rmsMm,
                 20 * rmsMm,
                 new ErrorPoint(
-                        settings, 1, rmsMm, 2 * rmsMm, 3 * rmsMm, 4 * rmsMm, rmsMm, cpuS, cpuS, 4 / cpuS, true, false));
+                        settings, 1, rmsMm, 2 * rmsMm, 3 * rmsMm, 4 * rmsMm, 5 * rmsMm, cpuS, 2 * cpuS, 4 / cpuS, true,
+                        false));
     }
 
     private static ErrorTable table(ErrorTable.Row... rows) {
@@ -47,6 +52,15 @@ class ErrorTableTest {
         assertThat(table.cheapest(PAPER, 0.05).sentence(PAPER))
                 .contains("0.05 mm", "verlet, step 0.005 s, 2 sweeps, refresh 0.02 s", "0.0100 mm rms")
                 .endsWith("on 4 s of a quiet breath of the virtual adult male at low resolution.");
+    }
+
+    /** A reference that is not known that well promises no such error. */
+    @Test
+    void theUncertaintyOfTheReferenceCounts() {
+        ErrorTable table = table(row("quiet", 0.01, 0.04, 1, 0.02), row("quiet", 0.005, 0.03, 2, 0.01));
+        assertThat(table.cheapest(PAPER, 0.05).settings().timeStepS()).isEqualTo(0.005);
+        assertThat(table.cheapest(PAPER, 0.07).settings().timeStepS()).isEqualTo(0.01);
+        assertThatThrownBy(() -> table.cheapest(PAPER, 0.035)).hasMessageContaining("at least 0.0400 mm");
     }
 
     @Test
@@ -110,10 +124,14 @@ class ErrorTableTest {
     @Test
     void itIsWrittenAndReadBackAndNewerRowsReplaceThoseOfTheirScene() {
         Path file = folder.resolve("settings.csv");
-        ErrorTable old = table(row("quiet", 0.01, 0.01, 1), row("deep", 0.01, 0.06, 1));
+        ErrorTable old = table(row("quiet", 0.01, 0.01, 1), row("deep", 0.01, 0.06, 1, 0.005));
         old.with(table(row("quiet", 0.005, 0.002, 2))).write(file);
         assertThat(ErrorTable.read(file).rows())
-                .containsExactly(row("deep", 0.01, 0.06, 1), row("quiet", 0.005, 0.002, 2));
+                .containsExactly(row("deep", 0.01, 0.06, 1, 0.005), row("quiet", 0.005, 0.002, 2));
+        assertThat(ErrorTable.read(file).rows().get(0).measurement())
+                .containsEntry("start_rms_mm", 5 * 0.06)
+                .containsEntry("cpu_s", 1.0)
+                .containsEntry("wall_s", 2.0);
     }
 
     @Test
