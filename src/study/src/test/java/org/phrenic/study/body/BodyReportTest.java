@@ -15,7 +15,7 @@ class BodyReportTest {
         return new BreathResult(
                 depth,
                 "",
-                new BreathResult.Motion(dome, dome, 500, returned),
+                new BreathResult.Motion(dome, dome - 1, 10 * dome, returned),
                 OrganCrossing.NONE,
                 Optional.of(inspired));
     }
@@ -38,6 +38,21 @@ class BodyReportTest {
                     breath(BreathDepth.DEEP, 55, 0.3, OrganCrossing.NONE)));
 
     @Test
+    void everyColumnHasItsSideAndItsBreath() {
+        BodyReport report = new BodyReport(new BodyStudy(Scenario.defaults(), List.of(GOOD)));
+        assertThat(report.table().get(0))
+                .startsWith("body", "quiet R mm", "L", "return mm", "deep R mm", "L", "air ml", "return mm");
+        assertThat(report.table().get(1)).startsWith("good", "15.0", "14.0", "0.20", "55.0", "54.0", "550", "0.30");
+        List<String> lines = report.csv().lines().toList();
+        List<String> header = List.of(lines.get(0).split(",", -1));
+        List<String> deep = List.of(lines.get(2).split(",", -1));
+        assertThat(deep.get(header.indexOf("breath"))).isEqualTo("deep");
+        assertThat(List.of("dome_right_mm", "dome_left_mm", "air_ml", "return_rms_mm"))
+                .extracting(column -> Double.valueOf(deep.get(header.indexOf(column))))
+                .containsExactly(55.0, 54.0, 550.0, 0.3);
+    }
+
+    @Test
     void limitsAreHeldForEachBreath() {
         assertThat(GOOD.passes()).isTrue();
         BodyResult bad = new BodyResult(
@@ -52,7 +67,7 @@ class BodyReportTest {
                         breath(BreathDepth.DEEP, 55, Double.NaN, new OrganCrossing(0, 2, 1, 4.5, "spleen"))));
         assertThat(bad.faults())
                 .containsExactly(
-                        "quiet: domes 7.9 and 7.9 mm",
+                        "quiet: domes 7.9 and 6.9 mm",
                         "quiet: returns to 0.51 mm rms",
                         "deep: returns to NaN mm rms",
                         "deep: 3 organ vertices through the diaphragm at full inspiration, spleen by 4.5 mm");
