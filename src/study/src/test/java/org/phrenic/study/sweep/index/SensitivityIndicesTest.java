@@ -101,6 +101,12 @@ class SensitivityIndicesTest {
         assertThat(flat.extremes()[1] - flat.extremes()[0]).isLessThan(2);
     }
 
+    @Test
+    void theBandOfACurveIsTheStandardDeviationWithinEachBin() {
+        ResponseCurve curve = ResponseCurve.of(new double[] {0, 0, 1}, new double[] {0, 2, 5});
+        assertThat(curve.deviation()).containsExactly(Math.sqrt(2), 0);
+    }
+
     /** Ten bodies, each at the same five depths: a bin that had a part of a body's runs would have other depths. */
     @Test
     void inABalancedGridTheCurveOfAFactorWithoutEffectIsFlat() {
