@@ -26,7 +26,9 @@ class KnownBreathTest {
     @Test
     void aGentlerAttemptHasTheSameSettingsWithLessDrive() {
         assertThat(value(7, 0.4, 0)).isCloseTo(0.4 * value(7, 1, 0), within(0.001));
+        assertThat(value(7, 0.4, 1)).isCloseTo(0.4 * value(7, 1, 1), within(0.001));
         assertThat(value(7, 0.4, 2)).isEqualTo(value(7, 1, 2));
+        assertThat(value(7, 0.4, 3)).isEqualTo(value(7, 1, 3));
     }
 
     private static double value(long seed, double drive, int place) {
