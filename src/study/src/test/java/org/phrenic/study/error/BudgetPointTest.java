@@ -35,6 +35,25 @@ class BudgetPointTest {
                 part, "virtual man", "deep", mesh, setting, usual, edgeMm, excursionMm, rmsMm, rmsMm, 0, 4, 2);
     }
 
+    private static BudgetPoint ofUncertain(double rmsMm, double uncertaintyMm) {
+        BudgetTable table = new BudgetTable();
+        table.add(List.of(new BudgetRow(
+                BudgetPart.TIME,
+                "virtual man",
+                "deep",
+                "medium",
+                "verlet, a step",
+                true,
+                UNKNOWN,
+                48,
+                rmsMm,
+                rmsMm,
+                uncertaintyMm,
+                4,
+                2)));
+        return BudgetPoint.of(table).get(0);
+    }
+
     private static List<BudgetRow> meshes() {
         List<BudgetRow> meshes = new ArrayList<>();
         for (double edgeMm : new double[] {8, 6, 4, 3}) {
@@ -61,6 +80,39 @@ class BudgetPointTest {
         assertThat(usual.equilibriumPercent()).isCloseTo(1, within(1e-9));
         assertThat(usual.wholePercent())
                 .isEqualTo(usual.timePercent() + usual.spacePercent() + usual.equilibriumPercent());
+    }
+
+    @Test
+    void theUncertaintyOfTheReferenceIsPartOfTheErrorInTime() {
+        assertThat(ofUncertain(0.4, 0.2).timePercent()).isCloseTo(100 * 0.6 / 48, within(1e-9));
+        assertThat(ofUncertain(0.4, 0.2).resolved()).isFalse();
+        assertThat(ofUncertain(0.75, 0.25).resolved())
+                .as("three times as large")
+                .isTrue();
+    }
+
+    /** Newton's method may find the equilibrium of another fold of the sheet. */
+    @Test
+    void theEquilibriumIsThatOfTheHeldBody() {
+        BudgetRow newton = row(BudgetPart.EQUILIBRIUM, "medium", "0.3 s" + BudgetRow.NEWTON, true, UNKNOWN, 48, 5);
+        BudgetTable table = table(TIME, LAGS);
+        table.add(List.of(newton));
+        assertThat(BudgetPoint.of(table).get(0).equilibriumPercent()).isCloseTo(1, within(1e-9));
+    }
+
+    @Test
+    void withoutAnOrderTheMeanOfTheThreeFinestMeshesStandsForTheLimit() {
+        double[] edgesMm = {8, 6, 4, 3};
+        double[] excursionsMm = {47, 49, 46, 48.5};
+        BudgetTable table = table(TIME);
+        for (int i = 0; i < edgesMm.length; i++) {
+            String mesh = edgesMm[i] + " mm";
+            table.add(List.of(row(BudgetPart.SPACE, mesh, "verlet", false, edgesMm[i], excursionsMm[i], UNKNOWN)));
+        }
+        double limitMm = (49 + 46 + 48.5) / 3;
+        BudgetPoint point = BudgetPoint.of(table).get(0);
+        assertThat(point.extrapolated()).isFalse();
+        assertThat(point.spacePercent()).isCloseTo(100 * (48 - limitMm) / limitMm, within(1e-9));
     }
 
     @Test
