@@ -35,24 +35,31 @@ class RichardsonFitTest {
                 .isFalse();
     }
 
+    /** With deviations that are orthogonal to a straight line: they leave the fit of order 1 as it is. */
+    private static double[] scattered(double[] edges, double size) {
+        double[] deviations = {1, -2, 1, 0, -1, 2, -1};
+        double[] values = new double[edges.length];
+        Arrays.setAll(values, i -> 50 - 0.1 * edges[i] + size * deviations[i]);
+        return values;
+    }
+
     @Test
     void convergenceIsToldFromScatter() {
-        double[] edges = new double[7];
-        double[] little = new double[7];
-        double[] much = new double[7];
-        // Deviations that are orthogonal to a straight line: they leave the fit of order 1 as it is.
-        double[] deviations = {1, -2, 1, 0, -1, 2, -1};
-        for (int i = 0; i < edges.length; i++) {
-            edges[i] = 10 - i;
-            little[i] = 50 - 0.1 * edges[i] + 0.02 * deviations[i];
-            much[i] = 50 - 0.1 * edges[i] + 0.3 * deviations[i];
-        }
-        RichardsonFit fit = RichardsonFit.of(edges, little);
+        double[] edges = {10, 9, 8, 7, 6, 5, 4};
+        double[] much = scattered(edges, 0.3);
+        RichardsonFit fit = RichardsonFit.of(edges, scattered(edges, 0.02));
         assertThat(fit.hasOrder()).isTrue();
         assertThat(fit.limit()).isCloseTo(50, within(0.2));
         // The root of the sum of squares 12 · 0.02² over 7 - 3 meshes.
         assertThat(fit.scatter()).isCloseTo(0.02 * Math.sqrt(3), within(0.005));
         assertThat(RichardsonFit.of(edges, much).hasOrder()).isFalse();
+        RichardsonFit fourTimes = RichardsonFit.of(edges, scattered(edges, 0.15));
+        assertThat(Math.abs(fourTimes.change()) / fourTimes.scatter()).isBetween(3.0, 4.0);
+        assertThat(fourTimes.hasOrder()).isTrue();
+        RichardsonFit twice = RichardsonFit.of(edges, scattered(edges, 0.22));
+        assertThat(Math.abs(twice.change()) / twice.scatter()).isBetween(2.0, 3.0);
+        assertThat(twice.order()).isBetween(0.5, 3.5);
+        assertThat(twice.hasOrder()).isFalse();
     }
 
     @Test
