@@ -150,7 +150,7 @@ public record WayCheck(int ways, int crossing, Map<String, Integer> crossed, int
     }
 
     /** Vertices of a skin that belong to a flat triangle at its upper or lower end. */
-    private static boolean[] cutEnd(TriangleMesh skin) {
+    static boolean[] cutEnd(TriangleMesh skin) {
         double[] box = skin.bounds();
         double[] normals = MeshMeasure.triangleNormals(skin);
         boolean[] end = new boolean[skin.vertexCount()];

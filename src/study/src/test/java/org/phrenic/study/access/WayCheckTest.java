@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.MovingAnatomy;
@@ -52,9 +53,7 @@ class WayCheckTest {
     void aWayThroughTwoSurfacesIsOneThatCrosses() {
         List<Surface> body = List.of(scaled(StructureKind.SKIN, "skin", 3), scaled(StructureKind.LIVER, "liver", 1));
         MovingAnatomy anatomy = new MovingAnatomy(body);
-        double[] liver = body.get(1).rest().positions();
-        BreathMoment still =
-                new BreathMoment(TestFrames.of(body, 0, 0, 0, new double[0], liver), RespiratoryPhase.PAUSE);
+        BreathMoment still = still(body);
         List<Surface> withBones = new ArrayList<>(body);
         withBones.add(scaled(StructureKind.BONE, "inner", 1.5));
         withBones.add(scaled(StructureKind.BONE, "outer", 2));
@@ -72,6 +71,64 @@ class WayCheckTest {
                     .as("of what a plan does not avoid")
                     .isZero();
         }
+    }
+
+    /** A tower that is wider than high: the four corners of either end, and none of those between them. */
+    @Test
+    void bothFlatEndsOfASkinAreCut() {
+        double[] p = new double[3 * 12];
+        for (int v = 0; v < 12; v++) {
+            int corner = v % 4;
+            p[3 * v] = corner == 1 || corner == 2 ? 200 : -200;
+            p[3 * v + 1] = corner < 2 ? -100 : 100;
+            p[3 * v + 2] = 50 * (v / 4);
+        }
+        List<Integer> t = new ArrayList<>(List.of(0, 2, 1, 0, 3, 2, 8, 9, 10, 8, 10, 11));
+        for (int v = 0; v < 8; v++) {
+            int next = v % 4 == 3 ? v - 3 : v + 1;
+            t.addAll(List.of(v, next, next + 4, v, next + 4, v + 4));
+        }
+        TriangleMesh tower =
+                new TriangleMesh(p, t.stream().mapToInt(Integer::intValue).toArray());
+        boolean f = false;
+        boolean e = true;
+        assertThat(WayCheck.cutEnd(tower)).containsExactly(e, e, e, e, f, f, f, f, e, e, e, e);
+    }
+
+    /** A map from a skin without a flat end, held against one that is cut above the target. */
+    @Test
+    void anEntryOnACutEndFailsTheCheck() {
+        List<Surface> body = List.of(scaled(StructureKind.SKIN, "skin", 3), scaled(StructureKind.LIVER, "liver", 1));
+        MovingAnatomy anatomy = new MovingAnatomy(body);
+        BreathMoment still = still(body);
+        double[] cut = body.get(0).rest().positions().clone();
+        for (int i = 2; i < cut.length; i += 3) {
+            cut[i] = Math.min(cut[i], IN_LIVER[2] + 60);
+        }
+        TriangleMesh flat = body.get(0).rest().withPositions(cut);
+        Surface skin =
+                new Surface("skin", StructureKind.SKIN, 0, Side.MIDLINE, flat, Surface.Motion.STILL, new boolean[0]);
+        try (Workers workers = Workers.of(1)) {
+            anatomy.update(still.frame());
+            AccessMap map = map(anatomy, still, NoGoZone.defaults(), workers);
+            WayCheck whole = WayCheck.of(body, map);
+            assertThat(whole.entries()).isEqualTo(whole.ways());
+            assertThat(whole.atCutEnd()).isZero();
+            assertThat(whole.passes()).isTrue();
+            WayCheck check = WayCheck.of(List.of(skin, body.get(1)), map);
+            boolean[] end = WayCheck.cutEnd(flat);
+            int expected = (int) IntStream.range(0, map.size())
+                    .filter(v -> map.access(v) != AccessMap.Access.NEVER && end[v])
+                    .count();
+            assertThat(check.crossed()).isEmpty();
+            assertThat(check.atCutEnd()).isEqualTo(expected).isBetween(1, check.entries() - 1);
+            assertThat(check.passes()).isFalse();
+        }
+    }
+
+    private static BreathMoment still(List<Surface> body) {
+        double[] liver = body.get(1).rest().positions();
+        return new BreathMoment(TestFrames.of(body, 0, 0, 0, new double[0], liver), RespiratoryPhase.PAUSE);
     }
 
     private static AccessMap map(MovingAnatomy anatomy, BreathMoment still, Set<NoGoZone> avoided, Workers workers) {
