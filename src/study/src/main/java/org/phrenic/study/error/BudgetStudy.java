@@ -181,7 +181,7 @@ public final class BudgetStudy {
             Trajectory run = runs.run(settings);
             double excursionMm = runs.excursionMm(run);
             List<BudgetRow> rows = new ArrayList<>();
-            for (EquilibriumLag lag : EquilibriumLag.of(runs, run, settings)) {
+            for (EquilibriumLag lag : EquilibriumLag.of(runs, run, settings, EquilibriumLag.phases())) {
                 String phase = SolverSettings.number(lag.timeS()) + " s";
                 rows.add(new BudgetRow(
                         BudgetPart.EQUILIBRIUM,

@@ -52,8 +52,12 @@ public record EquilibriumLag(
         return Arrays.stream(PHASES).boxed().toList();
     }
 
-    /** Computes the lag at several phases of a trajectory. */
-    static List<EquilibriumLag> of(BreathRunner runs, Trajectory run, SolverSettings settings) {
+    /**
+     * Computes the lag at several phases of a trajectory.
+     *
+     * @param phases as shares of the trajectory
+     */
+    static List<EquilibriumLag> of(BreathRunner runs, Trajectory run, SolverSettings settings, List<Double> phases) {
         List<EquilibriumLag> list = new ArrayList<>();
         ParticleSystem system = runs.simulation().system();
         system.setProjectionSweeps(settings.sweeps());
@@ -63,7 +67,7 @@ public record EquilibriumLag(
             mayMove[system.layout().caller(i)] = sheet[i];
         }
         int substeps = substeps(runs, run, settings);
-        for (double phase : PHASES) {
+        for (double phase : phases) {
             int sample =
                     (int) Math.min(run.positions().length, Math.max(1, Math.round(phase * run.positions().length)));
             double timeS = sample * BreathRunner.SAMPLE_S;

@@ -132,7 +132,7 @@ public record ErrorStudy(
                 progress.done(++measured, total, settings.label());
             }
             List<EquilibriumLag> equilibrium = scenario.material() == Materials.PHYSICAL && lag
-                    ? EquilibriumLag.of(runs, exact, SolverSettings.of(scenario))
+                    ? EquilibriumLag.of(runs, exact, SolverSettings.of(scenario), EquilibriumLag.phases())
                     : List.of();
             excursionsMm.put(reference, runs.excursionMm(exact));
             List<ErrorPoint> marked = withParetoFront(points, RESOLVED * proof[0]);

@@ -1,6 +1,7 @@
 package org.phrenic.study.error;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -20,10 +21,19 @@ class EquilibriumLagTest {
                 new BreathRunner(scenario, SimulationRun.loadThorax(scenario), BreathRunner.SAMPLE_S)) {
             Trajectory run = runs.run(settings);
             assertThat(run.substeps()).isGreaterThan(1);
-            assertThat(EquilibriumLag.of(runs, run, settings)).isNotEmpty().allSatisfy(lag -> {
-                assertThat(lag.heldMaxMm()).isBetween(0.0, 1.0);
-                assertThat(lag.heldDriftMm()).isBetween(0.0, 0.1);
-            });
+            assertThat(EquilibriumLag.of(runs, run, settings, List.of(0.75)))
+                    .singleElement()
+                    .satisfies(lag -> {
+                        assertThat(lag.heldMaxMm()).isBetween(0.001, 1.0);
+                        assertThat(lag.heldDriftMm()).isBetween(0.0, 0.1);
+                        assertThat(lag.newton().converged()).isTrue();
+                        assertThat(lag.relaxationErrorMm()).isPositive().isLessThan(0.1 * lag.heldRmsMm());
+                        assertThat(lag.rmsMm())
+                                .as("from Newton's equilibrium, not from where the held body rests")
+                                .isNotEqualTo(lag.heldRmsMm())
+                                .isCloseTo(lag.heldRmsMm(), within(lag.relaxationErrorMm()));
+                        assertThat(lag.maxMm()).isGreaterThan(lag.rmsMm());
+                    });
         }
     }
 }
