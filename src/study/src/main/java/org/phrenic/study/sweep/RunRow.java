@@ -14,7 +14,10 @@ import java.util.Arrays;
  */
 public record RunRow(int index, SweepOutcome outcome, String failure, double wallS, String machine)
         implements Serializable {
-    /** Evaluates a point. A run that fails is a row with its reason. */
+    /**
+     * Evaluates a point. A run that fails is a row with its reason; one that fails on an interrupted thread tells only
+     * that its study ends, and is none.
+     */
     public static RunRow of(SweepModel model, SweepPoint point) {
         long begun = System.nanoTime();
         SweepOutcome outcome;
@@ -22,6 +25,9 @@ public record RunRow(int index, SweepOutcome outcome, String failure, double wal
         try {
             outcome = model.evaluate(point);
         } catch (RuntimeException reason) {
+            if (Thread.currentThread().isInterrupted()) {
+                throw reason;
+            }
             outcome = failed(model);
             failure = sentence(reason);
         }

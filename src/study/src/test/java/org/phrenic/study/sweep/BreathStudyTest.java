@@ -127,6 +127,19 @@ class BreathStudyTest {
         assertThat(row.outcome().responses()).containsExactly(Double.NaN);
     }
 
+    /** Such as one that waits for a body while the study ends: its row would be a failed one for ever. */
+    @Test
+    void aRunOfAnInterruptedStudyIsNoRow() {
+        SweepPlan plan = SweepPlan.of(study("", "{kind: list, columns: [depth], points: [[1]]}", RESPONSE));
+        SweepPoint failing = new SweepPoint(0, List.of("depth"), List.of("1000"));
+        Thread.currentThread().interrupt();
+        try {
+            assertThatThrownBy(() -> RunRow.of(plan.model(), failing)).hasMessageContaining("found 1000, expected");
+        } finally {
+            assertThat(Thread.interrupted()).isTrue();
+        }
+    }
+
     /** Each factor is within its limits, the breadth of the body is not. */
     @Test
     void aSizeOfTheBodyBeyondItsLimitsIsAFailedRun() {
