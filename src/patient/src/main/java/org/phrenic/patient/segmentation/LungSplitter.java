@@ -1,5 +1,6 @@
 package org.phrenic.patient.segmentation;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -8,11 +9,12 @@ import org.phrenic.patient.label.LabelTable;
 
 /**
  * Splits a label that two lungs share. Where the lungs have labels as well, it holds vessels or the like, which go to
- * the lung about them. Where one of them has, its largest component is the other lung if it is large enough, and
- * vessels of the one otherwise. Else the label is eroded until it separates into two large components side by side, or
- * has a small one beside the large one from the beginning, as where air or fluid about a lung makes it collapse. These
- * are then grown back, with each voxel assigned to the nearer one. The component closer to the patient's right is the
- * right lung.
+ * the lung about them. Where one of them has, its largest component is the other lung if it is large enough and lies
+ * beside the one, and vessels of the one otherwise; where it is both lungs, or far larger than the one, the one is a
+ * lobe and the label is split as without it. Else the label is eroded until it separates into two large components side
+ * by side, or has a small one beside the large one from the beginning, as where air or fluid about a lung makes it
+ * collapse. These are then grown back, with each voxel assigned to the nearer one. The component closer to the
+ * patient's right is the right lung.
  */
 public final class LungSplitter {
     /**
@@ -43,16 +45,29 @@ public final class LungSplitter {
      */
     public static Optional<String> split(Segmentation segmentation, List<String> notes) {
         int both = segmentation.find(LabelTable.LUNGS);
-        if (segmentation.find(RIGHT) > 0 || segmentation.find(LEFT) > 0) {
-            if (segmentation.find(RIGHT) == 0 || segmentation.find(LEFT) == 0) {
-                nameOther(segmentation, new VoxelRegion(segmentation, both));
+        boolean right = segmentation.find(RIGHT) > 0;
+        boolean left = segmentation.find(LEFT) > 0;
+        if (right != left) {
+            nameOther(segmentation, right);
+        } else if (!right) {
+            Optional<String> problem = part(segmentation);
+            if (problem.isPresent()) {
+                return problem;
             }
-            if (segmentation.counts()[both] > 0) {
-                join(segmentation, new VoxelRegion(segmentation, both), notes);
-            }
-            return Optional.empty();
         }
-        VoxelRegion region = new VoxelRegion(segmentation, both);
+        if (segmentation.counts()[both] > 0) {
+            join(segmentation, new VoxelRegion(segmentation, both), notes);
+        }
+        return Optional.empty();
+    }
+
+    /**
+     * Gives each of two bodies side by side, with all that is connected to it, to the lung of its side.
+     *
+     * @return a sentence if there are none
+     */
+    private static Optional<String> part(Segmentation segmentation) {
+        VoxelRegion region = new VoxelRegion(segmentation, segmentation.find(LabelTable.LUNGS));
         region.computeDepths();
         byte[] piece = new byte[region.cells()];
         int[] whole = new int[2];
@@ -68,7 +83,7 @@ public final class LungSplitter {
                 Place large = Place.of(segmentation, region, piece, first);
                 Place small = Place.of(segmentation, region, piece, second);
                 if (isLarge ? small.isBeside(large) : isCollapsed(segmentation, small, large)) {
-                    divide(segmentation, region, piece, large, small, notes);
+                    divide(segmentation, region, piece, large, small);
                     return Optional.empty();
                 }
             }
@@ -101,17 +116,26 @@ public final class LungSplitter {
                 && small.isAtHeightOf(lung);
     }
 
-    /** Names the largest component the lung that has no label, unless it is too small beside the one that has. */
-    private static void nameOther(Segmentation s, VoxelRegion region) {
-        Place labelled = Place.of(s, (byte) Math.max(s.find(RIGHT), s.find(LEFT)));
-        String other = s.find(RIGHT) > 0 ? LEFT : RIGHT;
+    /** Names the lung that has no label, unless what is there is too small or not beside the one that has. */
+    private static void nameOther(Segmentation s, boolean isRightLabelled) {
+        VoxelRegion region = new VoxelRegion(s, s.find(LabelTable.LUNGS));
         byte[] piece = new byte[region.cells()];
-        int first = largest(region.connectedComponents(0, piece), 0);
+        int[] sizes = region.connectedComponents(0, piece);
+        int first = largest(sizes, 0);
         if (first == 0) {
             return;
         }
+        Place labelled = Place.ofLargest(s, new VoxelRegion(s, s.find(isRightLabelled ? RIGHT : LEFT)));
         Place largest = Place.of(s, region, piece, first);
-        if (largest.voxels > MIN_SHARE * labelled.voxels || isCollapsed(s, largest, labelled)) {
+        if (largest.voxels <= MIN_SHARE * labelled.voxels && !isCollapsed(s, largest, labelled)) {
+            return;
+        }
+        boolean isOneLung = largest.size(0) <= MAX_WIDTH * largest.size(1)
+                && labelled.voxels > MIN_SHARE * largest.voxels
+                && sizes[largest(sizes, first)] <= MIN_SHARE * largest.voxels
+                && isRightLabelled == labelled.centre(0) < largest.centre(0);
+        if ((isOneLung || part(s).isPresent()) && largest.isBeside(labelled)) {
+            String other = isRightLabelled ? LEFT : RIGHT;
             region.assign(piece, first, s.segment(other));
             s.inheritFrom(other, LabelTable.LUNGS);
         }
@@ -151,31 +175,23 @@ public final class LungSplitter {
         return largest;
     }
 
-    private static void divide(
-            Segmentation segmentation,
-            VoxelRegion region,
-            byte[] piece,
-            Place first,
-            Place second,
-            List<String> notes) {
+    private static void divide(Segmentation segmentation, VoxelRegion region, byte[] piece, Place first, Place second) {
         for (int cell = 0; cell < piece.length; cell++) {
             piece[cell] = piece[cell] == first.mark || piece[cell] == second.mark ? piece[cell] : 0;
         }
         region.growRegions(piece);
-        noteRest(segmentation, region, piece, notes);
         // The x axis points to the patient's left.
         boolean firstIsRight = first.centre(0) < second.centre(0);
-        byte right = (byte) segmentation.segment(RIGHT);
-        byte left = (byte) segmentation.segment(LEFT);
-        for (int cell = 0; cell < piece.length; cell++) {
-            if (region.isMember(cell)) {
-                boolean isFirst = piece[cell] == first.mark;
-                // Voxels connected to neither lung are discarded.
-                segmentation.voxels[region.voxel(cell)] = piece[cell] == 0 ? 0 : isFirst == firstIsRight ? right : left;
-            }
-        }
-        segmentation.inheritFrom(RIGHT, LabelTable.LUNGS);
-        segmentation.inheritFrom(LEFT, LabelTable.LUNGS);
+        assign(segmentation, region, piece, firstIsRight ? first : second, RIGHT);
+        assign(segmentation, region, piece, firstIsRight ? second : first, LEFT);
+    }
+
+    private static void assign(Segmentation s, VoxelRegion region, byte[] piece, Place place, String lung) {
+        List<Integer> labels = new ArrayList<>(s.find(lung) > 0 ? s.labels(lung) : List.of());
+        labels.addAll(s.labels(LabelTable.LUNGS));
+        labels.sort(null);
+        region.assign(piece, place.mark, s.segment(lung));
+        s.setLabels(lung, labels);
     }
 
     /** Notes what belongs to neither lung. */
@@ -218,14 +234,10 @@ public final class LungSplitter {
             return place;
         }
 
-        static Place of(Segmentation s, byte segment) {
-            Place place = new Place(segment);
-            for (int v = 0; v < s.voxels.length; v++) {
-                if (s.voxels[v] == segment) {
-                    place.add(s, v);
-                }
-            }
-            return place;
+        /** The largest component of a segment. */
+        static Place ofLargest(Segmentation s, VoxelRegion region) {
+            byte[] piece = new byte[region.cells()];
+            return of(s, region, piece, LungSplitter.largest(region.connectedComponents(0, piece), 0));
         }
 
         private void add(Segmentation s, int voxel) {

@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
@@ -32,12 +34,16 @@ class LungSplitterTest {
     }
 
     private Segmentation segmentation() {
+        return segmentation("lung_L");
+    }
+
+    private Segmentation segmentation(String third) {
         double s = SPACING_MM;
         LabelVolume volume = new LabelVolume(
                 LabelGrid.of(COLUMNS, ROWS, SLICES, labels, new double[] {s, 0, 0, 0, 0, s, 0, 0, 0, 0, s, 0}),
                 Map.of(),
                 List.of());
-        return new Segmentation(volume, new LabelTable(Map.of(1, LabelTable.LUNGS, 2, "lung_R")), "scan");
+        return new Segmentation(volume, new LabelTable(Map.of(1, LabelTable.LUNGS, 2, "lung_R", 3, third)), "scan");
     }
 
     private static int count(Segmentation s, String name) {
@@ -92,6 +98,25 @@ class LungSplitterTest {
         assertThat(LungSplitter.split(s, notes)).isEmpty();
         assertThat(count(s, "lung_R") + count(s, "lung_L")).isEqualTo(12_000 + 32 + 10_800);
         assertThat(notes).singleElement().asString().startsWith("lungs: 259 ml that lie apart from both lungs");
+    }
+
+    /** A lobe with a label of its own is a piece of its lung, whether the lungs touch or not and on either side. */
+    @ParameterizedTest
+    @CsvSource({"lung_L, 52, 24", "lung_L, 52, 21", "lung_R, 0, 24", "lung_R, 0, 21"})
+    void aLobeUnderALabelOfItsOwnIsAPieceOfItsLung(String lobe, int column, int bridge) {
+        rightLung(1);
+        box(1, bridge, 14, 20, 8, 2, 2);
+        box(1, 32, 5, 5, 18, 20, 30);
+        int joined = bridge == 24 ? 4 * 8 : 4 * 5;
+        box(3, column, 10, 15, 3, 10, 15);
+        Segmentation s = segmentation(lobe);
+        assertThat(LungSplitter.split(s, notes)).isEmpty();
+        assertThat(count(s, "lung_R") + count(s, "lung_L")).isEqualTo(12_000 + joined + 10_800 + 450);
+        assertThat(count(s, "lung_R")).isBetween(12_000, 12_000 + joined + 450);
+        assertThat(count(s, "lung_L")).isBetween(10_800, 10_800 + joined + 450);
+        assertThat(count(s, lobe)).isGreaterThanOrEqualTo("lung_R".equals(lobe) ? 12_450 : 11_250);
+        assertThat(s.labels(lobe)).containsExactly(1, 3);
+        assertThat(notes).isEmpty();
     }
 
     /** The lobes of one lung lie apart where fluid fills the fissure between them. */
