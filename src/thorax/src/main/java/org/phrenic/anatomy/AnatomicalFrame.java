@@ -3,6 +3,9 @@ package org.phrenic.anatomy;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.BoundingBoxes;
@@ -137,22 +140,30 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
     }
 
     /**
-     * Detects the length of a unit, mm, from the extent of any structures.
+     * Detects the length of a unit, mm, from the width of the rib cage, or without ribs of both sides from the extent
+     * of any structures.
      *
-     * @throws IllegalArgumentException if they are too small or too large for a part of a trunk in any unit
+     * @param axes of the structures
+     * @throws IllegalArgumentException if the axes are invalid, or the structures are too small or too large for a part
+     *     of a trunk in any unit
      */
-    static double unitOfPart(List<Structure> structures) {
-        double extent = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            extent = Math.max(extent, extent(structures, axis));
-        }
-        for (double unit : new double[] {1, 10, 1000}) {
-            if (extent * unit >= MIN_PART_MM && extent * unit <= MAX_PART_MM) {
-                return unit;
-            }
-        }
-        throw new IllegalArgumentException(Numbers.format(
-                "units: found structures over %.4g units, expected 80 to 1200 mm (or that in cm or m)", extent));
+    static double unitOfPart(String axes, List<Structure> structures) {
+        String valid = new AnatomicalFrame(axes, 1).axes;
+        boolean bothSides = Stream.of(Side.RIGHT, Side.LEFT)
+                .allMatch(side -> centre(structures, StructureKind.RIB, side, 1, 12) != null);
+        OptionalDouble ofCage = bothSides ? unitOfCage(structures, valid) : OptionalDouble.empty();
+        return ofCage.orElseGet(() -> unitOfExtent(structures));
+    }
+
+    private static double unitOfExtent(List<Structure> structures) {
+        double extent = IntStream.range(0, 3)
+                .mapToDouble(axis -> extent(structures, axis))
+                .max()
+                .orElseThrow();
+        return unit(extent, MIN_PART_MM, MAX_PART_MM)
+                .orElseThrow(() -> new IllegalArgumentException(Numbers.format(
+                        "units: found structures over %.4g units, expected 80 to 1200 mm (or that in cm or m)",
+                        extent)));
     }
 
     /** Whether right and left, upper and lower structures lie as the axes say, as far as there are any. */
@@ -207,14 +218,21 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
     }
 
     private static double detectUnit(List<Structure> structures, String axes) {
-        double width = width(structures, Math.max(axes.indexOf('L'), axes.indexOf('R')));
-        for (double unit : new double[] {1, 10, 1000}) {
-            if (width * unit >= MIN_CAGE_WIDTH_MM && width * unit <= MAX_CAGE_WIDTH_MM) {
-                return unit;
-            }
-        }
-        throw new IllegalArgumentException(Numbers.format(
-                "units: found a rib cage %.4g units wide, expected 100 to 500 mm (or that in cm or m)", width));
+        return unitOfCage(structures, axes)
+                .orElseThrow(() -> new IllegalArgumentException(Numbers.format(
+                        "units: found a rib cage %.4g units wide, expected 100 to 500 mm (or that in cm or m)",
+                        cageWidth(structures, axes))));
+    }
+
+    private static OptionalDouble unitOfCage(List<Structure> structures, String axes) {
+        return unit(cageWidth(structures, axes), MIN_CAGE_WIDTH_MM, MAX_CAGE_WIDTH_MM);
+    }
+
+    /** The unit, mm, in which a size lies within a range. */
+    private static OptionalDouble unit(double size, double minMm, double maxMm) {
+        return DoubleStream.of(1, 10, 1000)
+                .filter(unit -> size * unit >= minMm && size * unit <= maxMm)
+                .findFirst();
     }
 
     private static void markAxis(char[] letters, double[] positive, double[] negative, char plus, char minus) {
@@ -242,7 +260,8 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
         return count == 0 ? null : new double[] {sum[0] / count, sum[1] / count, sum[2] / count};
     }
 
-    private static double width(List<Structure> all, int axis) {
+    private static double cageWidth(List<Structure> all, String axes) {
+        int axis = Math.max(axes.indexOf('L'), axes.indexOf('R'));
         double[] box = BoundingBoxes.of(
                 all.stream().filter(s -> s.kind() == StructureKind.RIB).map(Structure::mesh));
         return box[3 + axis] - box[axis];

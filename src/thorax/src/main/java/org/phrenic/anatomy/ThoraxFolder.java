@@ -189,9 +189,9 @@ public final class ThoraxFolder {
     private static AnatomicalFrame frame(Path folder, YamlMap yaml, List<Structure> raw, boolean whole) {
         try {
             if (!whole) {
+                String axes = yaml.has("axes") ? yaml.text("axes") : AnatomicalFrame.axesOfPart(raw);
                 return new AnatomicalFrame(
-                        yaml.has("axes") ? yaml.text("axes") : AnatomicalFrame.axesOfPart(raw),
-                        yaml.has("units") ? unit(yaml) : AnatomicalFrame.unitOfPart(raw));
+                        axes, yaml.has("units") ? unit(yaml) : AnatomicalFrame.unitOfPart(axes, raw));
             }
             if (!yaml.has("units")) {
                 return yaml.has("axes")

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -235,6 +236,24 @@ class ThoraxFolderTest {
         assertThat(part().notes()).containsExactly("axes LSA, 10.0 mm a unit");
         assertThat(part().find("rib_03_L").orElseThrow().mesh().bounds())
                 .containsExactly(ribs.get(4).mesh().bounds(), within(FILE_MM));
+    }
+
+    /** A skin of 90 cm would be a part of a trunk in mm; between stumps of the last ribs the extent counts. */
+    @Test
+    void theUnitOfAPartIsReadOffItsRibCage() {
+        List<Structure> body = new ArrayList<>(BoxBody.structures().stream()
+                .filter(s -> s.kind() != StructureKind.DIAPHRAGM)
+                .toList());
+        body.add(new Structure("skin", StructureKind.SKIN, 0, Side.MIDLINE, BoxBody.box(0, 0, 0, 450)));
+        write(BoxBody.given(body, "LPS", 10));
+        assertThat(part().notes()).containsExactly("axes LPS, 10.0 mm a unit");
+        write(body.stream()
+                .filter(s -> s.kind() == StructureKind.RIB)
+                .map(s -> s.withMesh(
+                        BoxBody.box(40 * s.side().sign(), 80, s.mesh().centre()[2], 2)))
+                .toList());
+        write(body.subList(body.size() - 1, body.size()));
+        assertThat(part().notes()).containsExactly("axes LPS, 1.0 mm a unit");
     }
 
     @Test
