@@ -79,8 +79,8 @@ public final class EndExpiration {
 
     private static final Set<String> STILL = Set.of("spinal_cord", "thyroid_gland", "oesophagus", "esophagus", "brain");
 
-    /** Organs that keep their volume, besides the liver. */
-    private static final Set<String> SOLID = Set.of("heart", "spleen", "kidney");
+    /** Organs that keep their volume, besides liver and kidneys. */
+    private static final Set<String> SOLID = Set.of("heart", "spleen");
 
     private final BoneCarriage bones;
     private final LesionBones lesionBones;
@@ -228,7 +228,9 @@ public final class EndExpiration {
     /** A soft organ at end-expiration. */
     private Structure raised(Structure s) {
         double[] risen = risen(s.mesh());
-        boolean solid = s.kind() == StructureKind.LIVER || SOLID.contains(OrganNames.words(s.name()));
+        boolean solid = s.kind() == StructureKind.LIVER
+                || SOLID.contains(OrganNames.words(s.name()))
+                || OrganNames.isKidney(s.name().toLowerCase(Locale.ROOT));
         return solid
                 ? stretch(s.mesh(), risen).of(s, risen)
                 : s.withMesh(s.mesh().withPositions(risen));
@@ -266,7 +268,7 @@ public final class EndExpiration {
 
     private Stretch stretch(TriangleMesh scanned, double[] moved) {
         TriangleMesh mesh = scanned.withPositions(moved);
-        double factor = Math.max(1, MeshMeasure.signedVolume(scanned) / MeshMeasure.signedVolume(mesh));
+        double factor = MeshMeasure.signedVolume(scanned) / MeshMeasure.signedVolume(mesh);
         return new Stretch(scanned.centre()[2] > domes ? mesh.bounds()[2] : mesh.bounds()[5], factor);
     }
 

@@ -12,12 +12,14 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.Shapes;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 
-/** What lies in the liver and on bones of the inspired man of {@link EndExpirationTest}. */
+/** Organs, and what lies in the liver and on bones, of the inspired man of {@link EndExpirationTest}. */
 class EndExpirationContentsTest {
     /** Vertex of rib 7 at which a lesion lies. */
     private static final int ON_RIB = 200;
@@ -46,7 +48,28 @@ class EndExpirationContentsTest {
                 PatientStructure.Source.SCAN,
                 Optional.empty(),
                 Optional.empty())));
+        all.add(organ("heart", 0.55, 0.4, 60));
+        all.add(organ("spleen", 0.8, 0.8, -60));
+        all.add(organ("kidney_L", 0.65, 0.8, -100));
+        all.add(organ("kidney_R", 0.35, 0.8, -170));
+        all.add(organ("organ_kidneys", 0.35, 0.8, -170));
         return new PatientBody("patient", all, List.of(), List.of());
+    }
+
+    /** A ball at a share of the breadth and depth of the lungs, and in mm above the top of the liver. */
+    private static PatientStructure organ(String name, double breadth, double depth, double above) {
+        double[] right = mesh(EndExpirationTest.INSPIRED, "lung_R").bounds();
+        double[] left = mesh(EndExpirationTest.INSPIRED, "lung_L").bounds();
+        TriangleMesh ball = Shapes.moved(
+                Shapes.sphere(30, 3),
+                right[0] + breadth * (left[3] - right[0]),
+                right[1] + depth * (right[4] - right[1]),
+                mesh(EndExpirationTest.INSPIRED, "liver").bounds()[5] + above);
+        return new PatientStructure(
+                new Structure(name, StructureKind.ORGAN, 0, Side.MIDLINE, ball),
+                PatientStructure.Source.SCAN,
+                Optional.empty(),
+                Optional.empty());
     }
 
     private static StructureKind kind(String name) {
@@ -90,6 +113,18 @@ class EndExpirationContentsTest {
         double rise = mesh(resting, "hepatic_vein").bounds()[2]
                 - mesh(SCANNED, "hepatic_vein").bounds()[2];
         assertThat(rise).isGreaterThan(0.5 * EndExpirationTest.LEVEL.descentMm());
+    }
+
+    @Test
+    void organsThatAreNoBagsKeepTheirVolume() {
+        for (String name : List.of("heart", "spleen", "kidney_R", "kidney_L", "organ_kidneys")) {
+            TriangleMesh before = mesh(SCANNED, name);
+            TriangleMesh after = mesh(RESTING, name);
+            assertThat(after.centre()[2] - before.centre()[2]).as(name).isGreaterThan(5);
+            assertThat(MeshMeasure.signedVolume(after) / MeshMeasure.signedVolume(before))
+                    .as(name)
+                    .isCloseTo(1, within(1e-9));
+        }
     }
 
     @Test
