@@ -14,6 +14,8 @@ public final class StructureLabels {
     /** Number of a vertebra in small letters. */
     private static final Pattern VERTEBRAL = Pattern.compile("[ctls]\\d+");
 
+    private static final Pattern NUMBER = Pattern.compile("\\d+");
+
     private StructureLabels() {}
 
     public static String of(Surface surface) {
@@ -33,7 +35,7 @@ public final class StructureLabels {
             case VERTEBRA -> "Vertebra " + level(s.level());
             case DISC -> s.level() == 0 ? "Disc C7-T1" : "Disc " + level(s.level()) + "-" + below(s.level());
             case LUNG -> lung(name, s.side());
-            case SKIN -> "Skin";
+            case SKIN -> "Skin" + piece(name).orElse("");
             case PLEURA -> "Pleura" + side(s.side());
             case STERNUM, DIAPHRAGM, LIVER -> capitalized(name);
             default -> vertebral(capitalized(OrganNames.words(name))) + side(s.side());
@@ -73,7 +75,13 @@ public final class StructureLabels {
     private static String lung(String name, Side side) {
         String[] parts = name.split("_", 3);
         String lobe = parts.length > 2 ? ", " + parts[2].replace('_', ' ').toLowerCase(Locale.ROOT) + " lobe" : "";
-        return "Lung" + side(side) + lobe;
+        return "Lung" + side(side) + piece(name).orElse(lobe);
+    }
+
+    /** Which of several pieces a structure is, as in {@code lung_R_2}. */
+    private static Optional<String> piece(String name) {
+        String last = name.substring(name.lastIndexOf('_') + 1);
+        return NUMBER.matcher(last).matches() ? Optional.of(", piece " + last) : Optional.empty();
     }
 
     private static String side(Side side) {

@@ -23,10 +23,12 @@ class StructureLabelsTest {
                 "disc_C7_T1 | Disc C7-T1",
                 "lung_R | Lung right",
                 "lung_L_upper | Lung left, upper lobe",
+                "lung_R_2 | Lung right, piece 2",
                 "sternum_body | Sternum body",
                 "diaphragm | Diaphragm",
                 "liver | Liver",
                 "skin_torso | Skin",
+                "skin_2 | Skin, piece 2",
                 "my_tumour | My tumour"
             })
     void structuresAreCalledAsPeopleCallThem(String name, String expected) {
