@@ -50,8 +50,8 @@ public record GeometryOverride(Optional<String> axes, Optional<String> spacing) 
      * @throws BadInputException if the letters are invalid
      */
     public static LabelVolume axes(LabelVolume volume, String letters) {
-        BodyAxes turned =
-                BodyAxes.of(volume.grid(), letters.toUpperCase(Locale.ROOT)).orElseThrow(() -> badAxes(letters));
+        BodyAxes turned = BodyAxes.of(volume.grid(), letters.strip().toUpperCase(Locale.ROOT))
+                .orElseThrow(() -> badAxes(letters));
         double[] stated = volume.grid().toMm();
         double[] toMm = new double[12];
         for (int row = 0; row < 3; row++) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -57,8 +58,16 @@ class GeometryOverrideTest {
     /** What the window's dialog lets pass is what an import takes. */
     @Test
     void textsOfAxesAndSpacingAreJudgedAsTheyAreTaken() {
-        assertThat(List.of("LPS", "ras", " SAL ")).allMatch(GeometryOverride::areAxes);
-        assertThat(List.of("LPX", "LLS", "LP", "LPSA", "")).noneMatch(GeometryOverride::areAxes);
+        LabelVolume volume = ScanSamples.volume();
+        for (String text : List.of("LPS", "ras", " SAL ")) {
+            assertThat(GeometryOverride.areAxes(text)).as(text).isTrue();
+            assertThat(StatedAxes.letters(GeometryOverride.axes(volume, text)))
+                    .isEqualTo(text.strip().toUpperCase(Locale.ROOT));
+        }
+        for (String text : List.of("LPX", "LLS", "LP", "LPSA", "")) {
+            assertThat(GeometryOverride.areAxes(text)).as(text).isFalse();
+            assertThatThrownBy(() -> GeometryOverride.axes(volume, text)).isInstanceOf(BadInputException.class);
+        }
         assertThat(List.of("1,1,1", "1.75, 1.75, 1.25", "0.1,50,3")).allMatch(GeometryOverride::isSpacing);
         assertThat(List.of("1,1", "1,1,0", "1,1,x", "1,1,51", "1;1;1", "NaN,1,1", ""))
                 .noneMatch(GeometryOverride::isSpacing);
