@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
@@ -160,7 +161,7 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         List<String> absent = new ArrayList<>();
         for (int row = 0; row < structures.size(); row++) {
             requireStructure(table, row, structures);
-            String structure = StructureName.usual(structures.get(row));
+            String structure = word(structures.get(row)).orElse(StructureName.usual(structures.get(row)));
             List<Integer> labels = byName
                     ? LabelRows.labels(volume.names(), table.texts("name"), row, structure)
                     : List.of(label(table, row));
@@ -237,11 +238,14 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
 
     /** Whether a name can stand in the table: a structure, several under one label, or that a label is ignored. */
     public static boolean isStructure(String name) {
-        return name.equals(LUNGS)
-                || name.equals(IGNORE)
-                || isRibs(name)
-                || name.equals(COSTAL_CARTILAGES)
-                || StructureName.parse(name).isPresent();
+        return word(name).isPresent() || StructureName.parse(name).isPresent();
+    }
+
+    /** The word of the table that a name is in any case: several structures under one label, or {@link #IGNORE}. */
+    private static Optional<String> word(String name) {
+        return Stream.of(LUNGS, RIBS, RIGHT_RIBS, LEFT_RIBS, COSTAL_CARTILAGES, IGNORE)
+                .filter(name::equalsIgnoreCase)
+                .findFirst();
     }
 
     /**
@@ -249,10 +253,9 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
      * rind beside the body.
      */
     static String usual(String name) {
-        return StructureName.parse(name)
-                        .filter(parsed -> parsed.kind() == StructureKind.SKIN)
-                        .isPresent()
-                ? SKIN
-                : StructureName.usual(name.replace(' ', '_'));
+        boolean isSkin = StructureName.parse(name)
+                .filter(parsed -> parsed.kind() == StructureKind.SKIN)
+                .isPresent();
+        return isSkin ? SKIN : word(name).orElseGet(() -> StructureName.usual(name.replace(' ', '_')));
     }
 }

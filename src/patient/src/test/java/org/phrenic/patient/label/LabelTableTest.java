@@ -50,6 +50,13 @@ class LabelTableTest {
         assertThat(read("label,structure\n5,costal_cartilage_5_l\n6,vertebra_L1\n", Map.of())
                         .structures())
                 .isEqualTo(Map.of(5, "costal_cartilage_05_L", 6, "vertebra_L01"));
+        assertThat(read("label,structure\n5,Lungs\n6,Costal_Cartilages\n", Map.of())
+                        .structures())
+                .isEqualTo(Map.of(5, "lungs", 6, "costal_cartilages"));
+        assertThat(read("label,structure\n5,RIBS\n6,Ignore\n", Map.of()).structures())
+                .isEqualTo(Map.of(5, "ribs", 6, "ignore"));
+        assertThat(read("label,structure\n5,Ribs_r\n6,ribs_l\n", Map.of()).structures())
+                .isEqualTo(Map.of(5, "ribs_R", 6, "ribs_L"));
     }
 
     /** DICOM states the side of a segment apart from its label, and it stands before the name that is read. */
