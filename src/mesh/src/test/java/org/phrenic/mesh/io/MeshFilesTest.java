@@ -13,6 +13,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -350,16 +353,48 @@ class MeshFilesTest {
     }
 
     @Test
-    void valuesAtVerticesDoNotDisturbTheSurface() {
+    void valuesAtVerticesStandBesideTheSurface() throws IOException {
         TriangleMesh mesh = MeshSamples.tetrahedron();
         Map<String, double[]> values = new LinkedHashMap<>();
         values.put("distance_mm", new double[] {1, 2, Double.NaN, 4});
         PlyWriter.write(folder.resolve("a.ply"), mesh, values);
-        values.put("a < \"b\" & c", new double[12]);
+        double[] vectors = IntStream.range(0, 12).mapToDouble(i -> 10 + i).toArray();
+        values.put("a < \"b\" & c", vectors);
         VtpWriter.write(folder.resolve("a.vtp"), mesh, values);
 
+        byte[] ply = Files.readAllBytes(folder.resolve("a.ply"));
+        double[] rows = doubles(ply, text(ply).indexOf("end_header\n") + "end_header\n".length(), 16);
+        assertThat(new double[] {rows[3], rows[7], rows[11], rows[15]}).containsExactly(1, 2, Double.NaN, 4);
+        assertThat(vtpValues("distance_mm")).containsExactly(1, 2, Double.NaN, 4);
+        assertThat(vtpValues("a &lt; &quot;b&quot; &amp; c")).containsExactly(vectors);
         assertThat(MeshFiles.read(folder.resolve("a.ply")).positions()).containsExactly(mesh.positions());
         assertThat(MeshFiles.read(folder.resolve("a.vtp")).positions()).containsExactly(mesh.positions());
+    }
+
+    /** Values of an array, as a reader finds them by the offset that the header states. */
+    private double[] vtpValues(String array) throws IOException {
+        byte[] vtp = Files.readAllBytes(folder.resolve("a.vtp"));
+        Matcher header = Pattern.compile(Pattern.quote("Name=\"" + array + "\"") + "[^>]*offset=\"(\\d+)\"")
+                .matcher(text(vtp));
+        assertThat(header.find()).isTrue();
+        String begin = "<AppendedData encoding=\"raw\">\n_";
+        int at = text(vtp).indexOf(begin) + begin.length() + Integer.parseInt(header.group(1));
+        long bytes = ByteBuffer.wrap(vtp).order(ByteOrder.LITTLE_ENDIAN).getLong(at);
+        return doubles(vtp, at + Long.BYTES, (int) bytes / Double.BYTES);
+    }
+
+    private static String text(byte[] bytes) {
+        return new String(bytes, StandardCharsets.ISO_8859_1);
+    }
+
+    private static double[] doubles(byte[] bytes, int at, int count) {
+        double[] values = new double[count];
+        ByteBuffer.wrap(bytes)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .position(at)
+                .asDoubleBuffer()
+                .get(values);
+        return values;
     }
 
     @ParameterizedTest

@@ -3,6 +3,7 @@ package org.phrenic.mesh.voxel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
@@ -61,16 +62,32 @@ class SurfaceNetTest {
     }
 
     @Test
-    void aBallHasTheVolumeOfItsVoxelsWhicheverWayTheAxesRun() {
+    void aBallHasTheVolumeAndPlaceOfItsVoxelsWhicheverWayTheAxesRun() {
         for (double[] affine : new double[][] {affine(1, 2, 3), affine(-1, 2, 3), affine(-1, -2, -3)}) {
             LabelGrid grid = LabelGridSamples.ellipsoid(40, 30, 20, affine, 15, 11, 7);
             double voxels = grid.counts()[1] * grid.voxelVolume();
             TriangleMesh surface = SurfaceNet.of(grid, SAME).surface(1);
             assertThat(MeshMeasure.signedVolume(surface)).isCloseTo(voxels, within(0.01 * voxels));
+            assertThat(MeshMeasure.centreOfMass(surface)).containsExactly(centre(grid), within(0.1));
             assertThat(new MeshTopology(surface).eulerCharacteristic()).isEqualTo(2);
             TriangleMesh smooth = SurfaceNet.of(grid, SAME).smoothed(20, 0.2).surface(1);
             assertThat(MeshMeasure.signedVolume(smooth)).isCloseTo(voxels, within(0.01 * voxels));
         }
+    }
+
+    /** Mean of the centres of the labelled voxels, mm. */
+    private static double[] centre(LabelGrid grid) {
+        double[] mean = new double[3];
+        double[] at = new double[3];
+        int voxels = grid.counts()[1];
+        for (int v = 0; v < grid.voxelCount(); v++) {
+            if (grid.label(v) == 1) {
+                grid.voxelToMm(
+                        v % grid.columns(), v / grid.columns() % grid.rows(), v / grid.columns() / grid.rows(), at);
+                Arrays.setAll(mean, axis -> mean[axis] + at[axis] / voxels);
+            }
+        }
+        return mean;
     }
 
     @Test
@@ -120,12 +137,11 @@ class SurfaceNetTest {
     @Test
     void whatTheBoxCutsIsClosedHalfAVoxelBeyondTheLastCentre() {
         byte[] all = new byte[8];
-        java.util.Arrays.fill(all, (byte) 1);
+        Arrays.fill(all, (byte) 1);
         TriangleMesh cube =
                 SurfaceNet.of(LabelGrid.of(2, 2, 2, all, affine(1, 1, 1)), SAME).surface(1);
         assertThat(cube.vertexCount()).isEqualTo(26);
-        double[] box = cube.bounds();
-        assertThat(box[3] - box[0]).isCloseTo(2, within(ROUNDING));
+        assertThat(cube.bounds()).containsExactly(new double[] {4.5, -3.5, 1.5, 6.5, -1.5, 3.5}, within(ROUNDING));
         assertThat(SurfaceNet.of(LabelGrid.of(2, 2, 2, all, affine(1, 1, 1)), SAME)
                         .surface(2)
                         .triangleCount())
