@@ -37,7 +37,13 @@ class FilledOutlineTest {
     }
 
     private static LabelGrid outline(byte[] labels, Map<Integer, String> structures, int times) {
-        LabelGrid grid = LabelGrid.of(COLUMNS, ROWS, SLICES, labels, new double[] {3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 3, 0});
+        return outline(
+                LabelGrid.of(COLUMNS, ROWS, SLICES, labels, new double[] {3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 3, 0}),
+                structures,
+                times);
+    }
+
+    private static LabelGrid outline(LabelGrid grid, Map<Integer, String> structures, int times) {
         LabelVolume volume = new LabelVolume(grid, Map.of(), List.of());
         Segmentation body = new Segmentation(volume, new LabelTable(structures), "scan");
         return FilledOutline.of(body, new int[] {times, times, times});
@@ -46,6 +52,26 @@ class FilledOutlineTest {
     @Test
     void aShellIsFilledThoughTheScanCutsItAboveAndBelow() {
         assertThat(outline(0).counts()[1]).isEqualTo(16 * 12 * SLICES);
+    }
+
+    /** The same voxels in coronal and in sagittal slices, whose rows and columns run up. */
+    @Test
+    void aShellIsFilledWhicheverWayTheSlicesLie() {
+        byte[] axial = shell(0);
+        byte[] coronal = new byte[axial.length];
+        byte[] sagittal = new byte[axial.length];
+        for (int v = 0; v < axial.length; v++) {
+            int i = v % COLUMNS;
+            int j = v / COLUMNS % ROWS;
+            int k = v / COLUMNS / ROWS;
+            coronal[i + COLUMNS * (k + SLICES * j)] = axial[v];
+            sagittal[k + SLICES * (j + ROWS * i)] = axial[v];
+        }
+        for (LabelGrid grid : List.of(
+                LabelGrid.of(COLUMNS, SLICES, ROWS, coronal, new double[] {3, 0, 0, 0, 0, 0, 3, 0, 0, 3, 0, 0}),
+                LabelGrid.of(SLICES, ROWS, COLUMNS, sagittal, new double[] {0, 0, 3, 0, 0, 3, 0, 0, 3, 0, 0, 0}))) {
+            assertThat(outline(grid, Map.of(1, "skin"), 1).counts()[1]).isEqualTo(16 * 12 * SLICES);
+        }
     }
 
     @Test
@@ -59,6 +85,17 @@ class FilledOutlineTest {
         LabelGrid outline = outline(shell(0), Map.of(1, "skin"), 2);
         assertThat(outline.counts()[1]).isEqualTo(8 * 6 * SLICES / 2);
         assertThat(outline.columns()).isEqualTo(8);
+    }
+
+    /** The skin begins in the third column, row and in the first slice. */
+    @Test
+    void aLargerVoxelLiesWhereItIsSampled() {
+        double[] at = new double[3];
+        for (int times = 1; times < 4; times++) {
+            outline(shell(0), Map.of(1, "skin"), times).voxelToMm(0, 0, 0, at);
+            int middle = times / 2;
+            assertThat(at).containsExactly(3 * (2 + middle), 3 * (2 + middle), 3 * middle);
+        }
     }
 
     /** A couch below the back, a target volume that reaches beyond the skin, and an unknown structure in the body. */
