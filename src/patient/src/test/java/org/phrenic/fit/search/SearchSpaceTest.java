@@ -43,6 +43,23 @@ class SearchSpaceTest {
         assertThat(SPACE.isAtBound(values, index("muscle_activation"))).isFalse();
     }
 
+    /** Of sides in the ratio 1.44 the stronger one has 1.2 times their geometric mean. */
+    @Test
+    void theCoordinateOfADriveIsTheGeometricMeanOfItsSides() {
+        int drive = index("muscle_activation");
+        int ratio = index("left_over_right");
+        int along = index("front_over_back");
+        for (double q : new double[] {1.44, 1 / 1.44}) {
+            double[] point = new double[PARAMETERS.size()];
+            Arrays.fill(point, 0.3);
+            point[ratio] = PARAMETERS.get(ratio).toUnit(q);
+            point[along] = PARAMETERS.get(along).toUnit(1);
+            double[] values = SPACE.values(point);
+            assertThat(values[ratio]).isCloseTo(q, within(1e-12));
+            assertThat(values[drive]).isCloseTo(1.2 * PARAMETERS.get(drive).fromUnit(0.3), within(1e-9));
+        }
+    }
+
     private static int index(String key) {
         return IntStream.range(0, PARAMETERS.size())
                 .filter(i -> PARAMETERS.get(i).parameter().key().equals(key))
