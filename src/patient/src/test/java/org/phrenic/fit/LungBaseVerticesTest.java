@@ -13,6 +13,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.Shapes;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
 import org.phrenic.mesh.edit.MeshRepair;
@@ -39,6 +40,30 @@ class LungBaseVerticesTest {
         }
         return MeshRepair.clean(new TriangleMesh(LUNG.positions(), corners.toArray()))
                 .mesh();
+    }
+
+    private static TriangleMesh turned(TriangleMesh mesh) {
+        int[] t = mesh.triangles().clone();
+        for (int i = 0; i < t.length; i += 3) {
+            t[i] = mesh.triangles()[i + 1];
+            t[i + 1] = mesh.triangles()[i];
+        }
+        return new TriangleMesh(mesh.positions(), t);
+    }
+
+    @Test
+    void lobesThatFaceInwardHaveTheSameBase() {
+        TriangleMesh both = MeshMerge.merge(List.of(lobe(true), lobe(false)));
+        assertThat(LungBaseVertices.of(turned(both))).containsExactly(LungBaseVertices.of(both));
+    }
+
+    @Test
+    void theWallOfACavityIsNoLobe() {
+        double[] c = LUNG.centre();
+        TriangleMesh cavity = turned(Shapes.moved(Shapes.sphere(30, 3), c[0], c[1], c[2]));
+        assertThat(MeshMeasure.area(cavity)).isGreaterThan(0.08 * MeshMeasure.area(LUNG));
+        boolean[] mask = LungBaseVertices.of(MeshMerge.merge(List.of(LUNG, cavity)));
+        assertThat(Arrays.copyOf(mask, LUNG.vertexCount())).containsExactly(LungBaseVertices.of(LUNG));
     }
 
     private static double area(TriangleMesh mesh, boolean[] mask) {
