@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.SampleSystems;
@@ -183,6 +184,23 @@ class SlidingContactTest {
         assertThat(wall.asked()).isEqualTo(11);
         integrator.step(95 * H, H);
         assertThat(wall.asked()).isEqualTo(12);
+    }
+
+    /** Before their plane is taken anew, node or wall go 15 mm; in one step 1.5 mm. */
+    @ParameterizedTest
+    @CsvSource({"1500, 0", "0, -1500", "700, -800"})
+    void aNodeAndAWallThatComeNearUntilTheNextRefreshMeet(double nodeSpeed, double wallSpeed) {
+        ParticleSystem system = SampleSystems.oneNode(0.1);
+        SlidingContact contact = contact(system, new SampleSystems.Ceiling(8, wallSpeed), 0.01);
+        system.velocities()[2] = nodeSpeed;
+        Integrator integrator = IntegratorKind.VERLET.create(system);
+        for (int i = 0; i < 10; i++) {
+            integrator.step(i * H, H);
+            double wall = 8 + wallSpeed * (i + 1) * H;
+            assertThat(system.positions()[2]).isLessThanOrEqualTo(wall + 1.5);
+        }
+        assertThat(contact.contactCount()).isEqualTo(1);
+        assertThat(system.velocities()[2]).isCloseTo(wallSpeed, within(1e-9));
     }
 
     @Test
