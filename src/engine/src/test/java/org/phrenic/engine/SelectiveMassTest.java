@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.phrenic.engine.force.Attachments;
+import org.phrenic.engine.force.ConstantLoad;
 import org.phrenic.engine.force.Springs;
 import org.phrenic.engine.integrator.Integrator;
 import org.phrenic.engine.integrator.IntegratorKind;
@@ -28,6 +29,10 @@ class SelectiveMassTest {
     private static final int STEPS = 10_000;
     /** What a scheme of order 1 loses in so many steps. */
     private static final double SLACK = 2e-3;
+    /** Nodes 1 and 3 of four are the group, and differ in mass. */
+    private static final double[] UNEQUAL_KG = {0.4, 0.2, 0.5, 0.6};
+
+    private static final int[] GROUP = {1, 3};
 
     /** Two nodes 10 mm apart on a spring at rest, each held to its place. */
     private static ParticleSystem pair(double between, double damping) {
@@ -106,6 +111,64 @@ class SelectiveMassTest {
         assertThat(system.kineticEnergy()).isCloseTo(0.5 * 2 * KG / LIGHTNESS * 9, within(1e-12));
         v[4] = -3;
         assertThat(system.kineticEnergy()).isCloseTo(0.5 * 2 * KG * 9, within(1e-12));
+    }
+
+    /** Each force over the node's mass, and in the group (s - 1) / M of their sum besides. */
+    private static double[] accelerations(double[] force) {
+        double[] a = new double[force.length];
+        for (int i = 0; i < a.length; i++) {
+            boolean inGroup = i / 3 == GROUP[0] || i / 3 == GROUP[1];
+            double sum = force[3 * GROUP[0] + i % 3] + force[3 * GROUP[1] + i % 3];
+            a[i] = force[i] / UNEQUAL_KG[i / 3] + (inGroup ? (LIGHTNESS - 1) / 0.8 * sum : 0);
+        }
+        return a;
+    }
+
+    private static double[] forces() {
+        return new double[] {3, -1, 4, 1, 5, -9, 2, -6, 5, 3, 5, 8};
+    }
+
+    @Test
+    void aGroupAmongOthersHasTheInertiaOfItsFormula() {
+        SelectiveMass group = new SelectiveMass(GROUP, LIGHTNESS, UNEQUAL_KG);
+        double[] a = accelerations(forces());
+        double[] scaled = forces();
+        group.scaleForces(scaled);
+        double[] inertia = new double[12];
+        double[] rooted = new double[12];
+        for (int i = 0; i < 12; i++) {
+            assertThat(scaled[i] / UNEQUAL_KG[i / 3]).isCloseTo(a[i], within(1e-12));
+            inertia[i] = UNEQUAL_KG[i / 3] * a[i];
+            rooted[i] = forces()[i] / Math.sqrt(UNEQUAL_KG[i / 3]);
+        }
+        group.addInertia(1, a, inertia);
+        assertThat(inertia).containsExactly(forces(), within(1e-12));
+        group.stretch(rooted);
+        group.stretch(rooted);
+        for (int i = 0; i < 12; i++) {
+            assertThat(rooted[i] / Math.sqrt(UNEQUAL_KG[i / 3])).isCloseTo(a[i], within(1e-12));
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void forcesOnAGroupAmongOthersAccelerateItByItsFormula(IntegratorKind kind) {
+        ParticleSystem system =
+                new ParticleSystem(NodeLayout.natural(4), new double[12], UNEQUAL_KG.clone(), Workers.of(1));
+        system.add(new ConstantLoad(system.layout(), forces()));
+        system.setSelectiveMass(GROUP, LIGHTNESS);
+        Integrator integrator = kind.create(system);
+        for (int i = 0; i < 10; i++) {
+            integrator.step(i * STEP_S, STEP_S);
+        }
+        double[] expected = accelerations(forces());
+        double energy = 0;
+        for (int i = 0; i < 12; i++) {
+            double v = system.velocities()[i];
+            assertThat(v / (10 * STEP_S)).isCloseTo(expected[i], within(1e-6));
+            energy += 0.5 * v * forces()[i] * 10 * STEP_S;
+        }
+        assertThat(system.kineticEnergy()).as("impulse times half the velocity").isCloseTo(energy, within(1e-9));
     }
 
     /** A node that is listed twice would weigh twice in the mean; of no nodes there is no mean. */

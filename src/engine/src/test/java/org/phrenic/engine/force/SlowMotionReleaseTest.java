@@ -96,6 +96,50 @@ class SlowMotionReleaseTest {
         assertThat(system.velocities()[0]).isCloseTo(5, within(1e-6));
     }
 
+    /** A group of unequal nodes, a tenth as heavy in translation, and a node beside it. */
+    private static ParticleSystem group() {
+        ParticleSystem system =
+                new ParticleSystem(NodeLayout.natural(3), new double[9], new double[] {0.2, 0.5, 0.6}, Workers.of(1));
+        system.setSelectiveMass(new int[] {0, 2}, 10);
+        system.setViscosityPerMass(RATE);
+        system.add(new SlowMotionRelease(system, TIME_S));
+        return system;
+    }
+
+    /** From rest at once at constant velocities: after τ the means are 1 - 1/e of them. */
+    @Test
+    void onALighterGroupTheForceIsSmallerByTheReliefOfItsMeanVelocity() {
+        ParticleSystem system = group();
+        double[] v = system.velocities();
+        double[] force = new double[9];
+        system.forces(0, system.positions(), v, force);
+        v[0] = 3;
+        v[3] = 7;
+        v[6] = 5;
+        for (int i = 1; i <= 100; i++) {
+            system.forces(i * TIME_S / 100, system.positions(), v, force);
+        }
+        double mean = (0.2 * 3 + 0.6 * 5) / 0.8;
+        double share = RATE * (1 - Math.exp(-1));
+        assertThat(force[0]).isCloseTo(share * 0.2 * (3 - 0.9 * mean), within(1e-9));
+        assertThat(force[3]).isCloseTo(share * 0.5 * 7, within(1e-9));
+        assertThat(force[6]).isCloseTo(share * 0.6 * (5 - 0.9 * mean), within(1e-9));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void steadyMotionOfALighterGroupGoesOn(IntegratorKind kind) {
+        ParticleSystem system = group();
+        system.velocities()[0] = 5;
+        system.velocities()[6] = 5;
+        Integrator integrator = kind.create(system);
+        for (int i = 0; i < 10_000; i++) {
+            integrator.step(i * STEP_S, STEP_S);
+        }
+        assertThat(system.velocities()[0]).isCloseTo(5, within(1e-6));
+        assertThat(system.velocities()[6]).isCloseTo(5, within(1e-6));
+    }
+
     @Test
     void atRestThereIsNoForce() {
         ParticleSystem system =
