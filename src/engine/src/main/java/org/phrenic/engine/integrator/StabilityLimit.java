@@ -50,6 +50,8 @@ public record StabilityLimit(
     private static final double TELLING = 0.02;
     /** Value of ω h below any practical step. */
     private static final double SHORT = 1e-6;
+    /** Value of ω h at which a scheme that has a limit grows. */
+    private static final double FAR = 1e6;
 
     /** A limit without nodes apart. */
     public StabilityLimit(
@@ -122,7 +124,7 @@ public record StabilityLimit(
 
     private double largestStepHere(IntegratorKind kind) {
         double top = Math.max(omegaMax, maxDamping);
-        if (top == 0 || isStable(kind, 1e6 / top)) {
+        if (top == 0 || isStable(kind, FAR / top)) {
             return Double.POSITIVE_INFINITY;
         }
         boolean undamped = minDamping == 0 && maxDashpot == 0;
@@ -130,14 +132,30 @@ public record StabilityLimit(
         if ((undamped && grows(kind, omegaMax, 0, 0, TELLING / omegaMax)) || !isStable(kind, low)) {
             return 0;
         }
+        if (!isStable(kind, FAR / top, FREQUENCIES)) {
+            double ofHighest = limit(kind, low, FREQUENCIES);
+            if (isStable(kind, ofHighest)) {
+                return ofHighest;
+            }
+        }
+        return limit(kind, low, 0);
+    }
+
+    /**
+     * The largest step at which no frequency from the {@code first} of {@value #FREQUENCIES} on grows, by bisection.
+     * The highest one limits the step as a rule; a limit of it that suits the lower ones is the limit of all, bit for
+     * bit.
+     */
+    private double limit(IntegratorKind kind, double stable, int first) {
+        double low = stable;
         double high = low;
-        while (isStable(kind, high)) {
+        while (isStable(kind, high, first)) {
             low = high;
             high *= 1.5;
         }
         for (int i = 0; i < 40; i++) {
             double middle = 0.5 * (low + high);
-            if (isStable(kind, middle)) {
+            if (isStable(kind, middle, first)) {
                 low = middle;
             } else {
                 high = middle;
@@ -148,13 +166,17 @@ public record StabilityLimit(
 
     /** Whether no oscillator of this system grows under the scheme with this step. */
     public boolean isStable(IntegratorKind kind, double h) {
-        if (apart.isPresent() && !kind.stepsNodesApart() && !apart.get().isStable(kind, h)) {
+        return isStable(kind, h, 0);
+    }
+
+    private boolean isStable(IntegratorKind kind, double h, int first) {
+        if (apart.isPresent() && !kind.stepsNodesApart() && !apart.get().isStable(kind, h, first)) {
             return false;
         }
         if (contacts && kind == IntegratorKind.BACKWARD_EULER && !(omegaMax * h <= LEANING)) {
             return false;
         }
-        for (int i = 0; i <= FREQUENCIES; i++) {
+        for (int i = FREQUENCIES; i >= first; i--) {
             double omega = omegaMax * i / FREQUENCIES;
             if (grows(kind, omega, minDamping, 0, h)
                     || grows(kind, omega, maxDamping - maxDashpot, maxDashpot, h)
