@@ -39,6 +39,9 @@ abstract class TriangleBoxes {
     /** Place of each triangle in leaf order; null until it is needed. */
     private volatile int[] places;
 
+    /** Whether normals, discs and degenerate triangles are those of the corners. */
+    private volatile boolean measured;
+
     private final double[] normal = new double[3];
 
     TriangleBoxes(TriangleMesh mesh) {
@@ -52,7 +55,7 @@ abstract class TriangleBoxes {
         count = new int[most];
         first = new int[most];
         if (n > 0) {
-            build(0, n, centroids(mesh));
+            build(0, n, centroids(mesh), new double[n]);
         }
         boxes = new double[6 * nodes];
         corners = new double[9 * n];
@@ -107,14 +110,8 @@ abstract class TriangleBoxes {
                 corners[o + k + 1] = positions[v + 1];
                 corners[o + k + 2] = positions[v + 2];
             }
-            double length = Triangles.cross(corners, o, o + 3, o + 6, normal);
-            double scale = length > 0 ? 1 / length : 0;
-            normals[3 * place] = normal[0] * scale;
-            normals[3 * place + 1] = normal[1] * scale;
-            normals[3 * place + 2] = normal[2] * scale;
-            flat[place] = PointTriangleDistance.isDegenerate(corners, o, normal);
-            discs.fit(place, corners, o, normals, length);
         }
+        measured = false;
         for (int node = nodes - 1; node >= 0; node--) {
             if (child[node] == LEAF) {
                 boxOfLeaf(node);
@@ -124,6 +121,30 @@ abstract class TriangleBoxes {
                 }
             }
         }
+    }
+
+    /** Measures normals and discs for the first query of points since the vertices have moved; rays need none. */
+    final void measure() {
+        if (!measured) {
+            measureTriangles();
+        }
+    }
+
+    private synchronized void measureTriangles() {
+        if (measured) {
+            return;
+        }
+        for (int place = 0; place < order.length; place++) {
+            int o = 9 * place;
+            double length = Triangles.cross(corners, o, o + 3, o + 6, normal);
+            double scale = length > 0 ? 1 / length : 0;
+            normals[3 * place] = normal[0] * scale;
+            normals[3 * place + 1] = normal[1] * scale;
+            normals[3 * place + 2] = normal[2] * scale;
+            flat[place] = PointTriangleDistance.isDegenerate(corners, o, normal);
+            discs.fit(place, corners, o, normals, length);
+        }
+        measured = true;
     }
 
     private void boxOfLeaf(int node) {
@@ -139,7 +160,7 @@ abstract class TriangleBoxes {
         boxes[box + 3] = boxes[right + 3] > boxes[left + 3] ? boxes[right + 3] : boxes[left + 3];
     }
 
-    private void build(int from, int to, double[] centroids) {
+    private void build(int from, int to, double[] centroids, double[] keys) {
         int node = nodes++;
         count[node] = to - from;
         first[node] = from;
@@ -148,10 +169,14 @@ abstract class TriangleBoxes {
             return;
         }
         int middle = (from + to) >>> 1;
-        select(from, to - 1, middle, longestAxis(from, to, centroids), centroids);
-        build(from, middle, centroids);
+        int axis = longestAxis(from, to, centroids);
+        for (int i = from; i < to; i++) {
+            keys[i] = centroids[3 * order[i] + axis];
+        }
+        select(from, to - 1, middle, keys);
+        build(from, middle, centroids, keys);
         child[node] = nodes;
-        build(middle, to, centroids);
+        build(middle, to, centroids, keys);
     }
 
     private int longestAxis(int from, int to, double[] centroids) {
@@ -174,29 +199,25 @@ abstract class TriangleBoxes {
     }
 
     /**
-     * Quickselect with Hoare partitioning. Afterwards no centroid before {@code k} is greater than one from {@code k}
-     * on.
+     * Quickselect with Hoare partitioning of triangles by their keys. Afterwards no key before {@code k} is greater
+     * than one from {@code k} on.
      */
-    private void select(int first, int last, int k, int axis, double[] centroids) {
+    private void select(int first, int last, int k, double[] keys) {
         int from = first;
         int to = last;
         while (from < to) {
-            double pivot = medianOfThree(from, (from + to) >>> 1, to, axis, centroids);
+            double pivot = medianOfThree(keys[from], keys[(from + to) >>> 1], keys[to]);
             int i = from;
             int j = to;
             while (i <= j) {
-                while (centroids[3 * order[i] + axis] < pivot) {
+                while (keys[i] < pivot) {
                     i++;
                 }
-                while (centroids[3 * order[j] + axis] > pivot) {
+                while (keys[j] > pivot) {
                     j--;
                 }
                 if (i <= j) {
-                    int swap = order[i];
-                    order[i] = order[j];
-                    order[j] = swap;
-                    i++;
-                    j--;
+                    swap(i++, j--, keys);
                 }
             }
             if (k <= j) {
@@ -209,10 +230,16 @@ abstract class TriangleBoxes {
         }
     }
 
-    private double medianOfThree(int i, int j, int k, int axis, double[] centroids) {
-        double a = centroids[3 * order[i] + axis];
-        double b = centroids[3 * order[j] + axis];
-        double c = centroids[3 * order[k] + axis];
+    private void swap(int i, int j, double[] keys) {
+        int triangle = order[i];
+        order[i] = order[j];
+        order[j] = triangle;
+        double key = keys[i];
+        keys[i] = keys[j];
+        keys[j] = key;
+    }
+
+    private static double medianOfThree(double a, double b, double c) {
         return Math.max(Math.min(a, b), Math.min(Math.max(a, b), c));
     }
 }

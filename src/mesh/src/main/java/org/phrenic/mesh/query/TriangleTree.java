@@ -98,6 +98,7 @@ public final class TriangleTree extends TriangleBoxes {
             double nz,
             double minimumCosine,
             Hit out) {
+        measure();
         out.start(x, y, z, nx, ny, nz);
         out.leastCosine = minimumCosine;
         return search(nodes > 0 ? 0 : NONE, squaredLimit(maximumDistance), 1, 0, null, out);
@@ -142,6 +143,7 @@ public final class TriangleTree extends TriangleBoxes {
      * @param among whether each triangle counts; null for all
      */
     public boolean closest(double x, double y, double z, double maximumDistance, int guess, boolean[] among, Hit out) {
+        measure();
         out.start(x, y, z, 0, 0, 0);
         out.leastCosine = Double.NaN;
         double best = squaredLimit(maximumDistance);
@@ -157,6 +159,7 @@ public final class TriangleTree extends TriangleBoxes {
      * @param working working memory; its result fields are not set
      */
     public double squaredDistance(int triangle, double x, double y, double z, Hit working) {
+        measure();
         return squaredDistance(placeOf(triangle), x, y, z, working.weights);
     }
 
@@ -245,6 +248,7 @@ public final class TriangleTree extends TriangleBoxes {
      * @param working working memory kept between queries; its result fields are not set
      */
     public boolean isWithin(double x, double y, double z, double distance, Hit working) {
+        measure();
         double limit = distance * distance;
         if (working.leafPlace < order.length && squaredDistance(working.leafPlace, x, y, z, working.weights) <= limit) {
             return true;

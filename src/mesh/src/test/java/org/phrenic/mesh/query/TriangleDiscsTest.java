@@ -12,7 +12,7 @@ import org.phrenic.mesh.TriangleMesh;
 
 class TriangleDiscsTest {
     /** To the last bit: what a search leaves out by its discs is not what a search of all triangles finds. */
-    @Property(tries = 60)
+    @Property(tries = 60, seed = "1")
     void theNearestTriangleIsTheOneThatASearchOfAllFinds(@ForAll @IntRange(min = 0, max = 100000) int seed) {
         Random random = new Random(seed);
         TriangleMesh mesh = TriangleTreeTest.soupWithDegenerates(random, 1 + random.nextInt(200));
@@ -42,11 +42,12 @@ class TriangleDiscsTest {
         }
     }
 
-    @Property(tries = 60)
+    @Property(tries = 60, seed = "1")
     void noTriangleIsFartherThanItIs(@ForAll @IntRange(min = 0, max = 100000) int seed) {
         Random random = new Random(seed);
         TriangleMesh mesh = TriangleTreeTest.soupWithDegenerates(random, 1 + random.nextInt(100));
         TriangleTree tree = new TriangleTree(mesh);
+        tree.measure();
         for (int i = 0; i < 20; i++) {
             double[] q = {30 * random.nextDouble() - 10, 30 * random.nextDouble() - 10, 30 * random.nextDouble() - 10};
             for (int place = 0; place < mesh.triangleCount(); place++) {
@@ -62,6 +63,7 @@ class TriangleDiscsTest {
     void mostTrianglesAreKnownToBeFartherThanHalfTheirDistance() {
         TriangleMesh sphere = Shapes.sphere(20, 3);
         TriangleTree tree = new TriangleTree(sphere);
+        tree.measure();
         int known = 0;
         for (int place = 0; place < sphere.triangleCount(); place++) {
             double distance = TriangleTreeTest.distanceByRefinement(sphere, tree.order[place], new double[] {0, 0, 25});

@@ -14,7 +14,7 @@ import org.phrenic.mesh.TriangleMesh;
 class TriangleTreeTest {
     private static final double ROUNDING = 1e-9;
 
-    @Property(tries = 60)
+    @Property(tries = 60, seed = "1")
     void theNearestPointIsTheOneThatASearchOfAllTrianglesFinds(@ForAll @IntRange(min = 0, max = 100000) int seed) {
         Random random = new Random(seed);
         TriangleMesh mesh = soupWithDegenerates(random, 1 + random.nextInt(200));
@@ -43,7 +43,7 @@ class TriangleTreeTest {
     }
 
     /** To the last bit, because frames of different runs are compared. */
-    @Property(tries = 30)
+    @Property(tries = 30, seed = "1")
     void theAnswerDoesNotDependOnTheGuess(@ForAll @IntRange(min = 0, max = 100000) int seed) {
         Random random = new Random(seed);
         TriangleMesh mesh = soupWithDegenerates(random, 2 + random.nextInt(200));
@@ -91,8 +91,9 @@ class TriangleTreeTest {
         TriangleTree tree = new TriangleTree(Shapes.sphere(10, 5));
         TriangleTree.Hit hit = new TriangleTree.Hit();
         tree.closest(0, 30, 40, hit);
-        // 10 * 4^5 + 2 vertices: the chord lies at most 4e-3 of the radius below the sphere.
-        assertThat(Math.sqrt(hit.distanceSquared)).isCloseTo(40, within(0.04));
+        // 10 * 4^5 + 2 vertices with edges of at most 0.4 mm: a chord lies at most 0.4^2 / (8 * 10) mm below the
+        // sphere.
+        assertThat(Math.sqrt(hit.distanceSquared)).isCloseTo(40, within(0.002));
     }
 
     @Test
