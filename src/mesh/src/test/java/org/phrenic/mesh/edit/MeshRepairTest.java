@@ -30,7 +30,7 @@ class MeshRepairTest {
         assertThat(new MeshTopology(result.mesh()).isClosed()).isTrue();
     }
 
-    @Property(tries = 20)
+    @Property(tries = 20, seed = "1")
     void verticesNearerThanTheToleranceBecomeOne(@ForAll @IntRange(min = 0, max = 1000) int seed) {
         Random random = new Random(seed);
         TriangleMesh soup = Shapes.soup(Shapes.sphere(10, 2));
@@ -74,7 +74,7 @@ class MeshRepairTest {
                         + " 2 unused vertices removed.");
     }
 
-    @Property(tries = 20)
+    @Property(tries = 20, seed = "1")
     void scrambledSphereFacesOutwardAgain(@ForAll @IntRange(min = 0, max = 1000) int seed) {
         TriangleMesh sphere = Shapes.sphere(10, 2);
         int[] t = sphere.triangles().clone();

@@ -16,7 +16,7 @@ import org.phrenic.mesh.TriangleMesh;
 class SurfaceDistanceTest {
     private static final double ROUNDING = 1e-9;
 
-    @Property(tries = 40)
+    @Property(tries = 40, seed = "1")
     void distancesAreThoseOfASearchThroughAllTrianglesOfAMeshWithDegenerates(
             @ForAll @IntRange(min = 0, max = 100000) int seed) {
         Random random = new Random(seed);

@@ -40,7 +40,7 @@ class CameraTest {
         assertThat(camera.orbit(0.4, 0).view()).isEmpty();
     }
 
-    @Property
+    @Property(seed = "1")
     void aPointOnTheRayOfAPixelIsSeenInThatPixel(
             @ForAll @DoubleRange(min = -720, max = 720) double azimuth,
             @ForAll @DoubleRange(min = -90, max = 90) double elevation,
@@ -59,7 +59,7 @@ class CameraTest {
         assertThat(Math.hypot(Math.hypot(ray[3], ray[4]), ray[5])).isCloseTo(1, within(UNIT));
     }
 
-    @Property
+    @Property(seed = "1")
     void matricesPutAPointWhereProjectDoes(
             @ForAll @DoubleRange(min = -180, max = 180) double azimuth,
             @ForAll @DoubleRange(min = -90, max = 90) double elevation,
@@ -76,7 +76,7 @@ class CameraTest {
         assertThat(clip.z / clip.w).as("depth of what is in the body").isBetween(-1.0, 1.0);
     }
 
-    @Property
+    @Property(seed = "1")
     void noDirectionMirrorsTheBody(
             @ForAll @DoubleRange(min = -720, max = 720) double azimuth,
             @ForAll @DoubleRange(min = -200, max = 200) double elevation) {
@@ -89,7 +89,7 @@ class CameraTest {
         assertThat(p.m11()).isPositive();
     }
 
-    @Property
+    @Property(seed = "1")
     void zoomKeepsWhatTheCursorPointsAt(
             @ForAll @DoubleRange(min = -180, max = 180) double azimuth,
             @ForAll @DoubleRange(min = -90, max = 90) double elevation,
@@ -110,7 +110,7 @@ class CameraTest {
         assertThat(after.mmPerPixel(480) * factor).isCloseTo(before.mmPerPixel(480), within(MM));
     }
 
-    @Property
+    @Property(seed = "1")
     void panMovesTheTargetPlaneWithTheCursor(
             @ForAll @DoubleRange(min = -180, max = 180) double azimuth,
             @ForAll @DoubleRange(min = -300, max = 300) double dx,
