@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.util.KthSelector;
 import org.phrenic.engine.force.FallOff;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
@@ -102,11 +103,15 @@ public final class OrganMotion {
     private static int[] within(List<double[]> points, double[] place, int n, double beyond) {
         double[] distances =
                 points.stream().mapToDouble(p -> Vectors.distance(p, place)).toArray();
-        double[] sorted = distances.clone();
-        Arrays.sort(sorted);
+        double limit = distances.length == 0 ? 0 : nth(distances, n) + beyond;
         return IntStream.range(0, distances.length)
-                .filter(c -> distances[c] <= sorted[n - 1] + beyond)
+                .filter(c -> distances[c] <= limit)
                 .toArray();
+    }
+
+    /** The nth least of some distances. */
+    private static double nth(double[] distances, int n) {
+        return new KthSelector().select(distances.clone(), null, n - 1);
     }
 
     private double distance(int point, double[] to) {
@@ -119,16 +124,18 @@ public final class OrganMotion {
     private void bind(int point, int[] near, int[] held) {
         double[] distances = new double[near.length];
         Arrays.setAll(distances, i -> distance(point, carriers.movingPoints().get(near[i])));
-        double[] sorted = distances.clone();
-        Arrays.sort(sorted);
+        double least = Double.POSITIVE_INFINITY;
+        for (double r : distances) {
+            least = Math.min(least, r);
+        }
         // Just beyond the farthest, so that equally distant carriers have weights.
-        double radius = sorted[count - 1] * (1 + 1e-9) + 1e-9;
+        double radius = nth(distances, count) * (1 + 1e-9) + 1e-9;
         double still = Double.POSITIVE_INFINITY;
         for (int h : held) {
             still = Math.min(still, distance(point, carriers.stillPoints().get(h)));
         }
-        double free = Double.isInfinite(still) ? 1 : still * still / (still * still + sorted[0] * sorted[0] + 1e-9);
-        double share = FallOff.at(Math.max(0, sorted[0] - WITH_CARRIER_MM), FADE_MM) * (sliding ? 1 : free);
+        double free = Double.isInfinite(still) ? 1 : still * still / (still * still + least * least + 1e-9);
+        double share = FallOff.at(Math.max(0, least - WITH_CARRIER_MM), FADE_MM) * (sliding ? 1 : free);
         horizontal[point] = sliding ? free : 1;
         double sum = 0;
         for (double r : distances) {
