@@ -1,6 +1,7 @@
 package org.phrenic.patient.registration;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -10,6 +11,7 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
+import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.mesh.voxel.CutPlane;
 import org.phrenic.patient.PatientBody;
 
@@ -174,10 +176,11 @@ final class BoneFit {
             pairs.addAll(spine);
             pairs.addAll(sternumEnds);
             pairs.addAll(sternum);
+            Vertebrae placedVertebrae = new Vertebrae(map);
             for (RibFit rib : ribs) {
                 rib.place(map);
                 if (round >= SLIDING_ROUNDS) {
-                    findHead(rib, map);
+                    findHead(rib, placedVertebrae);
                 }
             }
             judgeNecks();
@@ -209,46 +212,17 @@ final class BoneFit {
         }
     }
 
-    private void findHead(RibFit rib, TemplateMap map) {
+    private static void findHead(RibFit rib, Vertebrae all) {
         int level = rib.shared().level();
-        Optional<CostovertebralJoint.Vertebra> own = measured(level, map);
+        Optional<CostovertebralJoint.Vertebra> own = all.measured(level);
         if (own.isPresent()) {
-            rib.findHead(new CostovertebralJoint(level, rib.side(), own.get(), measured(level - 1, map)));
+            rib.findHead(new CostovertebralJoint(level, rib.side(), own.get(), all.measured(level - 1)));
         }
-    }
-
-    /** A vertebra with the measures of its body; its left is that of the template. */
-    private Optional<CostovertebralJoint.Vertebra> measured(int level, TemplateMap map) {
-        Optional<double[]> middle = ofTemplate(level).map(RoughAlignment::centroid);
-        if (middle.isEmpty()) {
-            return Optional.empty();
-        }
-        double[] c = middle.get();
-        double[] across = {c[0] - 1, c[1], c[2], c[0] + 1, c[1], c[2]};
-        (onVertebrae.containsKey(level) ? onVertebrae.get(level) : map).apply(across);
-        double[] left = {across[3] - across[0], across[4] - across[1], across[5] - across[2]};
-        return vertebra(level, map).map(mesh -> {
-            double[] centre = RoughAlignment.centroid(mesh);
-            double[] above =
-                    vertebra(level - 1, map).map(RoughAlignment::centroid).orElse(centre);
-            double[] below =
-                    vertebra(level + 1, map).map(RoughAlignment::centroid).orElse(centre);
-            return new CostovertebralJoint.Vertebra(mesh, VertebralBody.of(mesh, left, Vectors.subtract(above, below)));
-        });
     }
 
     private Optional<TriangleMesh> ofTemplate(int level) {
         return PatientBody.merged(
                 template.stream().filter(s -> s.kind() == StructureKind.VERTEBRA && s.level() == level));
-    }
-
-    /** A vertebra of the scan, or where it has none that of the placed template. */
-    private Optional<TriangleMesh> vertebra(int level, TemplateMap map) {
-        return vertebrae.stream()
-                .filter(s -> s.level() == level)
-                .map(SharedStructure::scan)
-                .findFirst()
-                .or(() -> ofTemplate(level).map(map::apply));
     }
 
     private static int points(SurfacePair pair) {
@@ -288,5 +262,51 @@ final class BoneFit {
             }
         }
         return pairs;
+    }
+
+    /** Vertebrae of a round of the fit, each measured when the first rib asks for it. */
+    private final class Vertebrae {
+        private final TemplateMap map;
+        private final Map<Integer, Optional<TriangleMesh>> surfaces = new HashMap<>();
+        private final Map<Integer, Optional<CostovertebralJoint.Vertebra>> measured = new HashMap<>();
+
+        Vertebrae(TemplateMap map) {
+            this.map = map;
+        }
+
+        /** A vertebra with the measures of its body; its left is that of the template. */
+        Optional<CostovertebralJoint.Vertebra> measured(int level) {
+            return measured.computeIfAbsent(level, this::measure);
+        }
+
+        private Optional<CostovertebralJoint.Vertebra> measure(int level) {
+            Optional<double[]> middle = ofTemplate(level).map(RoughAlignment::centroid);
+            if (middle.isEmpty()) {
+                return Optional.empty();
+            }
+            double[] c = middle.get();
+            double[] across = {c[0] - 1, c[1], c[2], c[0] + 1, c[1], c[2]};
+            (onVertebrae.containsKey(level) ? onVertebrae.get(level) : map).apply(across);
+            double[] left = {across[3] - across[0], across[4] - across[1], across[5] - across[2]};
+            return surface(level).map(mesh -> {
+                double[] centre = RoughAlignment.centroid(mesh);
+                double[] above =
+                        surface(level - 1).map(RoughAlignment::centroid).orElse(centre);
+                double[] below =
+                        surface(level + 1).map(RoughAlignment::centroid).orElse(centre);
+                TriangleTree bone = new TriangleTree(mesh);
+                double[] up = Vectors.subtract(above, below);
+                return new CostovertebralJoint.Vertebra(bone, VertebralBody.of(bone, left, up));
+            });
+        }
+
+        /** A vertebra of the scan, or where it has none that of the placed template. */
+        private Optional<TriangleMesh> surface(int level) {
+            return surfaces.computeIfAbsent(level, l -> vertebrae.stream()
+                    .filter(s -> s.level() == l)
+                    .map(SharedStructure::scan)
+                    .findFirst()
+                    .or(() -> ofTemplate(l).map(map::apply)));
+        }
     }
 }

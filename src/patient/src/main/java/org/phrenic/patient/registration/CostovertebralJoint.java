@@ -2,7 +2,6 @@ package org.phrenic.patient.registration;
 
 import java.util.Optional;
 import org.phrenic.anatomy.Side;
-import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 
 /**
@@ -35,17 +34,17 @@ final class CostovertebralJoint {
     private final Optional<TriangleTree> boneAbove;
 
     /** A vertebra: its surface and its body. */
-    record Vertebra(TriangleMesh mesh, VertebralBody body) {}
+    record Vertebra(TriangleTree bone, VertebralBody body) {}
 
     /** @param above the vertebra above; counts for ribs 2 to 9 */
     CostovertebralJoint(int level, Side side, Vertebra own, Optional<Vertebra> above) {
         this.level = level;
         this.sign = side.sign();
         this.own = own.body();
-        ownBone = new TriangleTree(own.mesh());
+        ownBone = own.bone();
         Optional<Vertebra> joined = above.filter(v -> level > 1 && level < 10);
         this.above = joined.map(Vertebra::body);
-        boneAbove = joined.map(v -> new TriangleTree(v.mesh()));
+        boneAbove = joined.map(Vertebra::bone);
     }
 
     /** Place of the middle of the head. */

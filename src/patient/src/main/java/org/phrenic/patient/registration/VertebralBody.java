@@ -1,7 +1,6 @@
 package org.phrenic.patient.registration;
 
 import java.util.Arrays;
-import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.query.TriangleTree;
 
@@ -40,11 +39,11 @@ record VertebralBody(
      * @param left direction to the left of the vertebra
      * @param up direction along the spine; only its part across {@code left} counts
      */
-    static VertebralBody of(TriangleMesh vertebra, double[] left, double[] up) {
+    static VertebralBody of(TriangleTree vertebra, double[] left, double[] up) {
         double[] x = Vectors.normalize(left);
         double[] z = Vectors.orthonormalize(up, x);
         double[] y = Vectors.cross(z, x);
-        double[] p = vertebra.positions();
+        double[] p = vertebra.mesh().positions();
         double front = Double.POSITIVE_INFINITY;
         for (int v = 0; v < p.length; v += 3) {
             front = Math.min(front, along(p, v, y));
@@ -62,12 +61,11 @@ record VertebralBody(
         double[] at = {(low[0] + high[0]) / 2, front + FRONT_MM - 2, (low[1] + high[1]) / 2};
         double[] half = new double[3];
         double[][] axes = {x, y, z};
-        TriangleTree tree = new TriangleTree(vertebra);
         for (int round = 0; round < ROUNDS; round++) {
             double[] centre = point(at, axes);
             for (int k = 0; k < 3; k++) {
-                double forward = exit(tree, centre, axes, k, 1);
-                double backward = exit(tree, centre, axes, k, -1);
+                double forward = exit(vertebra, centre, axes, k, 1);
+                double backward = exit(vertebra, centre, axes, k, -1);
                 half[k] = (forward + backward) / 2;
                 at[k] += (forward - backward) / 2;
             }

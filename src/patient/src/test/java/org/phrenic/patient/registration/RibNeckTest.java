@@ -18,6 +18,7 @@ import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.mesh.edit.MeshRepair;
+import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 
@@ -111,14 +112,15 @@ class RibNeckTest {
     @Test
     void bodyOfAVertebraGoesWithItsPlaceAndSize() {
         TriangleMesh vertebra = FEMALE.find("vertebra_T06").orElseThrow().mesh();
-        VertebralBody body = VertebralBody.of(vertebra, new double[] {1, 0, 0}, new double[] {0, 0, 1});
+        VertebralBody body =
+                VertebralBody.of(new TriangleTree(vertebra), new double[] {1, 0, 0}, new double[] {0, 0, 1});
         double[] q = vertebra.positions().clone();
         for (int i = 0; i < q.length; i += 3) {
             q[i] = 1.3 * q[i] + 40;
             q[i + 1] = 0.8 * q[i + 1] - 10;
         }
-        VertebralBody other =
-                VertebralBody.of(vertebra.withPositions(q), new double[] {1, 0, 0}, new double[] {0, 0, 1});
+        VertebralBody other = VertebralBody.of(
+                new TriangleTree(vertebra.withPositions(q)), new double[] {1, 0, 0}, new double[] {0, 0, 1});
         assertThat(body.centre()[0]).isCloseTo(0, within(0.5));
         assertThat(other.centre()[0]).isCloseTo(40, within(0.5));
         assertThat(other.centre()[1]).isCloseTo(0.8 * body.centre()[1] - 10, within(1.0));
