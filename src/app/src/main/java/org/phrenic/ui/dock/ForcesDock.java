@@ -4,10 +4,12 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.phrenic.model.material.Materials;
 import org.phrenic.model.material.Muscle;
 import org.phrenic.model.material.RibRotation;
 import org.phrenic.model.material.RigidTendon;
@@ -33,6 +35,9 @@ public final class ForcesDock extends SessionDock {
             RigidTendon.TENSEGRITY,
             WallContact.CONTACT,
             OrganSettings.LIVER);
+    /** What the material of the paper lacks. */
+    private static final Set<Setting<?>> PHYSICAL = Set.of(TransdiaphragmaticPressure.PRESSURE, WallContact.CONTACT);
+
     private static final List<Setting<?>> MODELS = List.of(OrganSettings.STERNUM, OrganSettings.LUNGS);
 
     private final transient Map<Setting<?>, JCheckBox> boxes = new LinkedHashMap<>();
@@ -74,7 +79,12 @@ public final class ForcesDock extends SessionDock {
     @Override
     public void onChange() {
         Scenario scenario = session.scenario();
-        boxes.forEach((choice, box) -> box.setSelected(Boolean.parseBoolean(scenario.text(choice))));
+        boolean physical = scenario.material().equals(Materials.PHYSICAL);
+        boxes.forEach((choice, box) -> {
+            boolean acts = physical || !PHYSICAL.contains(choice);
+            box.setEnabled(acts);
+            box.setSelected(acts && Boolean.parseBoolean(scenario.text(choice)));
+        });
         rows.forEach(row -> row.show(scenario));
     }
 

@@ -49,6 +49,8 @@ import org.phrenic.model.material.Muscle;
 import org.phrenic.model.material.Numerics;
 import org.phrenic.model.material.RibRotation;
 import org.phrenic.model.material.SheetSprings;
+import org.phrenic.model.material.TransdiaphragmaticPressure;
+import org.phrenic.model.material.WallContact;
 import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.parameter.Setting;
@@ -65,6 +67,7 @@ import org.phrenic.ui.chart.BreathComparison;
 import org.phrenic.ui.chart.PhaseColours;
 import org.phrenic.ui.chart.PlotDock;
 import org.phrenic.ui.chart.TimelineDock;
+import org.phrenic.ui.session.EditName;
 import org.phrenic.ui.session.EventThread;
 import org.phrenic.ui.session.ScenarioStore;
 import org.phrenic.ui.session.Session;
@@ -405,6 +408,31 @@ class DocksTest {
         EventThread.run(() -> session.edits().undo());
         EventThread.until(
                 "the box is ticked", () -> dock.checkBox(Muscle.MUSCLE).isSelected());
+    }
+
+    /** A click on a box without effect would pass for a force switched off. */
+    @Test
+    void aForceThatTheMaterialLacksCannotBeSwitched() {
+        Session own = on(() -> new Session(FIRST));
+        try {
+            ForcesDock dock = on(() -> new ForcesDock(own));
+            assertThat(on(() -> dock.checkBox(WallContact.CONTACT).isEnabled())).isTrue();
+            EventThread.run(() -> own.changeSeparately(
+                    EditName.of("Material paper"), List.of(Assignment.read("test", "material", "paper"))));
+            EventThread.run(() -> dock.onChange());
+            for (Setting<?> lacking : List.of(WallContact.CONTACT, TransdiaphragmaticPressure.PRESSURE)) {
+                assertThat(on(() -> dock.checkBox(lacking).isEnabled())).isFalse();
+                assertThat(on(() -> dock.checkBox(lacking).isSelected())).isFalse();
+            }
+            assertThat(on(() -> dock.checkBox(Muscle.MUSCLE).isEnabled())).isTrue();
+            EventThread.run(() -> own.edits().undo());
+            EventThread.run(() -> dock.onChange());
+            assertThat(on(() -> dock.checkBox(WallContact.CONTACT).isEnabled())).isTrue();
+            assertThat(on(() -> dock.checkBox(WallContact.CONTACT).isSelected()))
+                    .isTrue();
+        } finally {
+            EventThread.run(own::close);
+        }
     }
 
     @Test
