@@ -1,7 +1,5 @@
 package org.phrenic.ui.access;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDateTime;
@@ -19,6 +17,7 @@ import org.phrenic.access.attempt.AttemptRecord;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.document.CsvTable;
+import org.phrenic.document.TextFile;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
@@ -76,7 +75,7 @@ public final class AttemptHistory {
      * Adds an attempt, after those that wait.
      *
      * @throws OutputException if the file cannot be written; the attempt waits then
-     * @throws BadInputException if the file cannot be read; the attempt waits then
+     * @throws BadInputException if the file cannot be read, or is another table; the attempt waits then
      */
     public void add(Rehearsal attempt) {
         waiting.add(row(attempt));
@@ -87,7 +86,7 @@ public final class AttemptHistory {
      * Writes the attempts that wait, if there are any.
      *
      * @throws OutputException if the file cannot be written
-     * @throws BadInputException if the file cannot be read
+     * @throws BadInputException if the file cannot be read, or is another table
      */
     public void writeWaiting() {
         if (!waiting.isEmpty()) {
@@ -154,29 +153,43 @@ public final class AttemptHistory {
     /** The header and all rows: those of the file, then those that wait. */
     private List<String> lines() {
         List<String> lines = new ArrayList<>();
-        try {
-            if (Files.isRegularFile(file)) {
-                lines.addAll(Files.readAllLines(file, StandardCharsets.UTF_8));
-            }
-        } catch (IOException e) {
-            throw new BadInputException(file + ": cannot be read: " + e.getMessage(), e);
-        }
-        if (lines.isEmpty()) {
+        if (Files.isRegularFile(file) && file.toFile().length() > 0) {
+            lines.addAll(TextFile.read(file, "a table in UTF-8").lines().toList());
+            lines.set(0, header(lines.get(0)));
+        } else {
             lines.add(HEADER);
         }
-        // Files of before have fewer columns; the later ones come last.
-        lines.set(0, HEADER);
         lines.addAll(waiting);
         return lines;
     }
 
-    /** All rows. Those of earlier versions have fewer columns: the later ones, which come last, are empty. */
+    /**
+     * The header for a file: its own, with the columns that it lacks, which come last. It may have columns of a user
+     * behind all of them.
+     */
+    private String header(String line) {
+        String[] expected = HEADER.split(",");
+        String[] found = line.replace("\"", "").split(",", -1);
+        for (int i = 0; i < Math.min(found.length, expected.length); i++) {
+            if (!found[i].strip().equals(expected[i])) {
+                throw BadInputException.at(
+                        file.toString(),
+                        "line 1",
+                        "found " + Numbers.quote(found[i]) + " as column " + (i + 1)
+                                + " of a table with commas, expected " + Numbers.quote(expected[i]));
+            }
+        }
+        return found.length < expected.length ? HEADER : line;
+    }
+
+    /** All rows. A row with fewer cells than the header has columns lacks the last ones: they are empty. */
     private CsvTable table() {
-        String rows = lines().stream()
-                .skip(1)
-                .map(line -> line.isBlank() ? line : line + ",".repeat(Math.max(0, commas(HEADER) - commas(line))))
+        List<String> lines = lines();
+        int commas = commas(lines.get(0));
+        String text = lines.stream()
+                .map(line -> line.isBlank() ? line : line + ",".repeat(Math.max(0, commas - commas(line))))
                 .collect(Collectors.joining("\n"));
-        return CsvTable.parse(file.toString(), HEADER + "\n" + rows);
+        return CsvTable.parse(file.toString(), text);
     }
 
     private static int commas(String line) {

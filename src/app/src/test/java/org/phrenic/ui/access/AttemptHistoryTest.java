@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDateTime;
@@ -13,6 +14,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.access.BreathCycle;
 import org.phrenic.access.Needle;
 import org.phrenic.access.attempt.AttemptRecord;
@@ -138,5 +141,57 @@ class AttemptHistoryTest {
     void aTimeOfNoSecondsIsWrittenWithThem() {
         assertThat(AttemptHistory.text(LocalDateTime.of(2026, 11, 29, 6, 5, 0, 999)))
                 .isEqualTo("2026-11-29T06:05:00");
+    }
+
+    private static final String COLUMNS =
+            "session,time,exercise,help,hit,distance_mm,axial_mm,lateral_mm,time_s,no_go_s,"
+                    + "probe_s,tip_out_of_beam_s,needle_in_beam_mm,needle_in_beam_share,aims_by_program,"
+                    + "greatest_force_n,capsule_push_mm,side_load_n,bending_mm";
+
+    @Test
+    void aColumnOfNotesAtTheRightIsKept() throws IOException {
+        Path file = folder.resolve("notes.csv");
+        AttemptHistory kept = new AttemptHistory(file, "2026-11-25T10:00");
+        kept.add(SampledAttempts.rehearsal(new TargetingError(3, 4, true, OptionalDouble.empty())));
+        List<String> rows = Files.readAllLines(file);
+        Files.writeString(file, rows.get(0) + ",notes\n" + rows.get(1) + ",\"steep, slow\"\n");
+        kept.add(SampledAttempts.rehearsal(new TargetingError(6, 8, false, OptionalDouble.empty())));
+        assertThat(Files.readAllLines(file))
+                .hasSize(3)
+                .startsWith(COLUMNS + ",notes", rows.get(1) + ",\"steep, slow\"");
+        assertThat(kept.learningCurve("Practice")).startsWith("This exercise: 2 samples in 1 session, 1 hit, 7.5");
+    }
+
+    /** Under the program's own header their cells would be taken for others, and what stood there be lost. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+                    session,time,exercise,hit,distance_mm | 'hit' as column 4 of a table with commas, expected 'help'
+                    session,time,exercise,help,distance_mm,hit | 'distance_mm' as column 5 of a table with commas, expected 'hit'
+                    2026-11-25T10:00,2026-11-25T10:01,Dome | '2026-11-25T10:00' as column 1 of a table with commas, expected 'session'
+                    session;time | 'session;time' as column 1 of a table with commas, expected 'session'
+                    """)
+    void aFileOfOtherColumnsIsLeftAsItIsAndTheAttemptWaits(String header, String found) throws IOException {
+        Path file = Files.writeString(folder.resolve("attempts.csv"), header + "\n" + ROW + "true,2\n");
+        AttemptHistory edited = new AttemptHistory(file, "2026-11-25T10:00");
+        TargetingError sample = new TargetingError(3, 4, true, OptionalDouble.empty());
+        for (Runnable use : List.<Runnable>of(
+                () -> edited.add(SampledAttempts.rehearsal(sample)), () -> edited.learningCurve("Dome"))) {
+            assertThatExceptionOfType(BadInputException.class)
+                    .isThrownBy(use::run)
+                    .withMessage(file + ": line 1: found " + found);
+        }
+        assertThat(edited.waiting()).isEqualTo(1);
+        assertThat(Files.readAllLines(file)).containsExactly(header, ROW + "true,2");
+    }
+
+    @Test
+    void aFileThatIsNotUtf8IsToldAsSuch() throws IOException {
+        Path file = Files.writeString(folder.resolve("ansi.csv"), COLUMNS + "\n\u00e4", StandardCharsets.ISO_8859_1);
+        assertThatExceptionOfType(BadInputException.class)
+                .isThrownBy(() -> new AttemptHistory(file, "").learningCurve("Dome"))
+                .withMessage(file + ": found bytes that are not UTF-8, expected a table in UTF-8");
     }
 }
