@@ -10,6 +10,8 @@ import java.util.UUID;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.ThoraxFolder;
+import org.phrenic.file.AtomicFile;
 import org.phrenic.file.FileNames;
 import org.phrenic.patient.pipeline.ImportPipeline;
 import org.phrenic.patient.pipeline.ImportRequest;
@@ -162,9 +164,14 @@ public final class ScanImporter {
 
     private static void write(ImportResult result, ScanImportDialog.Choice choice) {
         FileWrites writing = FileWrites.begin(choice.folder().toString());
+        Path table = choice.folder().resolve(LABELS_FILE);
         try {
+            boolean replacesBody = ThoraxFolder.isBody(choice.folder());
             result.write(choice.folder());
-            choice.labels().writeIfEdited(choice.folder().resolve(LABELS_FILE));
+            // A table of the body that was replaced would name other structures than those beside it.
+            if (choice.labels().writeIfEdited(table).isEmpty() && replacesBody) {
+                AtomicFile.delete(table);
+            }
         } finally {
             writing.end();
         }

@@ -77,14 +77,16 @@ class ScanImportDialogTest {
         assertThat(ScanImportDialog.replaced(folder, true)).containsExactly("the body", "labels.csv");
         Files.delete(mesh);
         Files.createFile(folder.resolve("thorax.yaml"));
-        assertThat(ScanImportDialog.replaced(folder, false)).containsExactly("the body");
+        assertThat(ScanImportDialog.replaced(folder, false)).containsExactly("the body", "labels.csv");
     }
 
-    /** The table is written only if it was edited, which the button tells before it is pressed. */
+    /** A table of a body is replaced with it; another is replaced by an edited one alone. */
     @Test
     void theButtonNamesWhatIsReplaced(@TempDir Path folder) throws IOException {
         Path scan = folder.resolve("scan.mha");
         ScanSamples.writeMha(scan);
+        Path table = Files.createDirectory(folder.resolve("tables"));
+        Files.createFile(table.resolve("labels.csv"));
         Path body = Files.createDirectory(folder.resolve("mueller"));
         Files.createFile(body.resolve("rib_05_R.vtp"));
         Files.createFile(body.resolve("labels.csv"));
@@ -92,12 +94,14 @@ class ScanImportDialogTest {
         EventThread.run(() -> {
             ScanImportDialog dialog = new ScanImportDialog(scan, labels);
             assertThat(dialog.start().getText()).isEqualTo("Import");
-            WindowHarness.find(dialog.content(), JTextField.class, "Thorax folder")
-                    .orElseThrow()
-                    .setText(body.toString());
-            assertThat(dialog.start().getText()).isEqualTo("Import and replace the body");
-            labels.setValueAt("liver", 0, ScanLabels.STRUCTURE_COLUMN);
+            JTextField to = WindowHarness.find(dialog.content(), JTextField.class, "Thorax folder")
+                    .orElseThrow();
+            to.setText(body.toString());
             assertThat(dialog.start().getText()).isEqualTo("Import and replace the body and labels.csv");
+            to.setText(table.toString());
+            assertThat(dialog.start().getText()).isEqualTo("Import");
+            labels.setValueAt("liver", 0, ScanLabels.STRUCTURE_COLUMN);
+            assertThat(dialog.start().getText()).isEqualTo("Import and replace labels.csv");
         });
     }
 

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.file.OutputException;
 import org.phrenic.patient.PatientBody;
@@ -114,6 +115,32 @@ class ScanImporterTest {
         assertThatExceptionOfType(OutputException.class)
                 .isThrownBy(() -> ScanImporter.build(scan, choice, cancelled, noFolder))
                 .withMessageContaining("writing into folder " + noFolder + " failed: ");
+    }
+
+    private void importInto(Path body, ScanLabels labels, Path scan) throws IOException {
+        CancellableProgress progress = new CancellableProgress((stage, share) -> {});
+        ScanImportDialog.Choice choice =
+                new ScanImportDialog.Choice(labels, GeometryOverride.NONE, Optional.empty(), body);
+        assertThat(ScanImporter.build(scan, choice, progress, folder)).isPresent();
+    }
+
+    /** A table beside a scan is its user's, and no part of a body. */
+    @Test
+    void theTableOfABodyGoesWithTheBodyThatAnImportReplaces() throws IOException {
+        Path scan = folder.resolve("scan.mha");
+        ScanSamples.writeMha(scan);
+        Thorax template = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
+        ScanLabels edited = ScanLabels.read(scan, template);
+        edited.setValueAt("lungs", 0, ScanLabels.STRUCTURE_COLUMN);
+        Path body = Files.createDirectory(folder.resolve("mueller"));
+        Path table = Files.writeString(body.resolve("labels.csv"), "label,structure\n");
+        importInto(body, ScanLabels.read(scan, template), scan);
+        assertThat(table).hasContent("label,structure");
+        importInto(body, edited, scan);
+        assertThat(table).content().contains("lungs");
+        importInto(body, ScanLabels.read(scan, template), scan);
+        assertThat(table).doesNotExist();
+        assertThat(body.resolve("thorax.yaml")).exists();
     }
 
     private static JTextField folderField(Component at) {
