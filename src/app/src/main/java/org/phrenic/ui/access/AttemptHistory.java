@@ -168,7 +168,7 @@ public final class AttemptHistory {
      * behind all of them.
      */
     private String header(String line) {
-        String[] expected = HEADER.split(",");
+        String[] expected = HEADER.split(",", -1);
         String[] found = line.replace("\"", "").split(",", -1);
         for (int i = 0; i < Math.min(found.length, expected.length); i++) {
             if (!found[i].strip().equals(expected[i])) {

@@ -152,14 +152,16 @@ class AttemptHistoryTest {
     void aColumnOfNotesAtTheRightIsKept() throws IOException {
         Path file = folder.resolve("notes.csv");
         AttemptHistory kept = new AttemptHistory(file, "2026-11-25T10:00");
-        kept.add(SampledAttempts.rehearsal(new TargetingError(3, 4, true, OptionalDouble.empty())));
+        Rehearsal first = SampledAttempts.rehearsal(new TargetingError(3, 4, true, OptionalDouble.empty()));
+        kept.add(first);
         List<String> rows = Files.readAllLines(file);
         Files.writeString(file, rows.get(0) + ",notes\n" + rows.get(1) + ",\"steep, slow\"\n");
         kept.add(SampledAttempts.rehearsal(new TargetingError(6, 8, false, OptionalDouble.empty())));
         assertThat(Files.readAllLines(file))
                 .hasSize(3)
                 .startsWith(COLUMNS + ",notes", rows.get(1) + ",\"steep, slow\"");
-        assertThat(kept.learningCurve("Practice")).startsWith("This exercise: 2 samples in 1 session, 1 hit, 7.5");
+        assertThat(kept.learningCurve(first.plan().title()))
+                .startsWith("This exercise: 2 samples in 1 session, 1 hit, 7.5");
     }
 
     /** Under the program's own header their cells would be taken for others, and what stood there be lost. */

@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.awt.Component;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -117,6 +119,16 @@ class ScanImporterTest {
                 .withMessageContaining("writing into folder " + noFolder + " failed: ");
     }
 
+    /** A scan whose labels have names, so that they are guessed. */
+    private Path namedScan() throws IOException {
+        String header = "NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: "
+                + ScanSamples.COLUMNS + " " + ScanSamples.ROWS + " " + ScanSamples.SLICES
+                + "\nspace directions: (4,0,0) (0,4,0) (0,0,4)\nspace origin: (0,0,0)\nencoding: raw\n"
+                + "Segment0_Name:=lungs\nSegment0_LabelValue:=1\nSegment1_Name:=liver\nSegment1_LabelValue:=5\n\n";
+        Path scan = Files.writeString(folder.resolve("scan.nrrd"), header, StandardCharsets.US_ASCII);
+        return Files.write(scan, ScanSamples.voxels(), StandardOpenOption.APPEND);
+    }
+
     private void importInto(Path body, ScanLabels labels, Path scan) throws IOException {
         CancellableProgress progress = new CancellableProgress((stage, share) -> {});
         ScanImportDialog.Choice choice =
@@ -127,8 +139,7 @@ class ScanImporterTest {
     /** A table beside a scan is its user's, and no part of a body. */
     @Test
     void theTableOfABodyGoesWithTheBodyThatAnImportReplaces() throws IOException {
-        Path scan = folder.resolve("scan.mha");
-        ScanSamples.writeMha(scan);
+        Path scan = namedScan();
         Thorax template = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
         ScanLabels edited = ScanLabels.read(scan, template);
         edited.setValueAt("lungs", 0, ScanLabels.STRUCTURE_COLUMN);
