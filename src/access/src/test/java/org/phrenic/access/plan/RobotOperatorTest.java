@@ -35,15 +35,21 @@ class RobotOperatorTest {
 
     @BeforeEach
     void recordABreath() throws IOException {
+        recordABreath(12, "");
+    }
+
+    /** A breath in which liver and target go down by some mm, and a plan with settings of its own. */
+    private void recordABreath(double mm, String settings) throws IOException {
         plan = RehearsalPlan.read(Files.writeString(
-                folder.resolve("plan.yaml"), "target: {rest_mm: [90, 0, -10], diameter_mm: 20}\nsteps: []\n"));
+                folder.resolve("plan.yaml"),
+                settings + "target: {rest_mm: [90, 0, -10], diameter_mm: 20}\nsteps: []\n"));
         BoxAnatomy body = new BoxAnatomy();
         anatomy = new MovingAnatomy(body.surfaces);
         anatomy.update(body.still(0));
         List<BreathMoment> cycle = new ArrayList<>();
         for (int i = 0; i < MOMENTS; i++) {
             double t = PERIOD_S * i / MOMENTS;
-            double down = t < 3 ? 6 * (1 - StrictMath.cos(2 * Math.PI * t / 3)) : 0;
+            double down = t < 3 ? mm / 2 * (1 - StrictMath.cos(2 * Math.PI * t / 3)) : 0;
             RespiratoryPhase phase = t < 1.5
                     ? RespiratoryPhase.INSPIRATION
                     : t < 3 ? RespiratoryPhase.EXPIRATION : RespiratoryPhase.PAUSE;
@@ -96,6 +102,13 @@ class RobotOperatorTest {
         assertThat(sample(STEADY, true, 1).distanceMm()).as("held").isCloseTo(0, within(1e-3));
         // 90 mm at 50 mm/s take longer than the pause: the needle is in the liver after 0.8 s and goes with it then.
         assertThat(sample(STEADY, false, 1).distanceMm()).as("free").isGreaterThan(0.05);
+    }
+
+    /** The sample is the core, which begins at the tip. */
+    @Test
+    void theMiddleOfACoreIsTakenInTheTarget() throws IOException {
+        recordABreath(12, "needle: {core_mm: 20}\n");
+        assertThat(sample(STEADY, true, 1).distanceMm()).isCloseTo(0, within(1e-3));
     }
 
     @Test
