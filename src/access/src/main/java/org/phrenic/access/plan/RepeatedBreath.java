@@ -15,7 +15,8 @@ import org.phrenic.simulation.observe.Surface;
 /**
  * A recorded breath, repeated, with the {@link Unsteadiness} that the record lacks. What deforms but the skin is
  * displaced along its own way from end-expiration to the moment when the target is farthest from there, in proportion,
- * so that the target is displaced by the given distance. Bones and skin are not displaced. Not thread-safe.
+ * so that the target is displaced by the given distance; along the axis from head to foot if the target moves by less
+ * than {@value #LEAST_MM} mm. Bones and skin are not displaced. Not thread-safe.
  */
 final class RepeatedBreath {
     /**
@@ -30,6 +31,9 @@ final class RepeatedBreath {
     record Unsteadiness(double levelMm, double beatMm, double beatHz, double driftMmPerS) {
         static final Unsteadiness NONE = new Unsteadiness(0, 0, 1, 0);
     }
+
+    /** Motion of the target below which its way, and that of others in proportion to it, says nothing, mm; chosen. */
+    private static final double LEAST_MM = 1;
 
     private final List<BreathMoment> breath;
     private final double periodS;
@@ -64,13 +68,18 @@ final class RepeatedBreath {
         Frame to = breath.get(farthest).frame();
         for (int s = 0; s < way.length; s++) {
             Surface surface = anatomy.structures().get(s).surface();
-            boolean moves =
-                    mm > 0 && surface.motion() == Surface.Motion.DEFORMING && surface.kind() != StructureKind.SKIN;
+            boolean moves = surface.motion() == Surface.Motion.DEFORMING && surface.kind() != StructureKind.SKIN;
             way[s] = new float[moves ? to.positions(s).length : 0];
             for (int i = 0; i < way[s].length; i++) {
-                way[s][i] = (float) ((to.positions(s)[i] - frame.positions(s)[i]) / mm);
+                float toFoot = i % 3 == 2 ? -1 : 0;
+                way[s][i] = mm < LEAST_MM ? toFoot : (float) ((to.positions(s)[i] - frame.positions(s)[i]) / mm);
             }
         }
+    }
+
+    /** Duration of the breath, s. */
+    double periodS() {
+        return periodS;
     }
 
     /** Begins anew, at a time within the breath that the seed decides. */

@@ -7,6 +7,8 @@ import org.phrenic.access.attempt.AttemptRecord;
 import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.attempt.NeedleInsertion;
 import org.phrenic.access.path.TargetAccess;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.Vectors;
 
 /**
@@ -93,7 +95,11 @@ public final class RobotOperator {
         breath = new RepeatedBreath(anatomy, access.map(), hand.unsteadiness());
     }
 
-    /** Makes an attempt; the same seed gives the same. The errors of the hand are the same in free and held breath. */
+    /**
+     * Makes an attempt; the same seed gives the same. The errors of the hand are the same in free and held breath.
+     *
+     * @throws BadInputException if the needle does not arrive in the time of an attempt
+     */
     public AttemptRecord attempt(long seed) {
         Random random = SeededRandom.of(seed);
         timeS = 0;
@@ -123,14 +129,14 @@ public final class RobotOperator {
         needle.turn(NeedleAngles.of(needle.shaft().direction()).tilted(level, head));
         double goal = Math.max(1, Math.min(plan.needle().lengthMm(), depth - plan.needle().coreMm() / 2));
         needle.advance(goal, SPEED_MM_PER_S);
-        while (needle.isMoving() && timeS < GIVE_UP_S) {
-            timeS += FRAME_S;
+        while (needle.isMoving()) {
+            nextImage();
             look(needle);
             double acts = timeS - hand.latencyS() - hand.reactionS();
             if (!held && needle.isMoving() && !isOpenAt(acts)) {
                 needle.advance(needle.shaft().depth(), SPEED_MM_PER_S);
-                while (!isOpenAt(timeS - hand.latencyS() - hand.reactionS()) && timeS < GIVE_UP_S) {
-                    timeS += FRAME_S;
+                while (!isOpenAt(timeS - hand.latencyS() - hand.reactionS())) {
+                    nextImage();
                 }
                 look(needle);
                 needle.advance(goal, SPEED_MM_PER_S);
@@ -138,13 +144,26 @@ public final class RobotOperator {
         }
     }
 
-    /** Waits until the image shows the target come back to its place at end-expiration. */
+    /**
+     * Waits until the image shows the target come back to its place at end-expiration; for a breath where it does not
+     * leave it.
+     */
     private void untilSeen() {
-        while (isOpenAt(timeS - hand.latencyS()) && timeS < GIVE_UP_S) {
-            timeS += FRAME_S;
+        while (isOpenAt(timeS - hand.latencyS()) && timeS < breath.periodS()) {
+            nextImage();
         }
-        while (!isOpenAt(timeS - hand.latencyS()) && timeS < GIVE_UP_S) {
-            timeS += FRAME_S;
+        while (!isOpenAt(timeS - hand.latencyS())) {
+            nextImage();
+        }
+    }
+
+    private void nextImage() {
+        timeS += FRAME_S;
+        if (timeS >= GIVE_UP_S) {
+            throw new BadInputException(Numbers.format(
+                    "%s: found a needle that does not arrive in %.0f s, expected a target that is longer near its place"
+                            + " at end-expiration",
+                    plan.file(), GIVE_UP_S));
         }
     }
 

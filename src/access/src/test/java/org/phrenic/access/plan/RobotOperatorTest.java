@@ -1,6 +1,7 @@
 package org.phrenic.access.plan;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
@@ -8,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -19,6 +21,7 @@ import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.engine.parallel.Workers;
+import org.phrenic.file.BadInputException;
 
 /** A robot on boxes whose liver goes down by 12 mm in a breath of 4 s with a pause of 1 s at end-expiration. */
 class RobotOperatorTest {
@@ -38,7 +41,7 @@ class RobotOperatorTest {
         recordABreath(12, "");
     }
 
-    /** A breath in which liver and target go down by some mm, and a plan with settings of its own. */
+    /** A breath in which liver and target go down by some mm and the lung by twice as much, and a plan with settings of its own. */
     private void recordABreath(double mm, String settings) throws IOException {
         plan = RehearsalPlan.read(Files.writeString(
                 folder.resolve("plan.yaml"),
@@ -53,7 +56,7 @@ class RobotOperatorTest {
             RespiratoryPhase phase = t < 1.5
                     ? RespiratoryPhase.INSPIRATION
                     : t < 3 ? RespiratoryPhase.EXPIRATION : RespiratoryPhase.PAUSE;
-            cycle.add(new BreathMoment(body.frame(t, t / PERIOD_S, new double[] {0, 0, -down}, -100, 0), phase));
+            cycle.add(new BreathMoment(body.frame(t, t / PERIOD_S, new double[] {0, 0, -down}, 2 * down - 100, 0), phase));
         }
         try (Workers workers = Workers.of(1)) {
             access = TargetAccess.of(anatomy, cycle, plan.target(anatomy), plan.needle(), plan.avoided(), workers);
@@ -118,6 +121,38 @@ class RobotOperatorTest {
         double[] entry = {0, 0, -77.5};
         assertThat(record(entry, STEADY, false).insideS()).isBetween(2.25 + 2 + 0.1, 2.25 + 2 + 0.4);
         assertThat(record(entry, STEADY, true).insideS()).isBetween(2.25 + 0.2, 2.25 + 0.35);
+    }
+
+    /** It is at its place all the time, within the distance at which the gate closes. */
+    @Test
+    void aTargetThatNeverLeavesItsPlaceIsReachedToo() throws IOException {
+        recordABreath(2, "");
+        assertThat(sample(STEADY, false, 1).distanceMm()).isLessThan(2);
+        assertThat(sample(STEADY, true, 1).distanceMm()).isLessThan(2);
+    }
+
+    /** In proportion to a target that all but rests, the lung would be displaced by twice as much. */
+    @Test
+    void bodiesAreDisplacedAsTheTargetWhereItAllButRests() throws IOException {
+        recordABreath(0.001, "");
+        RepeatedBreath breath =
+                new RepeatedBreath(anatomy, access.map(), new RepeatedBreath.Unsteadiness(0, 2, 1 / PERIOD_S, 0));
+        breath.begin(1);
+        int lung = anatomy.structures().size() - 1;
+        double[] heights = IntStream.range(0, MOMENTS)
+                .mapToDouble(i -> breath.at(PERIOD_S * i / MOMENTS).positions(lung)[2])
+                .sorted()
+                .toArray();
+        assertThat(heights[MOMENTS - 1] - heights[0]).isCloseTo(2 * 2, within(0.1));
+    }
+
+    /** The level of the breath wanders by a hundred metres, so that the target passes its place in no time. */
+    @Test
+    void aNeedleThatDoesNotArriveIsToldAsSuch() {
+        RobotOperator.Hand lost = new RobotOperator.Hand(0.25, 0.1, 0, 0, 1e5, 0, 0);
+        assertThatExceptionOfType(BadInputException.class)
+                .isThrownBy(() -> sample(lost, false, 1))
+                .withMessageContaining("plan.yaml: found a needle that does not arrive in 120 s");
     }
 
     @Test
