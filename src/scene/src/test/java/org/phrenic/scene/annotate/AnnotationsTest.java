@@ -7,6 +7,7 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -15,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.phrenic.mesh.Vectors;
 import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.Camera;
 import org.phrenic.scene.style.ColourMap;
@@ -26,12 +28,39 @@ class AnnotationsTest {
     private static final int LIGHT = 0xf2f4f6;
     private static final int DARK = 0x15181c;
 
-    private static BufferedImage annotated(int width, int height, boolean light, Camera camera) {
+    private static BufferedImage blank(int width, int height, int background) {
         BufferedImage picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = picture.createGraphics();
-        g.setColor(new Color(light ? LIGHT : DARK));
+        g.setColor(new Color(background));
         g.fillRect(0, 0, width, height);
         g.dispose();
+        return picture;
+    }
+
+    /** A light picture from the front with letters, the figure and, of a parallel camera, the ruler. */
+    private static BufferedImage plain(int width, int height, Camera camera) {
+        BufferedImage picture = blank(width, height, LIGHT);
+        Graphics2D g = picture.createGraphics();
+        new Annotations(true, "", "", "", Optional.empty(), "").drawStatic(g, camera, width, height, 1);
+        g.dispose();
+        return picture;
+    }
+
+    private static boolean isInk(BufferedImage picture, int x, int y) {
+        return (picture.getRGB(x, y) & 0xff) < 0x80;
+    }
+
+    /** Pixels of ink in a square. */
+    private static long ink(BufferedImage picture, int centreX, int centreY, int half) {
+        return IntStream.range(centreY - half, centreY + half)
+                .mapToLong(y -> IntStream.range(centreX - half, centreX + half)
+                        .filter(x -> isInk(picture, x, y))
+                        .count())
+                .sum();
+    }
+
+    private static BufferedImage annotated(int width, int height, boolean light, Camera camera) {
+        BufferedImage picture = blank(width, height, light ? LIGHT : DARK);
         new Annotations(
                         light,
                         "",
@@ -88,7 +117,7 @@ class AnnotationsTest {
     private static long rowsOfTheFigure(String notInScan) {
         BufferedImage[] pictures = Stream.of(AnatomicalView.ANTERIOR, AnatomicalView.LEFT)
                 .map(view -> {
-                    BufferedImage picture = new BufferedImage(400, 400, BufferedImage.TYPE_INT_RGB);
+                    BufferedImage picture = blank(400, 400, 0);
                     Graphics2D g = picture.createGraphics();
                     new Annotations(true, "", "", "", Optional.empty(), notInScan)
                             .drawStatic(g, Camera.of(view, BODY), 400, 400, 1);
@@ -125,6 +154,19 @@ class AnnotationsTest {
                 .isEqualTo(expected);
     }
 
+    /** An R has more strokes than an L, and an S than an I. */
+    @Test
+    void eachLetterStandsAtTheSideThatItNames() {
+        BufferedImage picture = plain(400, 400, Camera.of(AnatomicalView.ANTERIOR, BODY));
+        long right = ink(picture, 16, 200, 15);
+        long left = ink(picture, 384, 200, 15);
+        assertThat(left).isPositive();
+        assertThat(right).isGreaterThan(left);
+        long inferior = ink(picture, 200, 370, 10);
+        assertThat(inferior).isPositive();
+        assertThat(ink(picture, 200, 16, 10)).isGreaterThan(inferior);
+    }
+
     @Test
     void aSlantedSideHasTwoLettersTheStrongerFirst() {
         Vector3d r = Camera.of(AnatomicalView.ANTERIOR, BODY).orbit(30, 0).right();
@@ -149,6 +191,54 @@ class AnnotationsTest {
         assertThat(Ruler.roundLength(0.5, 190)).isEqualTo(50);
         assertThat(Ruler.roundLength(0.05, 250)).isEqualTo(10);
         assertThat(Ruler.roundLength(0.001, 100)).isZero();
+    }
+
+    @Test
+    void theRulerIsAsLongAsItSays() {
+        Camera camera = Camera.of(AnatomicalView.ANTERIOR, BODY).withProjection(true);
+        BufferedImage picture = plain(800, 600, camera);
+        int longest = 0;
+        for (int y = 450; y < 600; y++) {
+            int run = 0;
+            for (int x = 0; x < 300; x++) {
+                run = isInk(picture, x, y) ? run + 1 : 0;
+                longest = Math.max(longest, run);
+            }
+        }
+        double mmPerPixel = camera.mmPerPixel(600);
+        double said = Ruler.roundLength(mmPerPixel, 0.25 * 800);
+        assertThat(longest * mmPerPixel).isCloseTo(said, within(3 * mmPerPixel));
+    }
+
+    /** Row of the pixel whose colour is nearest to one. */
+    private static int rowOf(BufferedImage picture, int rgb) {
+        double[] colour = components(rgb);
+        return IntStream.range(0, picture.getHeight())
+                .boxed()
+                .min(Comparator.comparingDouble(y -> IntStream.range(0, picture.getWidth())
+                        .mapToDouble(x -> Vectors.distance(colour, components(picture.getRGB(x, y))))
+                        .min()
+                        .orElseThrow()))
+                .orElseThrow();
+    }
+
+    private static double[] components(int rgb) {
+        return new double[] {rgb >> 16 & 0xff, rgb >> 8 & 0xff, rgb & 0xff};
+    }
+
+    /** The number of the upper end, 20, has a digit more than that of the lower, 0. */
+    @Test
+    void coloursAndNumbersOfTheScaleRiseTogether() {
+        BufferedImage picture = blank(120, 300, LIGHT);
+        Graphics2D g = picture.createGraphics();
+        ColourScale scale = ColourScale.sequential(20, "mm");
+        ColourBar.draw(HaloGraphics.over(g, true, 1), "", scale, 110, 20, 280);
+        g.dispose();
+        assertThat(rowOf(picture, scale.map().rgb(1))).isBetween(35, 45);
+        assertThat(rowOf(picture, scale.map().rgb(0))).isBetween(274, 281);
+        long lower = ink(picture, 104, 280, 7);
+        assertThat(lower).isPositive();
+        assertThat(ink(picture, 104, 40, 7)).isGreaterThan(lower);
     }
 
     @Test
