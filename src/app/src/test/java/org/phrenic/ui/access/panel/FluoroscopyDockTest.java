@@ -53,6 +53,9 @@ class FluoroscopyDockTest {
             g.dispose();
             assertThat(contrast(painted, 0)).as("R").isGreaterThan(CONTRAST);
             assertThat(contrast(painted, SIDE / 2)).as("L").isGreaterThan(CONTRAST);
+            assertThat(brighterThanBone(painted, 0))
+                    .as("an R has more strokes than an L")
+                    .isGreaterThan(brighterThanBone(painted, SIDE / 2));
         });
         Theme.install(false);
     }
@@ -77,6 +80,13 @@ class FluoroscopyDockTest {
                 .sorted()
                 .toArray();
         return (shades[shades.length - 1] + FLARE) / (shades[0] + FLARE);
+    }
+
+    /** Pixels of text halfway up in a half of a picture. */
+    private static long brighterThanBone(BufferedImage image, int fromColumn) {
+        return IntStream.of(image.getRGB(fromColumn, SIDE / 3, SIDE / 2, SIDE / 3, null, 0, SIDE / 2))
+                .filter(rgb -> luminance(rgb) > luminance(BONE))
+                .count();
     }
 
     private static double luminance(int rgb) {
