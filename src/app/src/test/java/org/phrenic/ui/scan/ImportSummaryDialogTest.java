@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.Shapes;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
@@ -46,7 +47,15 @@ class ImportSummaryDialogTest {
     }
 
     static PatientStructure structure(StructureKind kind, String name) {
-        TriangleMesh mesh = new TriangleMesh(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2});
+        return structure(kind, name, new TriangleMesh(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2}));
+    }
+
+    private static PatientStructure cube(String name, double millilitres) {
+        double edge = 10 * Math.cbrt(millilitres);
+        return structure(StructureKind.ORGAN, name, Shapes.box(edge, edge, edge));
+    }
+
+    private static PatientStructure structure(StructureKind kind, String name, TriangleMesh mesh) {
         return new PatientStructure(
                 new Structure(name, kind, 0, Side.MIDLINE, mesh),
                 PatientStructure.Source.VIRTUAL,
@@ -88,11 +97,13 @@ class ImportSummaryDialogTest {
     /** A number that is compared as text comes after 30 with 200, and before it with 4. */
     @Test
     void volumesAreSortedAsNumbers() {
-        JDialog dialog = show(List.of(), Optional.empty(), () -> {});
+        JDialog dialog = show(List.of(cube("liver", 200), cube("spleen", 30)), Optional.empty(), () -> {});
         JTable table = WindowHarness.find(dialog.getRootPane(), JTable.class, "Structures of the body")
                 .orElseThrow();
-        assertThat(table.getColumnClass(table.getColumn("Volume, ml").getModelIndex()))
-                .isAssignableTo(Comparable.class);
+        int volume = table.getColumn("Volume, ml").getModelIndex();
+        WindowHarness.doOnEdt(() -> table.getRowSorter().toggleSortOrder(volume));
+        assertThat(row(table, 0)).startsWith("spleen", "virtual", "30");
+        assertThat(row(table, 1)).startsWith("liver", "virtual", "200");
         WindowHarness.doOnEdt(dialog::dispose);
     }
 
