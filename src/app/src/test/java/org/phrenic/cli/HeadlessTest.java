@@ -35,18 +35,23 @@ class HeadlessTest {
     @TempDir
     Path folder;
 
+    /** A Java process without the variables that add to its options: it names them on its standard error. */
+    private static ProcessBuilder java(List<String> options) {
+        List<String> command = new ArrayList<>(
+                List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), SHORT_LIVED));
+        command.addAll(options);
+        ProcessBuilder builder = new ProcessBuilder(command);
+        List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS", "_JAVA_OPTIONS").forEach(builder.environment()::remove);
+        return builder;
+    }
+
     /** Starts the program and returns the classes it loaded. */
     private List<String> loadedBy(String... args) throws IOException, InterruptedException {
         Path log = folder.resolve("classes.log");
-        List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                SHORT_LIVED,
-                "-Xlog:class+load:file=" + log,
-                "-cp",
-                System.getProperty("java.class.path"),
-                Phrenic.class.getName()));
-        command.addAll(Arrays.asList(args));
-        Process process = new ProcessBuilder(command)
+        List<String> options = new ArrayList<>(List.of(
+                "-Xlog:class+load:file=" + log, "-cp", System.getProperty("java.class.path"), Phrenic.class.getName()));
+        options.addAll(Arrays.asList(args));
+        Process process = java(options)
                 .redirectOutput(folder.resolve("stdout").toFile())
                 .redirectError(folder.resolve("stderr").toFile())
                 .start();
@@ -136,12 +141,7 @@ class HeadlessTest {
 
     @Test
     void theLogOnStderrNamesNoClass() throws Exception {
-        Process process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        SHORT_LIVED,
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        OneLogLine.class.getName())
+        Process process = java(List.of("-cp", System.getProperty("java.class.path"), OneLogLine.class.getName()))
                 .redirectError(folder.resolve("stderr").toFile())
                 .start();
         assertThat(process.waitFor(PATIENCE_S, TimeUnit.SECONDS)).isTrue();
@@ -152,13 +152,8 @@ class HeadlessTest {
     void resultsThatCannotBePrintedAreAFailure() throws Exception {
         Path full = Path.of("/dev/full");
         assumeThat(full).exists();
-        Process process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        SHORT_LIVED,
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        Phrenic.class.getName(),
-                        "--version")
+        Process process = java(List.of(
+                        "-cp", System.getProperty("java.class.path"), Phrenic.class.getName(), "--version"))
                 .redirectOutput(full.toFile())
                 .redirectError(folder.resolve("stderr").toFile())
                 .start();
@@ -175,9 +170,7 @@ class HeadlessTest {
     /** As with phrenic.jar alone, copied away from the folder with the jars that it needs. */
     @Test
     void withoutItsLibrariesTheProgramSaysWhatItNeeds() throws Exception {
-        Process process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        SHORT_LIVED,
+        Process process = java(List.of(
                         "-cp",
                         Path.of(Phrenic.class
                                         .getProtectionDomain()
@@ -186,7 +179,7 @@ class HeadlessTest {
                                         .toURI())
                                 .toString(),
                         Phrenic.class.getName(),
-                        "--help")
+                        "--help"))
                 .redirectOutput(folder.resolve("stdout").toFile())
                 .redirectError(folder.resolve("stderr").toFile())
                 .start();
@@ -210,15 +203,10 @@ class HeadlessTest {
     /** Starts the program in a process without a display and returns its exit code. */
     private int execute(Map<String, String> environment, List<String> arguments)
             throws IOException, InterruptedException {
-        List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                SHORT_LIVED,
-                "-Djava.awt.headless=true",
-                "-cp",
-                System.getProperty("java.class.path"),
-                Phrenic.class.getName()));
-        command.addAll(arguments);
-        ProcessBuilder builder = new ProcessBuilder(command)
+        List<String> options = new ArrayList<>(List.of(
+                "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path"), Phrenic.class.getName()));
+        options.addAll(arguments);
+        ProcessBuilder builder = java(options)
                 .redirectOutput(folder.resolve("stdout").toFile())
                 .redirectError(folder.resolve("stderr").toFile());
         builder.environment().remove("DISPLAY");
