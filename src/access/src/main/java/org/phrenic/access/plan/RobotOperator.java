@@ -15,11 +15,11 @@ import org.phrenic.mesh.Vectors;
  * An operator with a known hand, for measuring how hard an exercise is. It sees the body with the latency of the image
  * and acts a reaction time later. At an end of expiration it places the needle on the skin and points it at where it
  * sees the target, with normally distributed errors of the hand; it advances the needle until its sample would be taken
- * at the depth that it sees, with such an error too, and takes it a reaction time after the needle has arrived. While the body breathes it is
- * gated: it advances while it sees the target within {@value #GATE_MM} mm of its place at end-expiration, and stops
- * when it no longer does. In a held breath it advances without a stop; the patient holds the breath 0.4 s after the
- * image shows the target within that distance in expiration. It does not correct the direction. The breath is a
- * {@link RepeatedBreath}.
+ * at the depth that it sees, with such an error too, and takes it a reaction time after the needle has arrived. While
+ * the body breathes it is gated: it advances while it sees the target within {@value #GATE_MM} mm of its place at
+ * end-expiration, and stops when it no longer does. In a held breath it advances without a stop; the patient holds the
+ * breath 0.4 s after the image shows the target within that distance in expiration. It does not correct the direction.
+ * The breath is a {@link RepeatedBreath}.
  */
 public final class RobotOperator {
     private static final double FRAME_S = 0.05;
@@ -127,7 +127,8 @@ public final class RobotOperator {
         double level = hand.angleDeg() * random.nextGaussian();
         double head = hand.angleDeg() * random.nextGaussian();
         needle.turn(NeedleAngles.of(needle.shaft().direction()).tilted(level, head));
-        double goal = Math.max(1, Math.min(plan.needle().lengthMm(), depth - plan.needle().coreMm() / 2));
+        double goal = Math.max(
+                1, Math.min(plan.needle().lengthMm(), depth - plan.needle().coreMm() / 2));
         needle.advance(goal, SPEED_MM_PER_S);
         while (needle.isMoving()) {
             nextImage();

@@ -41,7 +41,10 @@ class RobotOperatorTest {
         recordABreath(12, "");
     }
 
-    /** A breath in which liver and target go down by some mm and the lung by twice as much, and a plan with settings of its own. */
+    /**
+     * A breath in which liver and target go down by some mm and the lung by twice as much, and a plan with settings of
+     * its own.
+     */
     private void recordABreath(double mm, String settings) throws IOException {
         plan = RehearsalPlan.read(Files.writeString(
                 folder.resolve("plan.yaml"),
@@ -56,7 +59,8 @@ class RobotOperatorTest {
             RespiratoryPhase phase = t < 1.5
                     ? RespiratoryPhase.INSPIRATION
                     : t < 3 ? RespiratoryPhase.EXPIRATION : RespiratoryPhase.PAUSE;
-            cycle.add(new BreathMoment(body.frame(t, t / PERIOD_S, new double[] {0, 0, -down}, 2 * down - 100, 0), phase));
+            cycle.add(new BreathMoment(
+                    body.frame(t, t / PERIOD_S, new double[] {0, 0, -down}, 2 * down - 100, 0), phase));
         }
         try (Workers workers = Workers.of(1)) {
             access = TargetAccess.of(anatomy, cycle, plan.target(anatomy), plan.needle(), plan.avoided(), workers);
