@@ -8,8 +8,12 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -102,6 +106,42 @@ class LauncherTest {
         start("run");
         Files.writeString(folder.resolve("phrenic.jar"), "another jar");
         assertThat(start("run")).contains("-XX:ArchiveClassesAtExit=");
+    }
+
+    /** A build may leave a jar of the same length within the minute of the last. */
+    @Test
+    void aJarOfTheSameLengthReadsNoArchiveOfAnother() throws Exception {
+        Path jar = folder.resolve("phrenic.jar");
+        Instant minute = Instant.parse("2026-01-05T10:20:00Z");
+        Files.setLastModifiedTime(jar, FileTime.from(minute));
+        start("run");
+        assertThat(start("run")).contains("-XX:SharedArchiveFile=");
+        Files.setLastModifiedTime(jar, FileTime.from(minute.plusSeconds(1)));
+        assertThat(start("run")).contains("-XX:ArchiveClassesAtExit=");
+    }
+
+    /** Another place or language of the user is no other build. */
+    @Test
+    void anArchiveIsReadInEachTimeZone() throws Exception {
+        String cache = folder.resolve("cache").toString();
+        start(Map.of("PHRENIC_CACHE", cache, "TZ", "UTC"), "run");
+        assertThat(start(Map.of("PHRENIC_CACHE", cache, "TZ", "EST5"), "run")).contains("-XX:SharedArchiveFile=");
+    }
+
+    /** Its process has not ended, and has written a part of it. */
+    @Test
+    void anArchiveThatIsStillBeingWrittenIsNotRead() throws Exception {
+        Matcher asked =
+                Pattern.compile("-XX:ArchiveClassesAtExit=(\\S+)\\.\\d+").matcher(start("run"));
+        assertThat(asked.find()).isTrue();
+        Path archive = Path.of(asked.group(1));
+        Path whole = Path.of(asked.group().replaceFirst("^[^=]*=", ""));
+        Path part = archive.resolveSibling(
+                archive.getFileName() + "." + ProcessHandle.current().pid());
+        Files.move(whole, part);
+        assertThat(start("run")).contains("-XX:ArchiveClassesAtExit=").doesNotContain("SharedArchiveFile");
+        assertThat(part).exists();
+        assertThat(archive).doesNotExist();
     }
 
     @Test
