@@ -11,6 +11,7 @@ import org.phrenic.access.Needle;
 import org.phrenic.access.NoGoZone;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.attempt.AttemptRecord;
+import org.phrenic.access.attempt.NeedleAngles;
 import org.phrenic.access.attempt.NeedleInsertion;
 import org.phrenic.breathing.RespiratoryPhase;
 
@@ -90,6 +91,37 @@ class GoalsTest {
         assertThat(aside.value()).isCloseTo(8, within(1e-3));
         assertThat(aside.reached()).isFalse();
         assertThat(result("lateral_mm_at_most", 9, needle.record()).reached()).isTrue();
+    }
+
+    /**
+     * In at the first image, out 1 s later; two turns on the way, and a liver that goes down by 9 mm while the tip is
+     * 90 mm deep, so that the capsule in a depth of 40 mm is pulled by five ninths of that.
+     */
+    @Test
+    void eachGoalIsHeldAgainstItsOwnMeasure() {
+        begin(Needle.standard());
+        needle.place(new double[] {0, 0, -20}, new double[] {90, 0, -20});
+        needle.advance(15, AT_ONCE);
+        next();
+        needle.turn(new NeedleAngles(88, 0));
+        needle.advance(16, AT_ONCE);
+        next();
+        needle.turn(new NeedleAngles(90, 0));
+        needle.advance(90, AT_ONCE);
+        next();
+        needle.update(body.frame(1, 0, new double[] {0, 0, -9}, 0, 0), RespiratoryPhase.PAUSE);
+        AttemptRecord record = needle.record();
+        assertThat(result("attempts_at_most", 1, record).value()).isEqualTo(1);
+        assertThat(result("redirections_at_most", 1, record).value()).isEqualTo(2);
+        assertThat(result("redirections_at_most", 1, record).reached()).isFalse();
+        assertThat(result("redirections_at_most", 2, record).reached()).isTrue();
+        assertThat(result("inside_s_at_most", 1, record).value()).isCloseTo(1 - FRAME_S, within(FRAME_S));
+        assertThat(result("inside_s_at_most", 1, record).reached()).isTrue();
+        assertThat(result("no_go_s_at_most", 0, record).value()).isZero();
+        double pull = 9 * (1 - 40.0 / 90) * 90 / Math.hypot(90, 9);
+        assertThat(result("capsule_pull_mm_at_most", 4, record).value()).isCloseTo(pull, within(0.02));
+        assertThat(result("capsule_pull_mm_at_most", 4, record).reached()).isFalse();
+        assertThat(result("capsule_pull_mm_at_most", 6, record).reached()).isTrue();
     }
 
     @Test
