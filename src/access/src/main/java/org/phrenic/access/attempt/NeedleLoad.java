@@ -83,8 +83,8 @@ public record NeedleLoad(
     static NeedleLoad advancing(
             Needle needle, double fromMm, double toMm, List<Crossing> crossings, boolean inLiver, NeedleLoad side) {
         double scale = scale(needle);
-        double pleura = Math.min(first(crossings, StructureKind.PLEURA), recess(crossings));
-        List<Resting> membranes = new ArrayList<>(List.of(new Resting(SKIN, 0), new Resting(PLEURA, pleura)));
+        List<Resting> membranes =
+                new ArrayList<>(List.of(new Resting(SKIN, 0), new Resting(PLEURA, recess(crossings))));
         capsules(crossings, fromMm).forEach(restMm -> membranes.add(new Resting(CAPSULE, restMm)));
         String layer = inLiver ? "liver" : "wall";
         double push = 0;
@@ -115,14 +115,6 @@ public record NeedleLoad(
         return crossings.stream()
                 .filter(c -> c.kind() == StructureKind.LIVER && c.toMm() >= tipMm - TOLERANCE_MM)
                 .mapToDouble(Crossing::fromMm);
-    }
-
-    private static double first(List<Crossing> crossings, StructureKind kind) {
-        return crossings.stream()
-                .filter(c -> c.kind() == kind)
-                .mapToDouble(Crossing::fromMm)
-                .min()
-                .orElse(Double.POSITIVE_INFINITY);
     }
 
     private static double recess(List<Crossing> crossings) {

@@ -60,6 +60,29 @@ class NeedleLoadTest {
         assertThat(at(NEEDLE, 0, 5, false).axialN()).isCloseTo(0.8 + 0.05 + 3, within(1e-9));
     }
 
+    /** A needle of 14 G is 1.75 times as thick: so are its forces, and the push at which a membrane is cut. */
+    @Test
+    void aThickNeedleMeetsForcesInProportionToItsThickness() {
+        Needle thick = new Needle(14, 150);
+        double push = 1.75 * 3.5;
+        NeedleLoad half = at(thick, 41, 40 + push / 2, false);
+        assertThat(half.layer()).isEqualTo("capsule");
+        assertThat(half.axialN()).isCloseTo(1.75 * (0.8 + 0.01 * (40 + push / 2) + 1.5 / 4), within(1e-9));
+        assertThat(at(thick, 50, 51, true).axialN()).isCloseTo(1.75 * (0.94 + 0.51), within(1e-9));
+    }
+
+    /** The pleura is met where the recess begins. */
+    @Test
+    void thePleuraOfTheRecessIsPushedBeforeItIsCut() {
+        Crossing recess = new Crossing(Crossing.RECESS, "Pleural recess", StructureKind.OTHER, 20, 25);
+        NeedleLoad half = NeedleLoad.advancing(NEEDLE, 20, 20.75, List.of(recess, LIVER), false, NeedleLoad.NONE);
+        assertThat(half.layer()).isEqualTo("pleura");
+        assertThat(half.axialN()).isCloseTo(0.8 + 0.2075 + 1.0 / 4, within(1e-9));
+        NeedleLoad cut = NeedleLoad.advancing(NEEDLE, 21.5, 22, List.of(recess, LIVER), false, NeedleLoad.NONE);
+        assertThat(cut.layer()).isEqualTo("wall");
+        assertThat(cut.axialN()).isCloseTo(0.8 + 0.22, within(1e-9));
+    }
+
     @Test
     void theCapsuleIsPushedByTwoToSixMillimetresMoreByAThickerNeedle() {
         assertThat(NeedleLoad.capsulePushMm(new Needle(22, 150))).isBetween(2.0, 2.1);
