@@ -298,10 +298,14 @@ class NeedleInsertionTest {
         // 43.5 mm at 50 mm/s, begun at 1 s.
         assertThat(capsule.timeS()).isCloseTo(1.87, within(TOLERANCE_MM));
         assertThat(record.loads().peakN()).containsOnlyKeys("skin", "wall", "capsule", "liver");
-        assertThat(record.tipTravelMm()).isBetween(180 - 2 * AMPLITUDE_MM, 180 + 2 * AMPLITUDE_MM);
+        // What the tissue moves along the needle is no path of the tip; in and out it has to be made up for at most
+        // once.
+        assertThat(record.driftByLiverMm()).isBetween(0.1, 1.0);
+        assertThat(record.tipTravelMm()).isCloseTo(180, within(record.driftByLiverMm()));
         assertThat(record.count(AttemptEvent.Kind.SKIN_PUNCTURE)).isEqualTo(1);
         assertThat(record.inNoGoS()).isZero();
-        assertThat(record.targetExcursionMm()).isPositive();
+        // From the frame after that of the puncture until the sample at 2.8 s; the target is lowest at 2 s.
+        assertThat(record.targetExcursionMm()).isCloseTo(AMPLITUDE_MM - down(1.04), within(TOLERANCE_MM));
         assertThat(record.toMap()).containsKeys("notice", "thresholds");
     }
 
