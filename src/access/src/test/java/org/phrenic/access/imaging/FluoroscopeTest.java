@@ -73,6 +73,48 @@ class FluoroscopeTest {
                 .isCloseTo(expected - 80 * Tissue.SOFT.attenuationPerMm(60), within(0.01));
     }
 
+    private static TriangleMesh insideOut(TriangleMesh mesh) {
+        int[] triangles = mesh.triangles().clone();
+        for (int t = 0; t < triangles.length; t += 3) {
+            triangles[t] = mesh.triangles()[t + 1];
+            triangles[t + 1] = mesh.triangles()[t];
+        }
+        return new TriangleMesh(mesh.positions(), triangles);
+    }
+
+    @Test
+    void surfacesThatAreInsideOutDimAsOthersDo() {
+        TriangleMesh body = Shapes.sphere(100, 5);
+        TriangleMesh bone = Shapes.sphere(20, 5);
+        double expected = central(
+                List.of(surface("skin", StructureKind.SKIN, body), surface("rib_05_R", StructureKind.RIB, bone)));
+        assertThat(central(List.of(
+                        surface("skin", StructureKind.SKIN, insideOut(body)),
+                        surface("rib_05_R", StructureKind.RIB, insideOut(bone)))))
+                .isCloseTo(expected, within(1e-9));
+    }
+
+    /** The area of a ball goes with its height: a liver from there on has 70 % of one of 15 mm, or 30 %. */
+    @ParameterizedTest
+    @CsvSource({"-6, 1", "6, 0"})
+    void aStructureReplacesAnOrganThatHasAtLeastHalfOfIt(double edgeMm, double share) {
+        EnclosingOrgans liver = new EnclosingOrgans(List.of(halfSpaceFrom(edgeMm)));
+        assertThat(liver.sharesOf(Shapes.sphere(15, 5))).containsExactly(share);
+    }
+
+    @Test
+    void aStructureInTwoLungsReplacesEachByItsShare() {
+        EnclosingOrgans lungs = new EnclosingOrgans(List.of(halfSpaceFrom(5), halfSpaceFrom(5 - 200)));
+        double[] shares = lungs.sharesOf(Shapes.sphere(15, 5));
+        assertThat(shares[0]).isCloseTo(1.0 / 3, within(0.03));
+        assertThat(shares[1]).isCloseTo(2.0 / 3, within(0.03));
+    }
+
+    /** A box of 200 mm whose left face lies at x. */
+    private static TriangleMesh halfSpaceFrom(double x) {
+        return Shapes.moved(Shapes.box(200, 200, 200), x, -100, -100);
+    }
+
     /** Tissue and blood of a lung, 1.2 kg as dense as soft tissue, take a part of the organ; 3.3 l are air. */
     @Test
     void aLungAtEndExpirationDimsAsItsTissueAloneDoesOverItsShareOfTheOrgan() {
