@@ -59,12 +59,17 @@ final class DisplayServer {
      * as that behind a connection whose other end sleeps.
      */
     static boolean hasGlx(String display) {
+        return hasGlx(display, TIMEOUT_MS);
+    }
+
+    /** As {@link #hasGlx(String)}, of a server that is silent for so long, ms. */
+    static boolean hasGlx(String display, int silenceMs) {
         if (!isReachable(display)) {
             return false;
         }
         try (SocketChannel channel = connect(display)) {
             channel.configureBlocking(false);
-            return openSession(channel, cookie(display)) ? queryGlx(channel) : true;
+            return openSession(channel, cookie(display), silenceMs) ? queryGlx(channel, silenceMs) : true;
         } catch (SocketTimeoutException silent) {
             return false;
         } catch (IOException | RuntimeException e) {
@@ -105,7 +110,7 @@ final class DisplayServer {
     }
 
     /** Opens a session of the X protocol; false if the server refuses it. */
-    private static boolean openSession(SocketChannel channel, byte[] cookie) throws IOException {
+    private static boolean openSession(SocketChannel channel, byte[] cookie, int silenceMs) throws IOException {
         byte[] name = cookie.length == 0 ? new byte[0] : COOKIE.getBytes(StandardCharsets.US_ASCII);
         ByteBuffer setup = buffer(12 + padded(name.length) + padded(cookie.length));
         setup.put((byte) (setup.order() == ByteOrder.BIG_ENDIAN ? 'B' : 'l')).put((byte) 0);
@@ -113,19 +118,19 @@ final class DisplayServer {
         setup.putShort((short) name.length).putShort((short) cookie.length).putShort((short) 0);
         setup.put(name).position(12 + padded(name.length)).put(cookie).rewind();
         write(channel, setup);
-        ByteBuffer answer = read(channel, 8);
+        ByteBuffer answer = read(channel, 8, silenceMs);
         boolean accepted = answer.get(0) == 1;
-        read(channel, 4 * Short.toUnsignedInt(answer.getShort(6)));
+        read(channel, 4 * Short.toUnsignedInt(answer.getShort(6)), silenceMs);
         return accepted;
     }
 
-    private static boolean queryGlx(SocketChannel channel) throws IOException {
+    private static boolean queryGlx(SocketChannel channel, int silenceMs) throws IOException {
         ByteBuffer query = buffer(8 + padded(GLX.length()));
         query.put((byte) QUERY_EXTENSION).put((byte) 0).putShort((short) (query.capacity() / 4));
         query.putShort((short) GLX.length()).putShort((short) 0);
         query.put(GLX.getBytes(StandardCharsets.US_ASCII)).rewind();
         write(channel, query);
-        return read(channel, REPLY_BYTES).get(8) != 0;
+        return read(channel, REPLY_BYTES, silenceMs).get(8) != 0;
     }
 
     private static ByteBuffer buffer(int bytes) {
@@ -143,7 +148,7 @@ final class DisplayServer {
         }
     }
 
-    private static ByteBuffer read(SocketChannel channel, int bytes) throws IOException {
+    private static ByteBuffer read(SocketChannel channel, int bytes, int silenceMs) throws IOException {
         ByteBuffer answer = buffer(bytes);
         try (Selector selector = channel.provider().openSelector()) {
             channel.register(selector, SelectionKey.OP_READ);
@@ -151,7 +156,7 @@ final class DisplayServer {
                 if (read < 0) {
                     throw new EOFException("the X server closed the connection");
                 }
-                if (read == 0 && selector.select(TIMEOUT_MS) == 0) {
+                if (read == 0 && selector.select(silenceMs) == 0) {
                     throw new SocketTimeoutException("the X server is silent");
                 }
                 selector.selectedKeys().clear();

@@ -103,7 +103,7 @@ class OffscreenContextTest {
     @Test
     void aServerThatIsSilentDoesNotDraw() throws Exception {
         try (ServerSocket server = displayPort()) {
-            assertThat(DisplayServer.hasGlx("localhost:" + (server.getLocalPort() - 6000) + ".0"))
+            assertThat(DisplayServer.hasGlx("localhost:" + (server.getLocalPort() - 6000) + ".0", 100))
                     .isFalse();
         }
     }
