@@ -109,11 +109,7 @@ final class ReproduceCommand implements Callable<Integer> {
         Map<Integer, List<FigureImage>> figures = figures(err);
         Reproduction found = Reproduction.of(quick, progress);
         PatientResults people = patientResults(scans, new ConsoleProgress(err, "patients done"));
-        // Those of an earlier reproduction would show the new pictures.
-        AtomicFile.delete(out.resolve(PAGE));
-        AtomicFile.delete(out.resolve(TEXT));
-        Map<Integer, List<Picture>> pictures = new TreeMap<>();
-        figures.forEach((number, of) -> pictures.put(number, writeFigures(of)));
+        Map<Integer, List<Picture>> pictures = replacePictures(figures);
         Map<String, List<Picture>> segmented = new TreeMap<>();
         Map<String, List<Picture>> distances = new TreeMap<>();
         draw(people, segmented, distances);
@@ -129,6 +125,15 @@ final class ReproduceCommand implements Callable<Integer> {
             return ExitCode.CHECK_FAILED;
         }
         return noPictures.isEmpty() ? ExitCode.SUCCESS : ExitCode.NO_GRAPHICS;
+    }
+
+    /** Writes figures by number, and deletes before it an earlier report, which would show them. */
+    Map<Integer, List<Picture>> replacePictures(Map<Integer, List<FigureImage>> figures) {
+        AtomicFile.delete(out.resolve(PAGE));
+        AtomicFile.delete(out.resolve(TEXT));
+        Map<Integer, List<Picture>> pictures = new TreeMap<>();
+        figures.forEach((number, of) -> pictures.put(number, writeFigures(of)));
+        return pictures;
     }
 
     private Optional<List<PatientScans>> scans() {
