@@ -8,21 +8,33 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaAccess;
+import com.tngtech.archunit.core.domain.JavaCall;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
-import com.tngtech.archunit.core.domain.JavaMethodCall;
+import com.tngtech.archunit.core.domain.JavaConstructorCall;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
+import java.awt.image.BufferedImage;
 import java.io.FileOutputStream;
 import java.io.FileWriter;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.io.PrintWriter;
+import java.io.RandomAccessFile;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 
 /** The walls inside the Maven modules, and what no compiler holds: no cycles, no screen in a headless run. */
@@ -38,7 +50,8 @@ class ArchitectureTest {
     private static final Set<String> ROUNDED_BY_THE_MACHINE = Set.of(
             "sin cos tan asin acos atan atan2 sinh cosh tanh exp expm1 log log10 log1p pow cbrt hypot".split(" "));
 
-    private static final Set<String> WRITERS = Set.of("write", "writeString", "newOutputStream", "newBufferedWriter");
+    private static final Set<String> WRITERS =
+            Set.of("write", "writeString", "newOutputStream", "newBufferedWriter", "newByteChannel", "createFile");
 
     /** What each chapter (the packages that share the name after {@code org.phrenic}) uses, no more and no less. */
     private static final Map<String, List<String>> USES = new LinkedHashMap<>();
@@ -162,22 +175,78 @@ class ArchitectureTest {
                 .resideInAPackage("picocli.."));
     }
 
-    /** Files are written beside their target and moved over it; a journal alone is appended to. */
-    @Test
-    void onlyAtomicFilesAreWritten() {
-        DescribedPredicate<JavaMethodCall> writing = DescribedPredicate.describe(
-                "write to a file",
-                call -> call.getTargetOwner().isEquivalentTo(Files.class) && WRITERS.contains(call.getName()));
-        check(noClasses()
+    /** Calls of code that writes into a file that is named, and not to a stream that is given. */
+    private static boolean writesFile(JavaCall<?> call) {
+        JavaClass owner = call.getTargetOwner();
+        List<String> taken = call.getTarget().getRawParameterTypes().stream()
+                .map(JavaClass::getSimpleName)
+                .toList();
+        boolean isMade = call instanceof JavaConstructorCall;
+        if (owner.isEquivalentTo(Files.class)) {
+            // Of a stream or a file to a path; that of a path to a stream reads.
+            boolean copies = call.getName().equals("copy") && taken.get(1).equals("Path");
+            return WRITERS.contains(call.getName()) || copies;
+        }
+        if (owner.isEquivalentTo(FileChannel.class)) {
+            return call.getName().equals("open");
+        }
+        if (owner.isEquivalentTo(ImageIO.class)) {
+            return call.getName().equals("write") && taken.contains("File");
+        }
+        return isMade
+                && (owner.isAssignableTo(FileOutputStream.class)
+                        || owner.isAssignableTo(FileWriter.class)
+                        || owner.isEquivalentTo(RandomAccessFile.class)
+                        || (List.of("PrintStream", "PrintWriter", "Formatter").contains(owner.getSimpleName())
+                                && List.of("File", "String").contains(taken.isEmpty() ? "" : taken.get(0))));
+    }
+
+    private static ArchRule onlyTheseWrite(String... journals) {
+        DescribedPredicate<JavaCall<?>> writing =
+                DescribedPredicate.describe("write to a file", ArchitectureTest::writesFile);
+        return noClasses()
                 .that()
                 .resideOutsideOfPackage(within("file"))
-                .and()
-                .doNotHaveSimpleName("FitJournal")
+                .and(DescribedPredicate.describe(
+                        "are no journals", type -> !List.of(journals).contains(type.getSimpleName())))
                 .should()
-                .callMethodWhere(writing)
-                .orShould()
-                .dependOnClassesThat()
-                .belongToAnyOf(FileOutputStream.class, FileWriter.class));
+                .callCodeUnitWhere(writing);
+    }
+
+    /** Files are written beside their target and moved over it; journals alone are appended to. */
+    @Test
+    void onlyAtomicFilesAreWritten() {
+        check(onlyTheseWrite("FitJournal", "ShapeFile", "SweepJournal"));
+    }
+
+    /** Each of its calls writes over a file. */
+    static final class WritesFiles {
+        void write(Path path, InputStream in) throws IOException {
+            Files.createFile(path);
+            Files.copy(in, path);
+            Files.newByteChannel(path).close();
+            FileChannel.open(path).close();
+            ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "png", path.toFile());
+            new RandomAccessFile(path.toFile(), "rw").close();
+            new FileOutputStream(path.toFile()).close();
+            new FileWriter(path.toFile(), StandardCharsets.UTF_8).close();
+            new PrintStream(path.toFile(), StandardCharsets.UTF_8).close();
+            new PrintWriter(path.toString(), StandardCharsets.UTF_8).close();
+        }
+
+        void read(Path path, OutputStream out) throws IOException {
+            Files.copy(path, out);
+            ImageIO.write(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB), "png", out);
+            new PrintStream(out, true, StandardCharsets.UTF_8).flush();
+        }
+    }
+
+    @Test
+    void everyWayToWriteOverAFileIsSeen() {
+        JavaClasses calls = new ClassFileImporter().importClasses(WritesFiles.class);
+        assertThat(onlyTheseWrite().evaluate(calls).getFailureReport().getDetails())
+                .hasSize(10)
+                .allMatch(found -> found.contains("write(java.nio.file.Path"));
     }
 
     /** StrictMath gives the same bits on every Java machine; what is only drawn or shown may take Math. */
