@@ -68,6 +68,11 @@ class BodyMotionTest {
     }
 
     @Test
+    void aBodyWithASkinNeedsNoNote() {
+        assertThat(MotionExportTest.notes(simulation, motion)).isEmpty();
+    }
+
+    @Test
     void beyondItsReachOutsideTheBodyNothingMoves() {
         double[] b = motion.bounds();
         RegionField outside = motion.field(BodyRegions.OUTSIDE);

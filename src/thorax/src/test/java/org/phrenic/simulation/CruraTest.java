@@ -8,6 +8,7 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.SharedThorax;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.MassSpringBuilder;
 import org.phrenic.scenario.Scenario;
@@ -57,10 +58,8 @@ class CruraTest {
     }
 
     private static double held(Thorax body, String resolution) {
-        try (Simulation simulation = Simulation.of(Runs.scenario(Runs.sheetAlone(resolution)), body)) {
-            return Arrays.stream(simulation.scene().diaphragm().cruralStiffnesses)
-                    .sum();
-        }
+        Scene scene = Runs.assembled(Runs.scenario(Runs.sheetAlone("liver=false", resolution)), body);
+        return Arrays.stream(scene.diaphragm().cruralStiffnesses).sum();
     }
 
     /**

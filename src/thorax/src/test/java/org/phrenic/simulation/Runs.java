@@ -13,12 +13,20 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.cage.RibAxisTable;
+import org.phrenic.anatomy.cage.RibCage;
 import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.engine.parallel.Workers;
+import org.phrenic.file.ComputedArrays;
 import org.phrenic.file.UnfinishedFiles;
 import org.phrenic.file.UserCache;
 import org.phrenic.mesh.edit.Remesher;
+import org.phrenic.model.assembly.BreathDrive;
+import org.phrenic.model.assembly.LiveBreathing;
 import org.phrenic.model.assembly.Scene;
+import org.phrenic.model.material.SceneAssembly;
 import org.phrenic.model.organ.OrganSettings;
+import org.phrenic.parameter.RampedValues;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.simulation.observe.SceneObserver;
@@ -51,6 +59,20 @@ public final class Runs {
     /** The scene of a scenario with the virtual adult male as finely meshed as it says, settled once for all tests. */
     public static Simulation simulation(Scenario scenario) {
         return Simulation.of(scenario, male(scenario), SETTLED);
+    }
+
+    /** The scene of a scenario, assembled and not settled, on one thread. */
+    public static Scene assembled(Scenario scenario, Thorax body) {
+        try (Workers workers = Workers.of(1)) {
+            return SceneAssembly.assemble(
+                    scenario,
+                    body,
+                    new RampedValues(scenario),
+                    new BreathDrive(new LiveBreathing(scenario)),
+                    RibCage.of(body, RibAxisTable.preset(RibAxisTable.WILSON_CT), true),
+                    workers,
+                    ComputedArrays.none());
+        }
     }
 
     private static Thorax male(Scenario scenario) {

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -16,11 +18,18 @@ import org.phrenic.model.organ.Remeshing;
 
 /** Diaphragms as the virtual bodies have them, generated without the body around them. */
 class GeneratedSheetsTest {
-    private static TriangleMesh sheet(String preset, MeshBudget budget) {
+    /** The shape of a preset's sheet, of which every mesh is made. */
+    private static final Map<String, DiaphragmSheet> SHAPES = new ConcurrentHashMap<>();
+
+    private static DiaphragmSheet shape(String preset) {
         VirtualThoraxParameters parameters = VirtualThoraxParameters.preset(preset);
         ChestWallShape wall = new ChestWallShape(parameters.chestWall(), new Spine(parameters.spine()));
         DiaphragmShape dome = new DiaphragmShape(parameters.diaphragm(), wall);
-        return new DiaphragmSheet(parameters.diaphragm(), dome, wall).mesh(budget.diaphragmVertices());
+        return new DiaphragmSheet(parameters.diaphragm(), dome, wall);
+    }
+
+    private static TriangleMesh sheet(String preset, MeshBudget budget) {
+        return SHAPES.computeIfAbsent(preset, GeneratedSheetsTest::shape).mesh(budget.diaphragmVertices());
     }
 
     /** Remeshed, the faces of a sheet are meshed apart; a coarse one then moves 4 % less. */

@@ -11,16 +11,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.anatomy.MeshBudget;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.anatomy.cage.RibAxisTable;
-import org.phrenic.anatomy.cage.RibCage;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.engine.ParticleSystem;
-import org.phrenic.engine.parallel.Workers;
-import org.phrenic.file.ComputedArrays;
-import org.phrenic.model.assembly.BreathDrive;
-import org.phrenic.model.assembly.LiveBreathing;
 import org.phrenic.model.assembly.Scene;
-import org.phrenic.parameter.RampedValues;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.Runs;
@@ -80,23 +73,14 @@ class TissueMassTest {
         double[] box = body.find("diaphragm").orElseThrow().mesh().bounds();
         double size = Math.hypot(Math.hypot(box[3] - box[0], box[4] - box[1]), box[5] - box[2]) / USUAL_SIZE_MM;
         assertThat(size).isGreaterThan(1.05);
-        try (Workers workers = Workers.of(1)) {
-            Scene scene = SceneAssembly.assemble(
-                    scenario,
-                    body,
-                    new RampedValues(scenario),
-                    new BreathDrive(new LiveBreathing(scenario)),
-                    RibCage.of(body, RibAxisTable.preset(RibAxisTable.WILSON_CT), true),
-                    workers,
-                    ComputedArrays.none());
-            double relative = scene.diaphragm().relativeSize();
-            // The sheet of a scene is meshed anew: its box is almost that of the body's.
-            assertThat(relative).isCloseTo(size, withPercentage(0.5));
-            ParticleSystem system = scene.system();
-            double rate = scenario.get(TissueMass.DAMPING_RATE) / (relative * relative);
-            for (int i = 0; i < system.nodeCount(); i++) {
-                assertThat(system.viscosities()[i]).isCloseTo(rate * system.masses()[i], withPercentage(1e-9));
-            }
+        Scene scene = Runs.assembled(scenario, body);
+        double relative = scene.diaphragm().relativeSize();
+        // The sheet of a scene is meshed anew: its box is almost that of the body's.
+        assertThat(relative).isCloseTo(size, withPercentage(0.5));
+        ParticleSystem system = scene.system();
+        double rate = scenario.get(TissueMass.DAMPING_RATE) / (relative * relative);
+        for (int i = 0; i < system.nodeCount(); i++) {
+            assertThat(system.viscosities()[i]).isCloseTo(rate * system.masses()[i], withPercentage(1e-9));
         }
     }
 

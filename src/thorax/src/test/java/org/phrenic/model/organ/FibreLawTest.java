@@ -129,7 +129,7 @@ class FibreLawTest {
     /** Struts carry part of the stiffness along the sheet; edges and struts together are as stiff on every mesh. */
     @Test
     void edgesAndStrutsTogetherAreAsStiffAsTheSheet() {
-        for (int rings : new int[] {20, 30, 40}) {
+        for (int rings : new int[] {12, 20, 30}) {
             Diaphragm dome = Diaphragm.withTrefoilTendon(DomeSheet.adult(rings));
             double[] noCrura = new double[dome.sheet().vertexCount()];
             TissueLaw law = TissueLaw.membrane(300, 3);
