@@ -118,6 +118,12 @@ public final class DiaphragmBuilder implements ImplicitSurface {
                 "between the lungs and the organs below, its sheet would pass through itself"));
     }
 
+    /** The roof of the diaphragm as it is tried first. */
+    static DomeSurface roof(Thorax body, CageEnvelope cage) {
+        DomeSurface.Shape shape = new DomeSurface.Shape(SMOOTHING_MM[0], PIVOT_DEPTHS[0], Optional.empty());
+        return new DomeSurface(body, cage, THICKNESS_MM / 2, shape);
+    }
+
     private double wall(double x, double y, double z) {
         return cage.at(x, y, z) + CLEARANCE_MM + THICKNESS_MM / 2;
     }

@@ -42,15 +42,18 @@ public final class DiaphragmCompletion {
         List<PatientStructure> rest = new ArrayList<>(body.structures().stream()
                 .filter(s -> s.structure().kind() != StructureKind.DIAPHRAGM)
                 .toList());
-        Thorax bare = new Thorax(
-                body.name(),
-                rest.stream().map(PatientStructure::structure).toList(),
-                List.of(),
-                body.thorax().notInScan());
-        MedianFrame frame = MedianFrame.of(bare);
-        Thorax straight = frame.toFrame(bare);
+        MedianFrame frame = MedianFrame.of(bare(body, rest));
         Structure sheet;
+        Thorax straight;
+        List<String> notes =
+                new ArrayList<>(List.of("the diaphragm is built from the organs and bones that it touches"));
         try {
+            HiatalHernia.of(frame.toFrame(bare(body, rest))).ifPresent(hernia -> {
+                part(rest, hernia, frame);
+                notes.add(hernia.note());
+            });
+            Thorax bare = bare(body, rest);
+            straight = frame.toFrame(bare);
             TriangleMesh built = DiaphragmBuilder.build(straight, parted, vertices);
             sheet = new Structure(NAME, StructureKind.DIAPHRAGM, 0, Side.MIDLINE, frame.toScan(built));
             YieldToSheet contact = new YieldToSheet(bare, frame, built);
@@ -61,10 +64,30 @@ public final class DiaphragmCompletion {
         }
         rest.add(new PatientStructure(sheet, PatientStructure.Source.BUILT, Optional.empty(), Optional.empty()));
         rest.sort(Comparator.comparing(s -> s.structure().name()));
-        List<String> notes =
-                new ArrayList<>(List.of("the diaphragm is built from the organs and bones that it touches"));
         UnequalBases.of(straight, parted).forEach(base -> base.note().ifPresent(notes::add));
         return new PatientBody(body.name(), rest, ExpectedStructures.missing(rest), body.notes()).withNotes(notes);
+    }
+
+    /** The body without a diaphragm. */
+    private static Thorax bare(PatientBody body, List<PatientStructure> rest) {
+        return new Thorax(
+                body.name(),
+                rest.stream().map(PatientStructure::structure).toList(),
+                List.of(),
+                body.thorax().notInScan());
+    }
+
+    /** Puts the parts of a stomach below and above the diaphragm in its place. */
+    private static void part(List<PatientStructure> rest, HiatalHernia hernia, MedianFrame frame) {
+        rest.replaceAll(s -> s.structure().name().equals(hernia.below().name())
+                ? s.withStructure(inScan(hernia.below(), frame))
+                : s);
+        rest.add(new PatientStructure(
+                inScan(hernia.above(), frame), PatientStructure.Source.SCAN, Optional.empty(), Optional.empty()));
+    }
+
+    private static Structure inScan(Structure s, MedianFrame frame) {
+        return s.withMesh(frame.toScan(s.mesh()));
     }
 
     /** The same for a body whose lungs lie on the diaphragm, or of which organs show where it is. */

@@ -1,16 +1,23 @@
 package org.phrenic.patient.diaphragm;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.MeshTopology;
+import org.phrenic.mesh.Shapes;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.TriangleTree;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 import org.phrenic.patient.PatientStructure.Source;
@@ -22,6 +29,7 @@ class DiaphragmCompletionTest {
 
     private static final String LIVER = "liver";
     private static final String LUNG = "lung_R";
+    private static final String STOMACH = "stomach";
     private static final List<Structure> WOMAN =
             VirtualThorax.ofPreset("adult-female", Resolution.LOW).structures().stream()
                     .filter(s -> s.kind() != StructureKind.DIAPHRAGM)
@@ -105,6 +113,48 @@ class DiaphragmCompletionTest {
     void aDiaphragmThatWasBuiltStaysInTheBodyThatIsCompletedAgain() {
         PatientBody whole = complete(with(LIVER, Source.SCAN, p -> p), false);
         assertThat(complete(whole, false)).isSameAs(whole);
+    }
+
+    /**
+     * An upright stomach of 115 ml before the spine, whose middle lies so far above the roof of the woman without it.
+     */
+    private static PatientBody withStomach(TriangleMesh sheet, double aboveRoof) {
+        double[] spine = mesh(with(LIVER, Source.SCAN, p -> p), "vertebra_T10").bounds();
+        double x = 0.5 * (spine[0] + spine[3]) + 8;
+        double y = spine[1] - 25;
+        TriangleTree.Hit roof = new TriangleTree.Hit();
+        assertThat(new TriangleTree(sheet).nearestAlongRay(x, y, spine[5] + 200, 0, 0, -1, roof))
+                .isTrue();
+        TriangleMesh ball = Shapes.sphere(1, 4);
+        double[] p = ball.positions().clone();
+        for (int i = 0; i < p.length; i += 3) {
+            p[i] = x + 22 * p[i];
+            p[i + 1] = y + 18 * p[i + 1];
+            p[i + 2] = roof.z + aboveRoof + 70 * p[i + 2];
+        }
+        Structure stomach = new Structure(STOMACH, StructureKind.ORGAN, 0, Side.MIDLINE, ball.withPositions(p));
+        List<PatientStructure> structures =
+                new ArrayList<>(with(LIVER, Source.SCAN, at -> at).structures());
+        structures.add(new PatientStructure(stomach, Source.SCAN, Optional.empty(), Optional.empty()));
+        return new PatientBody("woman", structures, List.of(), List.of());
+    }
+
+    /** A stomach half of which lies behind the heart would draw the roof up over it, by 70 mm. */
+    @Test
+    void thePartOfAStomachInTheChestIsAnOrganAboveTheSheet() {
+        TriangleMesh sheet = mesh(complete(with(LIVER, Source.SCAN, p -> p), false), "diaphragm");
+        PatientBody hernia = complete(withStomach(sheet, 0), false);
+        TriangleMesh above = mesh(hernia, "organ_stomach_above_diaphragm");
+        assertThat(hernia.notes()).anyMatch(note -> note.contains("ml of the stomach lie in the chest"));
+        assertThat(mesh(hernia, "diaphragm").bounds()[5]).isCloseTo(sheet.bounds()[5], within(2.0));
+        assertThat(throughMm(hernia)).isLessThan(2.5);
+        assertThat(MeshMeasure.signedVolumeMl(above)).isCloseTo(58, within(15.0));
+        assertThat(MeshMeasure.signedVolumeMl(mesh(hernia, STOMACH))).isCloseTo(58, within(15.0));
+        assertThat(new MeshTopology(above).boundaryLoops()).isEmpty();
+
+        PatientBody usual = complete(withStomach(sheet, -85), false);
+        assertThat(usual.structure("organ_stomach_above_diaphragm")).isEmpty();
+        assertThat(MeshMeasure.signedVolumeMl(mesh(usual, STOMACH))).isCloseTo(116, within(1.0));
     }
 
     /** Without lungs nothing tells where the domes stand. */
