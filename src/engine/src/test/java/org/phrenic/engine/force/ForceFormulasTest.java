@@ -180,23 +180,14 @@ class ForceFormulasTest {
         double[] v = new Random(2).doubles(3 * n, -5, 5).toArray();
         double[] weight =
                 new Random(3).doubles(sphere.triangleCount(), 0.5, 1.5).toArray();
-        FacePressure pressure = new FacePressure(layout, sphere.triangles(), weight);
+        double[] more = new Random(5).doubles(sphere.triangleCount(), -1, 1).toArray();
+        FacePressure pressure = new FacePressure(layout, sphere.triangles(), weight, more);
         pressure.setPressure(0.3);
-        double[] expected = new double[3 * n];
-        for (int t = 0; t < sphere.triangleCount(); t++) {
-            int[] corner = Arrays.copyOfRange(sphere.triangles(), 3 * t, 3 * t + 3);
-            for (int axis = 0; axis < 3; axis++) {
-                int p = (axis + 1) % 3;
-                int q = (axis + 2) % 3;
-                double doubleArea = (x[3 * corner[1] + p] - x[3 * corner[0] + p])
-                                * (x[3 * corner[2] + q] - x[3 * corner[0] + q])
-                        - (x[3 * corner[1] + q] - x[3 * corner[0] + q]) * (x[3 * corner[2] + p] - x[3 * corner[0] + p]);
-                for (int c : corner) {
-                    expected[3 * c + axis] -= 0.3 * weight[t] * doubleArea / 6;
-                }
-            }
-        }
-        assertSum(pressure, layout, x, v, expected);
+        assertSum(pressure, layout, x, v, pressureForces(sphere, 0.3, weight, 0, more));
+        pressure.setSecondaryPressure(0.2);
+        assertSum(pressure, layout, x, v, pressureForces(sphere, 0.3, weight, 0.2, more));
+        pressure.setPressure(0);
+        assertSum(pressure, layout, x, v, pressureForces(sphere, 0, weight, 0.2, more));
         int[][] edges = SampleSystems.edgesOf(sphere.triangles());
         double[] rest = new Random(4).doubles(edges[0].length, 0.5, 3).toArray();
         for (double c : new double[] {0, 0.4}) {
@@ -211,6 +202,27 @@ class ForceFormulasTest {
                 assertSum(springs, layout, x, v, springForces(edges, x, v, rest, c, activation));
             }
         }
+    }
+
+    /** A third of pressure times area on each corner, inward, triangle by triangle. */
+    private static double[] pressureForces(
+            TriangleSurface sphere, double p1, double[] weight, double p2, double[] more) {
+        double[] x = sphere.positions();
+        double[] expected = new double[x.length];
+        for (int t = 0; t < sphere.triangleCount(); t++) {
+            int[] corner = Arrays.copyOfRange(sphere.triangles(), 3 * t, 3 * t + 3);
+            for (int axis = 0; axis < 3; axis++) {
+                int p = (axis + 1) % 3;
+                int q = (axis + 2) % 3;
+                double doubleArea = (x[3 * corner[1] + p] - x[3 * corner[0] + p])
+                                * (x[3 * corner[2] + q] - x[3 * corner[0] + q])
+                        - (x[3 * corner[1] + q] - x[3 * corner[0] + q]) * (x[3 * corner[2] + p] - x[3 * corner[0] + p]);
+                for (int c : corner) {
+                    expected[3 * c + axis] -= (p1 * weight[t] + p2 * more[t]) * doubleArea / 6;
+                }
+            }
+        }
+        return expected;
     }
 
     /** Eq. 3 edge by edge, the share of each edge being as large as its rest length. */
@@ -242,9 +254,11 @@ class ForceFormulasTest {
         }
         double[] found = new double[x.length];
         layout.toCaller(force, found);
+        double off = 0;
         for (int i = 0; i < found.length; i++) {
-            assertThat(found[i]).isCloseTo(expected[i], within(1e-10));
+            off = Math.max(off, Math.abs(found[i] - expected[i]));
         }
+        assertThat(off).isLessThan(1e-10);
     }
 
     /** A sheet of 12 mm x 9 mm at 0.5 kPa with weights 2: 108 mN down on the face that is seen from above. */
