@@ -7,6 +7,13 @@ import org.junit.jupiter.api.Test;
 
 class OrderStatisticTest {
     @Test
+    void theMedianIsTheMiddleOrTheMeanOfTheMiddleTwo() {
+        assertThat(OrderStatistic.median(new double[] {9, 1, 4})).isEqualTo(4);
+        assertThat(OrderStatistic.median(new double[] {9, 1, 4, 2})).isEqualTo(3);
+        assertThat(OrderStatistic.median(new double[0])).isNaN();
+    }
+
+    @Test
     void anOrderStatisticIsOneOfTheValuesWhateverTheirOrder() {
         double[] values =
                 IntStream.rangeClosed(0, 100).mapToDouble(i -> 100 - i).toArray();
