@@ -13,12 +13,20 @@ class RadixSortTest {
     void sortsAsTheLibraryDoes(int length) {
         Random random = new Random(length);
         for (int bits : new int[] {1, 12, 34, 64}) {
-            long[] keys = random.longs(length).map(k -> k >> (64 - bits)).toArray();
-            long[] expected = keys.clone();
-            Arrays.sort(expected);
-            RadixSort.sort(keys);
-            assertThat(keys).as("keys of %d bits", bits).isEqualTo(expected);
+            long[] given = random.longs(length).toArray();
+            assertSorted(Arrays.stream(given).map(k -> k >> (64 - bits)).toArray(), bits);
+            // Without a sign the higher digits are equal in all keys, and are skipped.
+            assertSorted(Arrays.stream(given).map(k -> k >>> (64 - bits)).toArray(), bits);
+            assertSorted(
+                    Arrays.stream(given).map(k -> k >>> (64 - bits) & -1L << 11).toArray(), bits);
         }
+    }
+
+    private static void assertSorted(long[] keys, int bits) {
+        long[] expected = keys.clone();
+        Arrays.sort(expected);
+        RadixSort.sort(keys);
+        assertThat(keys).as("keys of %d bits", bits).isEqualTo(expected);
     }
 
     @ParameterizedTest
