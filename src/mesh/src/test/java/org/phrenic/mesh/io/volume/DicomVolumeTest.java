@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,6 +16,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -211,10 +215,27 @@ class DicomVolumeTest {
     @Test
     void aSeriesIsAnImageSortedByPlaceAndRescaled() {
         ImageVolume image = ImageVolumeFiles.read(resource("ct"));
-        ImageGrid expected = ImageVolumeFiles.read(resource("ct_twin.nii.gz")).grid();
+        ImageVolume twin = ImageVolumeFiles.read(resource("ct_twin.nii.gz"));
+        ImageGrid expected = twin.grid();
         assertThat(image.grid().values()).containsExactly(expected.values());
         assertThat(image.grid().toMm()).containsExactly(expected.toMm(), within(PLACE_MM));
         assertThat(image.notes()).isEmpty();
+        assertThat(twin.notes()).isEmpty();
+    }
+
+    /** The quaternion of the twin has no part that is 0. */
+    @Test
+    void anObliqueSeriesIsPlacedByTheQformOfItsTwinAlone() throws IOException {
+        byte[] file;
+        try (InputStream in = new GZIPInputStream(Files.newInputStream(resource("ct_twin.nii.gz")))) {
+            file = in.readAllBytes();
+        }
+        ByteBuffer header = ByteBuffer.wrap(file).order(ByteOrder.LITTLE_ENDIAN);
+        header.putShort(254, (short) 0);
+        ImageGrid byQform = ImageVolumeFiles.read(VolumeSamples.write(folder, "qform.nii", file))
+                .grid();
+        double[] expected = ImageVolumeFiles.read(resource("ct")).grid().toMm();
+        assertThat(byQform.toMm()).containsExactly(expected, within(PLACE_MM));
     }
 
     private Path copyOfSeries() throws IOException {
