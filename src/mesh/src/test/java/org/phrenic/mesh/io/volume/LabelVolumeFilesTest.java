@@ -14,6 +14,7 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.voxel.LabelGrid;
@@ -110,6 +111,19 @@ class LabelVolumeFilesTest {
                 .containsExactly(new double[] {-2 * Math.cos(2 * half), -2 * Math.sin(2 * half), 0}, within(SINGLE_MM));
     }
 
+    /** The sample in metres, millimetres and micrometres: places of 10 to 30 and steps of 2 to 4 of each unit. */
+    @ParameterizedTest
+    @CsvSource({"1, 1000", "2, 1", "3, 0.001"})
+    void spaceIsInTheUnitOfTheHeader(byte unit, double mm) {
+        LabelGrid grid = read("unit.nii", VolumeSamples.nifti(2, LITTLE, h -> h.put(123, unit)))
+                .grid();
+        double[] place = new double[3];
+        grid.voxelToMm(0, 0, 0, place);
+        assertThat(place).containsExactly(new double[] {-10 * mm, -20 * mm, 30 * mm}, within(SINGLE_MM * mm));
+        grid.voxelToMm(1, 1, 1, place);
+        assertThat(place).containsExactly(new double[] {-8 * mm, -23 * mm, 34 * mm}, within(SINGLE_MM * mm));
+    }
+
     @Test
     void aFourthDimensionOfOneVolumeUnitsAndScalingAreHonoured() {
         byte[] file = VolumeSamples.nifti(16, LITTLE, h -> {
@@ -155,6 +169,13 @@ class LabelVolumeFilesTest {
     void withNeitherFormANoteSaysHowItWasTaken() {
         LabelVolume volume = read("none.nii", VolumeSamples.nifti(2, LITTLE, h -> h.putShort(254, (short) 0)));
         assertThat(volume.notes()).singleElement().asString().contains("neither sform nor qform");
+        double[] place = new double[3];
+        volume.grid().voxelToMm(1, 1, 1, place);
+        assertThat(place)
+                .as("to the right, to the front, up")
+                .containsExactly(new double[] {-2, -3, 4}, within(SINGLE_MM));
+        volume.grid().voxelToMm(0, 0, 0, place);
+        assertThat(place).containsExactly(new double[3], within(SINGLE_MM));
     }
 
     @Test
