@@ -2,6 +2,7 @@ package org.phrenic.mesh.io.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.ByteArrayInputStream;
@@ -12,6 +13,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
@@ -30,6 +32,10 @@ class VoxelFilesTest {
     /** 3 x 2 x 2 voxels of 2 x 3 x 4 mm; rows run to the front, as in many scans. */
     private static final VoxelBox BOX =
             new VoxelBox(new int[] {3, 2, 2}, new double[] {2, 0, 0, 10, 0, 3, 0, -20, 0, 0, 4, 5});
+
+    /** Voxels of 2 x 5 x 10 mm, turned by acos 0.6 about z and then by acos 0.8 about x. */
+    private static final VoxelBox OBLIQUE =
+            new VoxelBox(new int[] {3, 2, 2}, new double[] {1.2, -4, 0, 10, 1.28, 2.4, -6, -20, 0.96, 1.8, 8, 5});
 
     @TempDir
     private Path folder;
@@ -159,6 +165,53 @@ class VoxelFilesTest {
         ByteBuffer b = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
         assertThat(b.getFloat(data + 12 * 7)).isEqualTo(7.25f);
         assertThat(b.getFloat(data + 12 * 7 + 4)).isEqualTo(-7);
+    }
+
+    /** A file of an oblique box in which voxel v has 300 v. */
+    private byte[] oblique(String ending) throws IOException {
+        float[] values = new float[12];
+        for (int v = 0; v < 12; v++) {
+            values[v] = 300 * v;
+        }
+        Path file = folder.resolve("oblique." + ending);
+        VoxelFiles.write(file, VoxelSeries.of(OBLIQUE, 1, ScalarType.UINT16, values, Map.of()));
+        return Files.readAllBytes(file);
+    }
+
+    @Test
+    void niftiPlacesAnObliqueBoxAndHoldsLargeLabels() throws IOException {
+        ByteBuffer b = ByteBuffer.wrap(oblique("nii")).order(ByteOrder.LITTLE_ENDIAN);
+        float[] pixdim = {b.getFloat(80), b.getFloat(84), b.getFloat(88)};
+        assertThat(pixdim).containsExactly(new float[] {2, 5, 10}, within(1e-6f));
+        float[] rows = new float[12];
+        b.position(280).slice().order(ByteOrder.LITTLE_ENDIAN).asFloatBuffer().get(rows);
+        float[] expected = {-1.2f, 4, 0, -10, -1.28f, -2.4f, 6, 20, 0.96f, 1.8f, 8, 5};
+        assertThat(rows).containsExactly(expected, within(1e-6f));
+        assertThat(b.getShort(70)).as("unsigned, two bytes").isEqualTo((short) 512);
+        assertThat(b.getShort(352 + 2 * 11)).isEqualTo((short) 3300);
+    }
+
+    @Test
+    void nrrdPlacesAnObliqueBox() throws IOException {
+        assertThat(new String(oblique("nrrd"), StandardCharsets.ISO_8859_1).lines())
+                .contains(
+                        "space directions: (1.2,1.28,0.96) (-4.0,2.4,1.8) (0.0,-6.0,8.0)",
+                        "space origin: (10.0,-20.0,5.0)");
+    }
+
+    /** Each axis of the voxels is three numbers in turn, of length 1. */
+    @Test
+    void metaImagePlacesAnObliqueBox() throws IOException {
+        String matrix = new String(oblique("mha"), StandardCharsets.ISO_8859_1)
+                .lines()
+                .filter(line -> line.startsWith("TransformMatrix = "))
+                .findFirst()
+                .orElseThrow();
+        double[] axes = Arrays.stream(matrix.substring(18).split(" "))
+                .mapToDouble(Double::parseDouble)
+                .toArray();
+        double[] expected = {0.6, 0.64, 0.48, -0.8, 0.48, 0.36, 0, -0.6, 0.8};
+        assertThat(axes).containsExactly(expected, within(1e-12));
     }
 
     @Test
