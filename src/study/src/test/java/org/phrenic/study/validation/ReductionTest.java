@@ -26,10 +26,13 @@ class ReductionTest {
         "rise, x, '', -20",
         "fall, x, '', 20",
         "size, x, '', 20",
+        "size, y, '', 500",
         "percent_fall, x, '', 20",
+        "percent_fall, z, '', 12.5",
         "ratio, x, y, 0.04",
         "slope, x, y, 0.04",
         "at_share, x, y, 12", // 0.6 of the way of x
+        "at_share, y, x, 300",
         "hysteresis, x, y, 4",
         "order, x z, '', 15", // sizes 20 and 5
         "order, z x, '', -15",

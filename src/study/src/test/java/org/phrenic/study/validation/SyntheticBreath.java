@@ -8,7 +8,7 @@ import org.phrenic.study.BreathSeries;
 
 /**
  * Curves with known answers: x falls by 20 from 100 while y grows by 500, both on straight lines; on the way back x
- * lags 4 behind.
+ * lags 4 behind. z falls by 5 from 40.
  */
 final class SyntheticBreath {
     static final List<String> COLUMNS = List.of("breath", "dome_right_mm", "dome_left_mm", "x", "y", "z");
@@ -21,13 +21,13 @@ final class SyntheticBreath {
         List<double[]> rows = new ArrayList<>();
         for (int i = 0; i <= STEPS; i++) {
             double s = (double) i / STEPS;
-            rows.add(new double[] {0, -10 * s, -12 * s, 100 - 20 * s, 500 * s, -5 * s});
+            rows.add(new double[] {0, -10 * s, -12 * s, 100 - 20 * s, 500 * s, 40 - 5 * s});
         }
         for (int i = 1; i < STEPS; i++) {
             double s = 1 - (double) i / STEPS;
-            rows.add(new double[] {0, -10 * s, -12 * s, 96 - 20 * s, 500 * s, -5 * s});
+            rows.add(new double[] {0, -10 * s, -12 * s, 96 - 20 * s, 500 * s, 40 - 5 * s});
         }
-        rows.add(new double[] {1, 0, 0, 100, 0, 0});
+        rows.add(new double[] {1, 0, 0, 100, 0, 40});
         return new BreathSeries(COLUMNS, rows, Collections.nCopies(rows.size(), RespiratoryPhase.INSPIRATION));
     }
 
