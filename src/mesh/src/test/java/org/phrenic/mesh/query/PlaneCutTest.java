@@ -49,6 +49,34 @@ class PlaneCutTest {
         assertThat(twiceArea(curves.get(0))).isCloseTo(8 * Math.sqrt(2), within(EXACT));
     }
 
+    /**
+     * A box of 2 x 2 x 4 mm cut at y = -0.4, seen from behind: the first axis points up, the second to the left (z and
+     * x), so that the first x second axis is y. The origin is at x = 0.2, z = 0.3.
+     */
+    @Test
+    void aCurveIsInTheCoordinatesOfThePlane() {
+        PlaneCut plane = new PlaneCut(new double[] {0.2, -0.4, 0.3}, new double[] {0, 0, 1}, new double[] {1, 0, 0});
+        double[] box = CUBE.clone();
+        for (int i = 2; i < box.length; i += 3) {
+            box[i] *= 2;
+        }
+        double[] curve = plane.intersect(box, FACES).get(0);
+        double[] range = {curve[0], curve[1], curve[0], curve[1]};
+        double turned = 0;
+        for (int i = 0; i + 3 < curve.length; i += 2) {
+            turned += curve[i] * curve[i + 3] - curve[i + 2] * curve[i + 1];
+            for (int axis = 0; axis < 2; axis++) {
+                range[axis] = Math.min(range[axis], curve[i + axis]);
+                range[2 + axis] = Math.max(range[2 + axis], curve[i + axis]);
+            }
+        }
+        // Heights of -2 to 2 less 0.3, places of -1 to 1 less 0.2; a curve of 4 x 2 mm.
+        assertThat(range).containsExactly(new double[] {-2.3, -1.2, 1.7, 0.8}, within(EXACT));
+        assertThat(turned / 2).as("clockwise about the normal").isCloseTo(-8, within(EXACT));
+        assertThat(plane.project(new double[] {1, 7, 2})).containsExactly(new double[] {1.7, 0.8}, within(EXACT));
+        assertThat(plane.signedDistance(new double[] {3, 1, 5})).isCloseTo(1.4, within(EXACT));
+    }
+
     @Test
     void anOpenMeshGivesOneOpenCurve() {
         int[] open = java.util.Arrays.copyOf(FACES, FACES.length - 6);
