@@ -119,7 +119,7 @@ class SegmentProbeTest {
     @Test
     void theDistanceToABoxIsKnownInClosedForm() {
         TriangleTree box = new TriangleTree(Shapes.box(10, 10, 10));
-        // Past a face, past an edge that it crosses at a right angle, and short of a face.
+        // Past a face, past an edge that it runs along, and short of a face.
         probe.set(-20, 5, 13, 20, 5, 13);
         assertThat(probe.distance(box, 100)).isCloseTo(3, within(TOLERANCE_MM));
         probe.set(13, -20, 14, 13, 20, 14);
@@ -130,5 +130,48 @@ class SegmentProbeTest {
         assertThat(probe.nearestDepth()).isCloseTo(28, within(TOLERANCE_MM));
         assertThat(probe.distance(box, 1)).isEqualTo(1);
         assertThat(probe.nearestDepth()).isNaN();
+    }
+
+    /** Seen along the edge (10, y, 10) the segment lies on x + z = 25, which is nearest to it at (12.5, 12.5). */
+    @Test
+    void aSegmentAskewPassesAnEdgeAtItsMiddle() {
+        TriangleTree box = new TriangleTree(Shapes.box(10, 10, 10));
+        probe.set(5, -3, 20, 20, 13, 5);
+        assertThat(probe.distance(box, 100)).isCloseTo(2.5 * Math.sqrt(2), within(TOLERANCE_MM));
+        assertThat(probe.nearestDepth()).isCloseTo(probe.length() / 2, within(TOLERANCE_MM));
+    }
+
+    /** The line would pass the corner (10, 10, 10) at a distance of the square root of 8. */
+    @Test
+    void aSegmentThatEndsShortOfACornerIsNearestWithItsEnd() {
+        TriangleTree box = new TriangleTree(Shapes.box(10, 10, 10));
+        probe.set(30, 12, 12, 20, 12, 12);
+        assertThat(probe.distance(box, 100)).isCloseTo(Math.sqrt(108), within(TOLERANCE_MM));
+        assertThat(probe.nearestDepth()).isCloseTo(10, within(TOLERANCE_MM));
+    }
+
+    @Test
+    void noPointOfASegmentIsNearerThanItsDistance() {
+        TriangleTree box = new TriangleTree(Shapes.box(10, 10, 10));
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        SplittableRandom random = new SplittableRandom(2);
+        for (int i = 0; i < 100; i++) {
+            double[] s = random.doubles(6, -15, 25).toArray();
+            probe.set(s[0], s[1], s[2], s[3], s[4], s[5]);
+            double distance = probe.distance(box, 100);
+            double nearest = Double.POSITIVE_INFINITY;
+            int parts = 500;
+            for (int k = 0; k <= parts; k++) {
+                double u = (double) k / parts;
+                box.closest(s[0] + u * (s[3] - s[0]), s[1] + u * (s[4] - s[1]), s[2] + u * (s[5] - s[2]), hit);
+                nearest = Math.min(nearest, Math.sqrt(hit.distanceSquared));
+            }
+            assertThat(nearest).isBetween(distance - TOLERANCE_MM, distance + probe.length() / parts);
+            double at = probe.nearestDepth() / probe.length();
+            box.closest(s[0] + at * (s[3] - s[0]), s[1] + at * (s[4] - s[1]), s[2] + at * (s[5] - s[2]), hit);
+            if (distance > 0) {
+                assertThat(Math.sqrt(hit.distanceSquared)).isCloseTo(distance, within(TOLERANCE_MM));
+            }
+        }
     }
 }
