@@ -42,6 +42,24 @@ class SurfaceComparisonTest {
         assertThat(SurfaceComparison.summaryByArea(longer, shorter)).isEqualTo(c.byArea());
     }
 
+    /**
+     * Of a tetrahedron with a corner 30 mm out, that corner lies 18 mm outside a box and the others 12 mm inside. Its
+     * faces have 150, 150, 50 and 50 sqrt 19 mm2, and all but that of 50 mm2 meet in it.
+     */
+    @Test
+    void distancesAreWeightedByTheAreaOfTheVertices() {
+        TriangleMesh tetrahedron = new TriangleMesh(
+                new double[] {0, 0, 0, 30, 0, 0, 0, 10, 0, 0, 0, 10}, new int[] {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
+        TriangleMesh box = Shapes.moved(Shapes.box(100, 100, 100), -88, -50, -50);
+        SurfaceComparison.DirectedDistances out =
+                SurfaceComparison.of(tetrahedron, box).aToB();
+        double slanted = 50 * Math.sqrt(19);
+        double share = (300 + slanted) / (3 * (350 + slanted));
+        assertThat(out.perVertex().mean()).isCloseTo((18 + 3 * 12) / 4.0, within(ROUNDING));
+        assertThat(out.byArea().mean()).isCloseTo(18 * share + 12 * (1 - share), within(ROUNDING));
+        assertThat(out.signedMean()).isCloseTo(18 * share - 12 * (1 - share), within(ROUNDING));
+    }
+
     @Test
     void aShiftAlongAPlaneShowsInCorrespondingVerticesAlone() {
         TriangleMesh sheet = Shapes.sheet(100, 100, 11, 11);
