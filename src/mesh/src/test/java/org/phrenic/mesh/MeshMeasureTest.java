@@ -22,6 +22,18 @@ class MeshMeasureTest {
         assertThat(MeshMeasure.signedVolume(box)).isCloseTo(a * b * c, within(1e-6));
     }
 
+    /** That of a tetrahedron is the mean of its corners; that of two boxes is weighted by 1000 and 6000 mm3. */
+    @Test
+    void theCentreOfMassIsWeightedByVolume() {
+        TriangleMesh tetrahedron = new TriangleMesh(
+                new double[] {0, 0, 0, 30, 0, 0, 0, 10, 0, 0, 0, 10}, new int[] {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
+        assertThat(MeshMeasure.centreOfMass(Shapes.moved(tetrahedron, 500, -40, 8)))
+                .containsExactly(new double[] {507.5, -37.5, 10.5}, within(ROUNDING));
+        TriangleMesh two = Shapes.join(Shapes.box(10, 10, 10), Shapes.moved(Shapes.box(10, 20, 30), 70, 0, 0));
+        assertThat(MeshMeasure.centreOfMass(two))
+                .containsExactly(new double[] {65, (5 + 60) / 7.0, (5 + 90) / 7.0}, within(ROUNDING));
+    }
+
     @Test
     void aSphereApproachesItsAreaVolumeAndNormals() {
         double r = 10;
