@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
+import org.phrenic.mesh.DoubleList;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshQuality;
 import org.phrenic.mesh.MeshTopology;
@@ -67,6 +69,8 @@ class DecimatorTest {
         TriangleMesh few = Decimator.toVertexCount(sheet, 30, 1e-6);
         assertThat(few.vertexCount()).isEqualTo(30);
         assertThat(MeshMeasure.area(few)).isCloseTo(600, within(1e-6));
+        // A height of a fifth of the longest side leaves 11.3 degrees.
+        assertThat(MeshQuality.of(few).smallestAngleDeg()).isGreaterThan(11.3);
         assertThat(few.bounds()).containsExactly(sheet.bounds(), within(1e-6));
     }
 
@@ -79,6 +83,24 @@ class DecimatorTest {
         assertThat(bound.vertexCount()).isBetween(41, 1500);
         assertThat(SurfaceComparison.of(bound, sphere).aToB().perVertex().maximum())
                 .isLessThanOrEqualTo(0.5);
+        assertThat(farthestMiddle(bound, sphere)).isLessThanOrEqualTo(0.5 + 1e-9);
+    }
+
+    /** The greatest distance of the middle of an edge or a triangle from another surface, mm. */
+    private static double farthestMiddle(TriangleMesh mesh, TriangleMesh other) {
+        DoubleList middles = new DoubleList();
+        int[] edges = new MeshTopology(mesh).edges();
+        for (int e = 0; e < edges.length; e += 2) {
+            int a = edges[e];
+            int b = edges[e + 1];
+            middles.add((mesh.x(a) + mesh.x(b)) / 2, (mesh.y(a) + mesh.y(b)) / 2, (mesh.z(a) + mesh.z(b)) / 2);
+        }
+        for (int t = 0; t < mesh.triangleCount(); t++) {
+            double[] centroid = MeshMeasure.centroid(mesh, t);
+            middles.add(centroid[0], centroid[1], centroid[2]);
+        }
+        double[] apart = new TriangleTree(other).distances(middles.toArray());
+        return Arrays.stream(apart).max().orElseThrow();
     }
 
     @Test
