@@ -44,6 +44,17 @@ class SurfaceSamplesTest {
         }
     }
 
+    /** The longest side, 10.37 mm, has five steps of at most 2.5 mm, whichever it is: 6 + 5 + 4 + 3 + 2 + 1 points. */
+    @Test
+    void theLongestSideSetsTheStepsOfATriangle() {
+        double[] corners = {0, 0, 0, 8, 0, 0, 0, 6.6, 0};
+        for (int[] order : new int[][] {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}}) {
+            SurfaceSamples samples = new SurfaceSamples(SPACING_MM);
+            samples.add(new TriangleMesh(corners, order));
+            assertThat(samples.points()).hasSize(3 * 21);
+        }
+    }
+
     @Test
     void aWholeSurfaceIsAllItsTriangles() {
         TriangleMesh sphere = Shapes.sphere(20, 2);
