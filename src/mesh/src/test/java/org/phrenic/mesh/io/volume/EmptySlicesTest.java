@@ -2,6 +2,7 @@ package org.phrenic.mesh.io.volume;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.phrenic.mesh.voxel.LabelGrid;
 
@@ -41,6 +42,21 @@ class EmptySlicesTest {
         LabelGrid upper = EmptySlices.beyond(ball(1, 8, SIDE));
         assertThat(upper.slices()).isEqualTo(SIDE - 8 + 1);
         assertThat(upper.box(l -> l == 1)[2]).isZero();
+    }
+
+    /** Three slices, the first with some and the others with 100 voxels of a structure. */
+    private static LabelGrid stub(int first) {
+        byte[] labels = new byte[3 * SIDE * SIDE];
+        for (int k = 0; k < 3; k++) {
+            Arrays.fill(labels, k * SIDE * SIDE, k * SIDE * SIDE + (k == 0 ? first : 100), (byte) 1);
+        }
+        return LabelGrid.of(SIDE, SIDE, 3, labels, SLICES_OF_3_MM);
+    }
+
+    @Test
+    void aStructureEndsWithUpToThreeTenthsOfItsGreatestCrossSection() {
+        assertThat(EmptySlices.beyond(stub(30)).slices()).isEqualTo(4);
+        assertThat(EmptySlices.beyond(stub(31)).slices()).isEqualTo(3);
     }
 
     @Test
