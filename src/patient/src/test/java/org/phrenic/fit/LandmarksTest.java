@@ -76,6 +76,13 @@ class LandmarksTest {
                 .isCloseTo(
                         errors(breathed(FROM), RigidMotion.identity()).rigid().mean(), offset(1e-9));
         assertThat(e.scanned().mean()).isGreaterThan(e.rigid().mean() + 10);
+        double[] byTable = new double[3];
+        for (int i = 0; i < scanned.length; i++) {
+            byTable[i % 3] += (breathed(FROM)[i] - scanned[i]) / 4;
+        }
+        assertThat(e.shifts().byAlignment()).containsExactly(byTable, offset(1e-9));
+        // Half of the motion is that of the surface; inside, the solid slides along it.
+        assertThat(e.fitted().mean()).isBetween(0.5, 0.6 * e.rigid().mean());
         // Up: 0.4 (z - 50) for z = 20, 41, -15, 30.
         assertThat(e.shifts().left()[2]).isCloseTo(0.4 * (76 / 4.0 - 50), offset(1e-9));
         // The nearest surface is not where the point is: shear and stretch differ there.
