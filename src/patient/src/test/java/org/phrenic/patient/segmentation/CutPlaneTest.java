@@ -37,6 +37,19 @@ class CutPlaneTest {
         assertThat(above.offsetMm()).isCloseTo(-below.offsetMm() + 20, within(1e-12));
     }
 
+    /** In LPS the axes of the first grid run to L, P and S; those of the second to A, I and R. */
+    @Test
+    void eachEndHasTheLetterOfItsSideOfTheBody() {
+        double[] turned = {0, 0, -3, 0, -2, 0, 0, 0, 0, -2, 0, 0};
+        String[][] sides = {{"R", "L", "A", "P", "I", "S"}, {"P", "A", "S", "I", "L", "R"}};
+        for (int grid = 0; grid < 2; grid++) {
+            for (int end = 0; end < 6; end++) {
+                CutPlane plane = CutPlane.ofLayer(grid == 0 ? TO_MM : turned, end / 2, 4, end % 2 == 1);
+                assertThat(plane.side()).as("grid %s, end %s", grid, end).isEqualTo(sides[grid][end]);
+            }
+        }
+    }
+
     /** An organ ends on the tilted face; afterwards it is raised by 40 mm. */
     @Test
     void verticesOnTheFaceAreKnownWhereverTheyWereMoved() {
