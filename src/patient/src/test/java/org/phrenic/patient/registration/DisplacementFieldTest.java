@@ -42,6 +42,51 @@ class DisplacementFieldTest {
         assertThat(p[2]).isCloseTo(47, within(0.2));
     }
 
+    /** A displacement that is linear in each coordinate. */
+    private static double linear(double[] p, int i, int axis) {
+        return new double[] {
+                    0.02 * p[i] - 0.05 * p[i + 1] + 3,
+                    0.04 * p[i + 1] + 0.01 * p[i + 2],
+                    0.03 * p[i] - 0.06 * p[i + 2] - 2
+                }
+                [axis];
+    }
+
+    /**
+     * Points 10 mm apart, as the nodes of the field are, and around it: each node has 1, 6, 12, 8, 6, 24, 24 and 12 of
+     * them at squares of 0 to 6 and 8 steps, with a weight of 2103/81 in all. Displacements about it cancel but for its
+     * own, and between nodes the field is linear.
+     */
+    @Test
+    void aLinearDisplacementIsCarriedButForWhatDrawsToNothing() {
+        double[] from = new double[3 * 17 * 15 * 13];
+        for (int i = 0; i < from.length / 3; i++) {
+            from[3 * i] = 10 * (i % 17) - 30;
+            from[3 * i + 1] = 10 * (i / 17 % 15) - 30;
+            from[3 * i + 2] = 10 * (i / 17 / 15) - 30;
+        }
+        double[] to = from.clone();
+        for (int i = 0; i < from.length; i++) {
+            to[i] += linear(from, i - i % 3, i % 3);
+        }
+        double[] p = {13, 27, 41, 88, 6, 59, 4, 71, 15};
+        double[] expected = p.clone();
+        double weight = 2103 / 81.0;
+        for (int i = 0; i < p.length; i++) {
+            expected[i] += linear(p, i - i % 3, i % 3) * weight / (weight + 0.3);
+        }
+        new DisplacementField(from, to, RADIUS_MM, new double[] {0, 0, 0, 100, 80, 60}).apply(p);
+        assertThat(p).containsExactly(expected, within(1e-9));
+    }
+
+    @Test
+    void whereNoPointIsNearNothingMoves() {
+        double[] p = {60, 70, 80, 4, 0, 0};
+        new DisplacementField(new double[3], new double[] {5, 5, 5}, RADIUS_MM, BOUNDS).apply(p);
+        assertThat(p).startsWith(60, 70, 80);
+        assertThat(p[3]).isGreaterThan(6);
+    }
+
     @Test
     void isTheSameOnAnyNumberOfThreads() throws Exception {
         double[] from = points(9);
