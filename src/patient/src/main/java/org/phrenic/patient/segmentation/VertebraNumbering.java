@@ -116,9 +116,9 @@ final class VertebraNumbering {
         if (!ribsAreRight()) {
             return Optional.of(RibNumbering.renumber(s, "ribs, whose vertebrae lie one " + where + " their numbers"));
         }
-        shift(-slip);
+        String beyond = shift(-slip) ? "; what lies above vertebra_C1 then is left out" : "";
         return Optional.of("the vertebrae lie one " + where + " the ribs of their numbers: they are numbered anew, "
-                + (slip > 0 ? "vertebra_L01 is vertebra_T12" : "vertebra_T12 is vertebra_L01") + " now");
+                + (slip > 0 ? "vertebra_L01 is vertebra_T12" : "vertebra_T12 is vertebra_L01") + " now" + beyond);
     }
 
     /** 1 if the vertebrae lie one above the ribs of their numbers, -1 if one below, otherwise 0. */
@@ -189,17 +189,25 @@ final class VertebraNumbering {
 
     /**
      * Gives each vertebra the name of the one so many below it, and so each disc; what is beyond the fifth lumbar
-     * vertebra is sacral.
+     * vertebra is sacral, what is above the first cervical one becomes background.
+     *
+     * @return whether a vertebra or disc becomes background
      */
-    private void shift(int down) {
+    private boolean shift(int down) {
+        boolean leftOut = false;
         byte[] segment = new byte[s.names().size() + 1];
         TreeMap<String, List<Integer>> labels = new TreeMap<>();
         for (int i = 1; i < segment.length; i++) {
             segment[i] = (byte) i;
         }
         for (String name : List.copyOf(s.names())) {
-            String now = shifted(name, down);
-            if (SPINE.contains(name) || DISCS.contains(name)) {
+            int to = Math.max(SPINE.indexOf(name), DISCS.indexOf(name)) + down;
+            boolean moves = SPINE.contains(name) || DISCS.contains(name);
+            if (moves && to < 0) {
+                segment[s.find(name)] = 0;
+                leftOut = true;
+            } else if (moves) {
+                String now = shifted(name, to);
                 boolean joins = now.equals(SACRAL) && s.find(now) > 0;
                 labels.computeIfAbsent(now, n -> new ArrayList<>(joins ? s.labels(n) : List.of()))
                         .addAll(s.labels(name));
@@ -210,6 +218,7 @@ final class VertebraNumbering {
             s.voxels[v] = segment[s.segmentAt(v)];
         }
         labels.forEach(s::setLabels);
+        return leftOut;
     }
 
     /** The name of a vertebra in that of a disc, such as T9. */
@@ -217,15 +226,12 @@ final class VertebraNumbering {
         return vertebra.substring(vertebra.indexOf('_') + 1).replaceFirst("(?<=[TL])0", "");
     }
 
-    /** The name of the vertebra or disc so many below; the last disc keeps its name, as does all else. */
-    private static String shifted(String name, int down) {
-        int vertebra = SPINE.indexOf(name);
-        int disc = DISCS.indexOf(name);
-        int to = Math.max(0, Math.max(vertebra, disc) + down);
+    /** The name of a vertebra or disc at a place in the spine; the last disc keeps its name. */
+    private static String shifted(String name, int to) {
         boolean last = to >= SPINE.size();
-        if (vertebra >= 0) {
+        if (SPINE.contains(name)) {
             return last ? SACRAL : SPINE.get(to);
         }
-        return disc < 0 || last ? name : DISCS.get(to);
+        return last ? name : DISCS.get(to);
     }
 }

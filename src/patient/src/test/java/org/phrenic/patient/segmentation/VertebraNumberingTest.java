@@ -183,6 +183,17 @@ class VertebraNumberingTest {
     }
 
     @Test
+    void aVertebraWithoutANameAboveTheFirstIsLeftOut() {
+        Map<String, Integer> neck = Map.of("disc_C1_C2", 125, "vertebra_C1", 128, "vertebra_C2", 122);
+        Segmentation s = named(1, neck);
+        int second = s.counts()[s.find("vertebra_C2")];
+        assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
+                .contains("vertebra_L01 is vertebra_T12 now; what lies above vertebra_C1 then is left out"));
+        assertThat(s.labels("vertebra_C1")).containsExactly(3);
+        assertThat(counts(s)).containsEntry("vertebra_C1", second).doesNotContainKeys("vertebra_C2", "disc_C1_C2");
+    }
+
+    @Test
     void aLumbarVertebraThatBecomesSacralJoinsTheSacralOneWithItsLabels() {
         Segmentation s = named(-1, Map.of("disc_L5_S1", 5, "vertebra_L05", 8, "vertebra_S1", 2));
         assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
