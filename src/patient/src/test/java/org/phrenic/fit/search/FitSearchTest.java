@@ -9,6 +9,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
@@ -40,13 +42,19 @@ class FitSearchTest {
     }
 
     private FitSearch.Result searchAttempts(String file, int threads, int most, Function<double[], Evaluation> work) {
+        return searchAttempts(file, threads, most, work, (count, best) -> {});
+    }
+
+    /** @param listener told of each evaluation once it is in the journal */
+    private FitSearch.Result searchAttempts(
+            String file, int threads, int most, Function<double[], Evaluation> work, FitSearch.Listener listener) {
         return new FitSearch(
                         PARAMETERS,
                         new FitJournal(folder.resolve(file), "mark", PARAMETERS),
                         new FitSearch.Settings(3, 7, most, Double.POSITIVE_INFINITY),
                         threads,
                         work,
-                        (count, best) -> {})
+                        listener)
                 .run(Double.POSITIVE_INFINITY, null);
     }
 
@@ -75,12 +83,15 @@ class FitSearchTest {
         for (int killedAfter : new int[] {1, 4, 33, 70}) {
             String file = "killed-" + killedAfter + ".csv";
             AtomicInteger made = new AtomicInteger();
-            assertThatThrownBy(() -> search(file, 2, EVALUATIONS, v -> {
-                        if (made.incrementAndGet() > killedAfter) {
-                            throw new IllegalStateException("killed");
-                        }
-                        return worth(v);
-                    }))
+            CountDownLatch written = new CountDownLatch(killedAfter);
+            Function<double[], Evaluation> killed = v -> {
+                if (made.incrementAndGet() > killedAfter) {
+                    awaitZero(written);
+                    throw new IllegalStateException("killed");
+                }
+                return new Evaluation(v, worth(v));
+            };
+            assertThatThrownBy(() -> searchAttempts(file, 2, EVALUATIONS, killed, (count, best) -> written.countDown()))
                     .hasMessage("killed");
             // A line that was being written when it was killed.
             Files.writeString(folder.resolve(file), "99,mark,0.12", StandardOpenOption.APPEND);
@@ -90,10 +101,15 @@ class FitSearchTest {
                 return worth(v);
             });
             assertSame(resumed, whole);
-            // What another thread was about to write when it was killed may be lost.
-            assertThat(again.get())
-                    .isBetween(
-                            whole.trials().size() - killedAfter, whole.trials().size() - killedAfter + 1);
+            assertThat(again.get()).isEqualTo(whole.trials().size() - killedAfter);
+        }
+    }
+
+    private static void awaitZero(CountDownLatch latch) {
+        try {
+            assertThat(latch.await(60, TimeUnit.SECONDS)).isTrue();
+        } catch (InterruptedException stopped) {
+            throw new IllegalStateException("killed", stopped);
         }
     }
 
