@@ -17,7 +17,7 @@ class LoadingPanelTest {
         List<JComponent> parts = EventThread.get(() -> {
             Theme.install(false);
             LoadingPanel panel = new LoadingPanel("importing", "Cancel the import", () -> {});
-            panel.show("bringing the scan from inspiration to end-expiration", 0.7);
+            panel.show("building the diaphragm from the organs and bones that it touches", 0.7);
             panel.setSize(panel.getPreferredSize());
             panel.doLayout();
             return Stream.of(panel.getComponents()).map(JComponent.class::cast).toList();
