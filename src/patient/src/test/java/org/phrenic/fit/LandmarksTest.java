@@ -81,7 +81,7 @@ class LandmarksTest {
             byTable[i % 3] += (breathed(FROM)[i] - scanned[i]) / 4;
         }
         assertThat(e.shifts().byAlignment()).containsExactly(byTable, offset(1e-9));
-        // Half of the motion is that of the surface; inside, the solid slides along it.
+        // The solid slides along the surface: it carries points near to theirs, not onto them.
         assertThat(e.fitted().mean()).isBetween(0.5, 0.6 * e.rigid().mean());
         // Up: 0.4 (z - 50) for z = 20, 41, -15, 30.
         assertThat(e.shifts().left()[2]).isCloseTo(0.4 * (76 / 4.0 - 50), offset(1e-9));
