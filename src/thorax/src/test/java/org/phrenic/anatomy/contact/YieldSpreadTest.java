@@ -51,6 +51,31 @@ class YieldSpreadTest {
         }
     }
 
+    /** In a tetrahedron each vertex has the three others as neighbours, so that two numbers tell all displacements. */
+    @Test
+    void aPushedCornerOfATetrahedronMovesByEightSweepsOfTheLaw() {
+        double[] corners = {0, 0, 0, 10, 0, 0, 0, 10, 0, 0, 0, 10};
+        double[] push = {1, -2, -10};
+        double[] after = corners.clone();
+        for (int axis = 0; axis < 3; axis++) {
+            after[axis] += push[axis];
+        }
+        new YieldSpread(new TriangleMesh(corners, new int[] {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}))
+                .spread(corners, after);
+        double pushed = 1;
+        double other = 0;
+        for (int sweep = 0; sweep < 8; sweep++) {
+            double now = (1 + 3 * other) / (1 + 3 + 0.1);
+            other = (pushed + 2 * other) / (3 + 0.1);
+            pushed = now;
+        }
+        for (int i = 0; i < after.length; i++) {
+            assertThat(after[i] - corners[i])
+                    .as("coordinate %s", i)
+                    .isCloseTo((i < 3 ? pushed : other) * push[i % 3], within(1e-12));
+        }
+    }
+
     @Test
     void neighboursThatYieldByTurnsBecomeADentWithoutSteps() {
         TriangleMesh square = square();
