@@ -119,6 +119,22 @@ class TissueLawTest {
         assertThat(Arrays.stream(LAW.masses(fine, 1)).sum()).isCloseTo(heavy, Percentage.withPercentage(1));
     }
 
+    /** Two halves of a square of 30 mm, and beside one edge a triangle of a hundredth of a millimetre. */
+    @Test
+    void theVertexOfASliverHasATenthOfTheMeanArea() {
+        TriangleMesh sheet = new TriangleMesh(
+                new double[] {0, 0, 0, 30, 0, 0, 30, 30, 0, 0, 30, 0, 15, -0.01, 0},
+                new int[] {0, 1, 2, 0, 2, 3, 0, 4, 1});
+        double sliver = 0.15;
+        double[] areas = {300 + sliver / 3, 150 + sliver / 3, 300, 150, (900 + sliver) / 5 / 10};
+        double[] masses = LAW.masses(sheet, 2);
+        double[] factors = LAW.beddingFactors(sheet);
+        for (int v = 0; v < areas.length; v++) {
+            assertThat(masses[v]).isCloseTo(2e-6 * DENSITY_KG_PER_M2 * areas[v], Percentage.withPercentage(1e-9));
+            assertThat(factors[v]).isCloseTo(areas[v] / TissueLaw.BEDDING_AREA_MM2, Percentage.withPercentage(1e-9));
+        }
+    }
+
     @Test
     void aBedIsAsFirmUnderACoarseMeshAsUnderAFineOne() {
         for (int rings : new int[] {14, 28}) {
