@@ -50,10 +50,11 @@ class MassScalingTest {
     @Test
     void aNodeOnBoneAloneComesToTheLimitOfItsOwnFrequency() {
         MassScaling scaling = new MassScaling(TWO_NODES);
-        scaling.addAttachments(new int[] {0}, new double[] {STIFFNESS}, 1);
+        double factor = 0.25;
+        scaling.addAttachments(new int[] {0}, new double[] {STIFFNESS}, factor);
         double[] least = scaling.leastMasses(STEP_S);
         // ω² = k / m against a fixed anchor.
-        assertThat(Math.sqrt(STIFFNESS / least[0]) * STEP_S).isCloseTo(2, offset(EXACT));
+        assertThat(Math.sqrt(factor * STIFFNESS / least[0]) * STEP_S).isCloseTo(2, offset(EXACT));
         assertThat(least[1]).isZero();
     }
 
