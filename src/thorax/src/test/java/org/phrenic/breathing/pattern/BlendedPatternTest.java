@@ -25,6 +25,28 @@ class BlendedPatternTest {
     }
 
     @Test
+    void halfwayThroughAChangePressuresAreTheMeansOfBoth() {
+        BreathingPattern cough = preset("cough").pattern();
+        double half = 0.25;
+        for (double nowS = 0.5; nowS < 1.4; nowS += 0.1) {
+            BreathState breathing = at(quiet.pattern(), nowS + half);
+            BreathState coughing = at(cough, nowS + half);
+            BreathState coming =
+                    at(BlendedPattern.crossfade(quiet.pattern(), cough, nowS, 2 * half, false), nowS + half);
+            BreathState going =
+                    at(BlendedPattern.crossfade(cough, quiet.pattern(), nowS, 2 * half, false), nowS + half);
+            for (BreathState blended : new BreathState[] {coming, going}) {
+                assertThat(blended.pressure).isCloseTo((breathing.pressure + coughing.pressure) / 2, within(1e-12));
+                assertThat(blended.abdominalPressure)
+                        .isCloseTo((breathing.abdominalPressure + coughing.abdominalPressure) / 2, within(1e-12));
+            }
+        }
+        // The cough's muscles press at 1.2 s, when those of a quiet breath rest.
+        assertThat(at(cough, 1.2).abdominalPressure).isPositive();
+        assertThat(at(quiet.pattern(), 1.2).pressure).isNotEqualTo(at(cough, 1.2).pressure);
+    }
+
+    @Test
     void aChangeOfRateGoesOnWhereTheBreathIs() {
         BreathingPattern faster = quiet.pattern(quiet.parameters().withRatePerMin(30));
         BreathingPattern pattern = inPhase(quiet.pattern(), faster, 5);

@@ -18,6 +18,9 @@ final class BreathingPatternContract {
      */
     private static final double LARGEST_ACCELERATION = 100;
 
+    /** Of both pressures, 1/s. */
+    private static final double LARGEST_PRESSURE_RATE = 20;
+
     private BreathingPatternContract() {}
 
     static void check(BreathingPattern pattern, double durationS) {
@@ -54,9 +57,8 @@ final class BreathingPatternContract {
             }
             assertRate("activation", last.activation, last.activationRate, here.activation, here.activationRate, t);
             assertRate("turn", last.ribTurn, last.ribTurnRate, here.ribTurn, here.ribTurnRate, t);
-            if (Math.abs(here.abdominalPressure - last.abdominalPressure) > 20 * STEP_S) {
-                throw new AssertionError("abdominal pressure jumps at " + t + " s");
-            }
+            assertNoJump("pressure", last.pressure, here.pressure, t);
+            assertNoJump("abdominal pressure", last.abdominalPressure, here.abdominalPressure, t);
             if (here.breath < last.breath || here.breath > last.breath + 1) {
                 throw new AssertionError("breath " + here.breath + " after " + last.breath + " at " + t + " s");
             }
@@ -69,6 +71,12 @@ final class BreathingPatternContract {
     private static void assertShare(String what, double value, double t) {
         if (!(value >= 0 && value <= 1)) {
             throw new AssertionError(what + " " + value + " at " + t + " s, expected 0 to 1");
+        }
+    }
+
+    private static void assertNoJump(String what, double before, double after, double t) {
+        if (Math.abs(after - before) > LARGEST_PRESSURE_RATE * STEP_S) {
+            throw new AssertionError(what + " jumps at " + t + " s");
         }
     }
 
