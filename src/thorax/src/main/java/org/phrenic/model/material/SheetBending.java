@@ -4,6 +4,7 @@ import org.phrenic.engine.force.HingeBending;
 import org.phrenic.engine.force.Hinges;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.assembly.ScenePart;
+import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.SheetHinges;
 import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.NumberSetting;
@@ -34,7 +35,7 @@ public final class SheetBending extends ScenePart {
         double stiffness = scene.settings().get(BENDING_STIFFNESS);
         if (stiffness > 0) {
             double[] rest = scene.restPositions();
-            scene.system().add(new HingeBending(scene.layout(), hinges(scene, rest, stiffness), rest));
+            scene.system().add(new HingeBending(scene.layout(), hinges(scene.diaphragm(), rest, stiffness), rest));
         }
     }
 
@@ -45,12 +46,13 @@ public final class SheetBending extends ScenePart {
     static void addTo(MassScaling scaling, Scene scene, double[] positions) {
         double stiffness = scene.settings().get(BENDING_STIFFNESS);
         if (stiffness > 0) {
-            Hinges hinges = hinges(scene, positions, stiffness);
+            Hinges hinges = hinges(scene.diaphragm(), positions, stiffness);
             scaling.addAttachments(hinges.corners(), hinges.rowSums(), 1);
         }
     }
 
-    private static Hinges hinges(Scene scene, double[] positions, double newtonMm) {
-        return SheetHinges.of(scene.diaphragm(), positions, MILLI * newtonMm);
+    /** Hinges of a sheet whose bending stiffness is given in N mm. */
+    static Hinges hinges(DiaphragmPart sheet, double[] positions, double newtonMm) {
+        return SheetHinges.of(sheet, positions, MILLI * newtonMm);
     }
 }
