@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.engine.SphereMeshes;
 import org.phrenic.mesh.TriangleMesh;
 
@@ -17,6 +19,11 @@ class LiverIndentationTest {
      */
     private static final double LATTICE_MM = 1.5;
 
+    /** At the ends of the ellipsoid, whose radii of curvature are 32 mm at least. */
+    private static final double POINTED_MM = 2;
+
+    private static final double[] HALF_MM = {60, 52, 44};
+
     private final double[] step = new double[3];
     private LiverIndentation press;
 
@@ -24,6 +31,16 @@ class LiverIndentationTest {
     void ball() {
         SphereMeshes.TriangleSurface ball = SphereMeshes.sphere(RADIUS_MM, 4);
         press = new LiverIndentation(new TriangleMesh(ball.positions(), ball.triangles()));
+    }
+
+    /** An ellipsoid about the origin with the half axes {@link #HALF_MM}. */
+    private static LiverIndentation ellipsoid() {
+        SphereMeshes.TriangleSurface ball = SphereMeshes.sphere(1, 4);
+        double[] p = ball.positions().clone();
+        for (int i = 0; i < p.length; i++) {
+            p[i] *= HALF_MM[i % 3];
+        }
+        return new LiverIndentation(new TriangleMesh(p, ball.triangles()));
     }
 
     private boolean plateAt(double height) {
@@ -49,6 +66,44 @@ class LiverIndentationTest {
         assertThat(given(0, 0, RADIUS_MM - 24)[2])
                 .as("what lies deeper goes along less")
                 .isBetween(-6.0, -0.5);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 1", "0, -1", "1, 1", "1, -1", "2, 1", "2, -1"})
+    void anOrganOfThreeLengthsGivesWayAlongThePushFromAnySide(int axis, int side) {
+        press = ellipsoid();
+        double[] p = new double[3];
+        p[axis] = side * (HALF_MM[axis] - 10);
+        for (double u = -32; u <= 32; u += 4) {
+            for (double v = -32; v <= 32; v += 4) {
+                p[(axis + 1) % 3] = u;
+                p[(axis + 2) % 3] = v;
+                press.indent(p[0], p[1], p[2]);
+            }
+        }
+        assertThat(press.relax()).isTrue();
+        double[] end = new double[3];
+        end[axis] = side * HALF_MM[axis];
+        double[] wanted = new double[3];
+        wanted[axis] = -10 * side;
+        assertThat(given(end[0], end[1], end[2])).containsExactly(wanted, within(POINTED_MM));
+    }
+
+    /** Each point is pushed in alone, so that only the nodes about it are asked to move. */
+    @ParameterizedTest
+    @CsvSource({"0, 1", "0, -1", "1, 1", "1, -1", "2, 1", "2, -1"})
+    void aPointOfAnOrganOfThreeLengthsPushesInWhatIsAboutIt(int axis, int side) {
+        press = ellipsoid();
+        double[] p = new double[3];
+        p[axis] = side * (HALF_MM[axis] - 10);
+        press.indent(p[0], p[1], p[2]);
+        assertThat(press.relax()).isTrue();
+        p[axis] = side * HALF_MM[axis];
+        double[] dent = given(p[0], p[1], p[2]).clone();
+        assertThat(-side * dent[axis]).isBetween(1.0, 10.0);
+        for (int other = 1; other < 3; other++) {
+            assertThat(dent[(axis + other) % 3]).isCloseTo(0, within(0.1 * Math.abs(dent[axis])));
+        }
     }
 
     @Test
