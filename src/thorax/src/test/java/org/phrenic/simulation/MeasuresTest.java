@@ -3,6 +3,7 @@ package org.phrenic.simulation;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import org.assertj.core.data.Percentage;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -12,6 +13,7 @@ import org.phrenic.anatomy.DomeSheet;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.engine.kinematics.HelicalAxis;
 import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.model.material.TransdiaphragmaticPressure;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.MassSpringBuilder;
@@ -71,6 +73,38 @@ class MeasuresTest {
                 .motion()
                 .apply(turned);
         assertThat(new FibreShortening(dome, rest).shorteningPercent(turned)).isCloseTo(0, within(ROUNDING));
+    }
+
+    /** A fibre f of a sheet that is stretched along the axes by s is stretched by |s f|. */
+    @Test
+    void stretchingTheSheetAlongAnAxisShortensFibresByTheirDirections() {
+        double[] rest = dome.diaphragm.sheet().positions();
+        int[] triangles = dome.diaphragm.sheet().triangles();
+        double[] fibres = dome.diaphragm.fibreDirections();
+        double[] areas = new double[triangles.length / 3];
+        Arrays.setAll(
+                areas, t -> MeshMeasure.area(new TriangleMesh(rest, Arrays.copyOfRange(triangles, 3 * t, 3 * t + 3))));
+        double[][] stretches = {{1, 1, 0.8}, {0.8, 1, 1}, {1, 0.8, 1}, {1.1, 0.9, 0.7}};
+        for (double[] stretch : stretches) {
+            double[] now = rest.clone();
+            for (int i = 0; i < now.length; i++) {
+                now[i] *= stretch[i % 3];
+            }
+            double sum = 0;
+            double all = 0;
+            for (int t = 0; t < triangles.length; t += 3) {
+                double x = fibres[t];
+                double y = fibres[t + 1];
+                double z = fibres[t + 2];
+                if (x != 0 || y != 0 || z != 0) {
+                    sum += areas[t / 3] * Math.hypot(Math.hypot(stretch[0] * x, stretch[1] * y), stretch[2] * z);
+                    all += areas[t / 3];
+                }
+            }
+            assertThat(new FibreShortening(dome, rest).shorteningPercent(now))
+                    .as("stretched by %s", Arrays.toString(stretch))
+                    .isCloseTo(100 * (1 - sum / all), within(ROUNDING));
+        }
     }
 
     @Test
