@@ -65,8 +65,63 @@ class PacerTest {
         assertThat(simulatedS).isCloseTo(40 - Pacer.MAX_BACKLOG_S - 30, within(2 * STEP_S));
     }
 
+    /** A simulator that computes at a share of the pace of the clock, and reports every 10 ms. */
+    private void computeAt(double share, double s) {
+        for (int n = 0; n < Math.round(100 * s); n++) {
+            nowNs += 10_000_000;
+            simulatedS += 0.01 * share;
+            pacer.measure(Math.round(simulatedS / STEP_S), simulatedS);
+        }
+    }
+
     @Test
-    void withoutALimitNoStepWaits() {
+    void whoComputesAtHalfThePaceIsBehindAndWhoKeepsPaceIsNot() {
+        computeAt(1, 2);
+        assertThat(pacer.isBehind()).isFalse();
+        assertThat(pacer.realtimeFactor()).isCloseTo(1, within(1e-9));
+        computeAt(0.5, 2);
+        assertThat(pacer.isBehind()).isTrue();
+        assertThat(pacer.realtimeFactor()).isCloseTo(0.5, within(1e-9));
+        assertThat(pacer.stepsPerS()).isCloseTo(0.5 / STEP_S, within(1 / STEP_S * 0.01));
+        computeAt(1, 8);
+        assertThat(pacer.isBehind()).isFalse();
+    }
+
+    @Test
+    void onlyAPaceKeptBelowTheRequestedOneIsBehind() {
+        pacer.setSpeed(0.5, 0);
+        pacer.start(0, 0);
+        computeAt(0.5, 3);
+        assertThat(pacer.isBehind()).isFalse();
+        // One quarter of a second is slow by a tenth.
+        computeAt(0.45, 0.25);
+        assertThat(pacer.realtimeFactor()).isCloseTo(0.45, within(1e-9));
+        assertThat(pacer.isBehind()).isFalse();
+        computeAt(0.45, 3);
+        assertThat(pacer.isBehind()).isTrue();
+    }
+
+    @Test
+    void theRateIsUpdatedEveryQuarterOfASecond() {
+        nowNs += 249_000_000;
+        assertThat(pacer.measure(100, 0.1)).isFalse();
+        assertThat(pacer.realtimeFactor()).isZero();
+        nowNs += 1_000_000;
+        assertThat(pacer.measure(100, 0.1)).isTrue();
+        assertThat(pacer.realtimeFactor()).isCloseTo(0.4, within(1e-12));
+        assertThat(pacer.stepsPerS()).isCloseTo(400, within(1e-9));
+    }
+
+    @Test
+    void withoutALimitItIsAlwaysBehind() {
+        pacer.setSpeed(Double.POSITIVE_INFINITY, 0);
+        pacer.start(0, 0);
+        computeAt(20, 1);
+        assertThat(pacer.isBehind()).isTrue();
+    }
+
+    @Test
+    void withoutALimitNoStepNoStepWaits() {
         pacer.setSpeed(Double.POSITIVE_INFINITY, 0);
         assertThat(pacer.waitNs(1000)).isZero();
     }
