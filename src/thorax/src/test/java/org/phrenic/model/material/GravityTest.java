@@ -1,6 +1,7 @@
 package org.phrenic.model.material;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.data.Percentage.withPercentage;
 
 import java.util.Arrays;
@@ -8,6 +9,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.phrenic.engine.ForceField;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.scenario.Assignment;
@@ -46,8 +48,31 @@ class GravityTest {
         assertThat(sign * sag(axis, tilt, roll)).isBetween(0.02, 10.0);
     }
 
+    /** Sum of the weights of all nodes in a posture, mN. */
+    private static double[] weight(Simulation simulation, double tilt, double roll) {
+        simulation.change(List.of(
+                Assignment.of("test", Gravity.ACCELERATION, EARTH),
+                Assignment.of("test", Gravity.TILT, tilt),
+                Assignment.of("test", Gravity.ROLL, roll)));
+        Scene scene = simulation.scene();
+        ForceField gravity = scene.system().fields().stream()
+                .filter(field -> field.getClass().getEnclosingClass() == Gravity.class)
+                .findFirst()
+                .orElseThrow();
+        gravity.prepare(simulation.time() + 1);
+        double[] force = new double[scene.restPositions().length];
+        for (int block = 0; block < scene.layout().blockCount(); block++) {
+            gravity.addForces(scene.system().positions(), scene.system().velocities(), force, block);
+        }
+        double[] sum = new double[3];
+        for (int i = 0; i < force.length; i++) {
+            sum[i % 3] += force[i];
+        }
+        return sum;
+    }
+
     @Test
-    void theNodesCarryTheMassOfSheetAndLiver() {
+    void theNodesCarryTheMassOfSheetAndLiverInTheDirectionOfThePosture() {
         try (Simulation simulation = Runs.simulation(Runs.scenario(Runs.sheetAlone("liver=true")))) {
             Scene scene = simulation.scene();
             int nodes = scene.layout().nodeCount();
@@ -69,6 +94,19 @@ class GravityTest {
             assertThat(both - sheet)
                     .isCloseTo(0.1 * 1.06e-3 * volume, withPercentage(1e-6))
                     .isBetween(80.0, 250.0);
+
+            double milliNewton = EARTH * both;
+            double rounding = 1e-9 * milliNewton;
+            assertThat(weight(simulation, 0, 0)).containsExactly(new double[] {0, 0, -milliNewton}, within(rounding));
+            assertThat(weight(simulation, 90, 0)).containsExactly(new double[] {0, milliNewton, 0}, within(rounding));
+            assertThat(weight(simulation, 180, 0)).containsExactly(new double[] {0, 0, milliNewton}, within(rounding));
+            assertThat(weight(simulation, 0, 90)).containsExactly(new double[] {milliNewton, 0, 0}, within(rounding));
+            assertThat(weight(simulation, 45, -90))
+                    .containsExactly(new double[] {-milliNewton, 0, 0}, within(rounding));
+            double share = milliNewton / Math.sqrt(8);
+            assertThat(weight(simulation, 60, 45))
+                    .as("a tilt by 60 and a roll by 45 degrees")
+                    .containsExactly(new double[] {2 * share, Math.sqrt(3) * share, -share}, within(rounding));
         }
     }
 
