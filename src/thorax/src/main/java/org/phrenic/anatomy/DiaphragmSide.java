@@ -12,7 +12,8 @@ public enum DiaphragmSide {
     /** Passes through the diaphragm, is far from it, or is no organ. */
     NEITHER;
 
-    private static final Pattern THORACIC = Pattern.compile("heart|atrial_appendage_[rl]");
+    private static final Pattern THORACIC =
+            Pattern.compile("heart|atrial_appendage_[rl]|" + OrganNames.STOMACH_IN_CHEST);
     private static final Pattern ABDOMINAL =
             Pattern.compile("spleen|stomach|(kidney_cyst|adrenal_gland)_[rl]|gallbladder|duodenum|pancreas"
                     + "|(portal|splenic|hepatic)_vein|portal_and_splenic_vein|liver_.*");

@@ -19,6 +19,8 @@ import org.phrenic.file.FileNames;
 public final class OrganNames {
     /** Begins the names that {@link #other} makes. */
     public static final String OTHER_PREFIX = "other_";
+    /** The part of a stomach in the chest, as with a hiatal hernia. */
+    public static final String STOMACH_IN_CHEST = "organ_stomach_above_diaphragm";
     /** Names of the bowel that fills the abdomen. */
     public static final Set<String> BOWEL = Set.of("colon", "small_bowel", "organ_bowel");
 

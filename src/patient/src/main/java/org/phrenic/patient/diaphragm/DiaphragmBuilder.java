@@ -98,7 +98,11 @@ public final class DiaphragmBuilder implements ImplicitSurface {
      * @param parted as {@link BreathLevel#parted}
      */
     static TriangleMesh build(Thorax body, Optional<Side> parted, int vertices) {
-        CageEnvelope cage = new CageEnvelope(body);
+        return build(body, new CageEnvelope(body), parted, vertices);
+    }
+
+    /** The same inside a known envelope. */
+    static TriangleMesh build(Thorax body, CageEnvelope cage, Optional<Side> parted, int vertices) {
         Optional<TriangleMesh> withSlivers = Optional.empty();
         for (double smoothing : SMOOTHING_MM) {
             for (double depth : PIVOT_DEPTHS) {

@@ -24,8 +24,9 @@ public final class DiaphragmCompletion {
     /**
      * Replaces the diaphragm of a body, or adds one. A diaphragm that the scan labels as a whole, or that was built in
      * an earlier import, stays if it can breathe ({@link SheetQuality}). A body without ribs, lower thoracic vertebrae
-     * or lungs is returned with a note. Organs that lie elsewhere than the scan shows them yield to the sheet
-     * ({@link YieldToSheet}), as they do in a scene.
+     * or lungs is returned with a note. The part of a stomach in the chest ({@link HiatalHernia}) becomes an organ of
+     * its own. Organs that lie elsewhere than the scan shows them yield to the sheet ({@link YieldToSheet}), as they do
+     * in a scene.
      *
      * @param moved whether the body was brought to end-expiration, and none of its organs lies where the scan shows it
      * @param parted as {@link BreathLevel#parted}
@@ -48,13 +49,17 @@ public final class DiaphragmCompletion {
         List<String> notes =
                 new ArrayList<>(List.of("the diaphragm is built from the organs and bones that it touches"));
         try {
-            HiatalHernia.of(frame.toFrame(bare(body, rest))).ifPresent(hernia -> {
-                part(rest, hernia, frame);
-                notes.add(hernia.note());
-            });
+            Thorax before = frame.toFrame(bare(body, rest));
+            CageEnvelope cage = new CageEnvelope(before);
+            if (showsBases(body)) {
+                HiatalHernia.of(before, cage).ifPresent(hernia -> {
+                    part(rest, hernia, frame);
+                    notes.add(hernia.note());
+                });
+            }
             Thorax bare = bare(body, rest);
             straight = frame.toFrame(bare);
-            TriangleMesh built = DiaphragmBuilder.build(straight, parted, vertices);
+            TriangleMesh built = DiaphragmBuilder.build(straight, cage, parted, vertices);
             sheet = new Structure(NAME, StructureKind.DIAPHRAGM, 0, Side.MIDLINE, frame.toScan(built));
             YieldToSheet contact = new YieldToSheet(bare, frame, built);
             rest.replaceAll(
@@ -77,13 +82,22 @@ public final class DiaphragmCompletion {
                 body.thorax().notInScan());
     }
 
-    /** Puts the parts of a stomach below and above the diaphragm in its place. */
+    /** Whether no lung is cut off below, so that its base is that of the scan. */
+    private static boolean showsBases(PatientBody body) {
+        return body.structures().stream()
+                .filter(s -> s.structure().kind() == StructureKind.LUNG)
+                .allMatch(s -> s.cuts().stream().noneMatch(cut -> cut.side().equals("I")));
+    }
+
+    /** Puts the parts of a stomach below and above the diaphragm in its place; both are of its label. */
     private static void part(List<PatientStructure> rest, HiatalHernia hernia, MedianFrame frame) {
-        rest.replaceAll(s -> s.structure().name().equals(hernia.below().name())
-                ? s.withStructure(inScan(hernia.below(), frame))
-                : s);
-        rest.add(new PatientStructure(
-                inScan(hernia.above(), frame), PatientStructure.Source.SCAN, Optional.empty(), Optional.empty()));
+        PatientStructure whole = rest.stream()
+                .filter(s -> s.structure().name().equals(hernia.below().name()))
+                .findFirst()
+                .orElseThrow();
+        rest.remove(whole);
+        rest.add(whole.withStructure(inScan(hernia.below(), frame)));
+        rest.add(whole.withStructure(inScan(hernia.above(), frame)));
     }
 
     private static Structure inScan(Structure s, MedianFrame frame) {

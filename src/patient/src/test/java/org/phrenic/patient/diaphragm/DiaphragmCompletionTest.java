@@ -7,7 +7,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
@@ -29,7 +31,6 @@ class DiaphragmCompletionTest {
 
     private static final String LIVER = "liver";
     private static final String LUNG = "lung_R";
-    private static final String STOMACH = "stomach";
     private static final List<Structure> WOMAN =
             VirtualThorax.ofPreset("adult-female", Resolution.LOW).structures().stream()
                     .filter(s -> s.kind() != StructureKind.DIAPHRAGM)
@@ -115,11 +116,24 @@ class DiaphragmCompletionTest {
         assertThat(complete(whole, false)).isSameAs(whole);
     }
 
+    private static final String HERNIA = OrganNames.STOMACH_IN_CHEST;
+
+    /** The woman, turned by 15 degrees. */
+    private static PatientBody turnedWoman() {
+        double cos = Math.cos(Math.toRadians(15));
+        double sin = Math.sin(Math.toRadians(15));
+        return with(LIVER, Source.SCAN, p -> p)
+                .withEach(s -> changed(s, p -> new double[] {cos * p[0] - sin * p[1], sin * p[0] + cos * p[1], p[2]}));
+    }
+
     /**
-     * An upright stomach of 115 ml before the spine, whose middle lies so far above the roof of the woman without it.
+     * An upright spindle of 116 ml, 140 mm high, before the spine.
+     *
+     * @param aboveRoof height of its middle above the sheet, mm
      */
-    private static PatientBody withStomach(TriangleMesh sheet, double aboveRoof) {
-        double[] spine = mesh(with(LIVER, Source.SCAN, p -> p), "vertebra_T10").bounds();
+    private static PatientBody withStomach(TriangleMesh sheet, double aboveRoof, Source source) {
+        PatientBody woman = turnedWoman();
+        double[] spine = mesh(woman, "vertebra_T10").bounds();
         double x = 0.5 * (spine[0] + spine[3]) + 8;
         double y = spine[1] - 25;
         TriangleTree.Hit roof = new TriangleTree.Hit();
@@ -132,29 +146,59 @@ class DiaphragmCompletionTest {
             p[i + 1] = y + 18 * p[i + 1];
             p[i + 2] = roof.z + aboveRoof + 70 * p[i + 2];
         }
-        Structure stomach = new Structure(STOMACH, StructureKind.ORGAN, 0, Side.MIDLINE, ball.withPositions(p));
-        List<PatientStructure> structures =
-                new ArrayList<>(with(LIVER, Source.SCAN, at -> at).structures());
-        structures.add(new PatientStructure(stomach, Source.SCAN, Optional.empty(), Optional.empty()));
+        Structure stomach =
+                new Structure(HiatalHernia.STOMACH, StructureKind.ORGAN, 0, Side.MIDLINE, ball.withPositions(p));
+        List<PatientStructure> structures = new ArrayList<>(woman.structures());
+        structures.add(new PatientStructure(stomach, source, Optional.empty(), Optional.empty()));
         return new PatientBody("woman", structures, List.of(), List.of());
+    }
+
+    private static double volume(PatientBody body, String organ) {
+        return MeshMeasure.signedVolumeMl(mesh(body, organ));
     }
 
     /** A stomach half of which lies behind the heart would draw the roof up over it, by 70 mm. */
     @Test
     void thePartOfAStomachInTheChestIsAnOrganAboveTheSheet() {
-        TriangleMesh sheet = mesh(complete(with(LIVER, Source.SCAN, p -> p), false), "diaphragm");
-        PatientBody hernia = complete(withStomach(sheet, 0), false);
-        TriangleMesh above = mesh(hernia, "organ_stomach_above_diaphragm");
-        assertThat(hernia.notes()).anyMatch(note -> note.contains("ml of the stomach lie in the chest"));
-        assertThat(mesh(hernia, "diaphragm").bounds()[5]).isCloseTo(sheet.bounds()[5], within(2.0));
-        assertThat(throughMm(hernia)).isLessThan(2.5);
-        assertThat(MeshMeasure.signedVolumeMl(above)).isCloseTo(58, within(15.0));
-        assertThat(MeshMeasure.signedVolumeMl(mesh(hernia, STOMACH))).isCloseTo(58, within(15.0));
-        assertThat(new MeshTopology(above).boundaryLoops()).isEmpty();
+        TriangleMesh sheet = mesh(complete(turnedWoman(), false), "diaphragm");
+        PatientBody body = complete(withStomach(sheet, 0, Source.SCAN), false);
+        assertThat(body.notes()).anyMatch(note -> note.contains("ml of the stomach lie in the chest"));
+        assertThat(mesh(body, "diaphragm").bounds()[5]).isCloseTo(sheet.bounds()[5], within(2.0));
+        assertThat(throughMm(body)).isLessThan(2.5);
+        // The slab between is some 6 mm high where the spindle is 22 x 18 mm wide.
+        assertThat(volume(body, HERNIA) + volume(body, HiatalHernia.STOMACH)).isBetween(116 - 11.0, 116 - 3.0);
+        assertThat(volume(body, HERNIA)).isBetween(40.0, 62.0);
+        TriangleTree built = new TriangleTree(mesh(body, "diaphragm"));
+        for (String part : List.of(HERNIA, HiatalHernia.STOMACH)) {
+            MeshTopology topology = new MeshTopology(mesh(body, part));
+            assertThat(topology.boundaryLoops()).isEmpty();
+            assertThat(topology.componentCount()).isOne();
+            // The rim of the part below lies 0.3 mm below the sheet, whose triangles are 8 mm wide here.
+            assertThat(depthInside(built, mesh(body, part))).isLessThan(part.equals(HERNIA) ? 0.1 : 1);
+        }
+    }
 
-        PatientBody usual = complete(withStomach(sheet, -85), false);
-        assertThat(usual.structure("organ_stomach_above_diaphragm")).isEmpty();
-        assertThat(MeshMeasure.signedVolumeMl(mesh(usual, STOMACH))).isCloseTo(116, within(1.0));
+    /** Greatest depth of a vertex between the faces of a sheet, mm. */
+    private static double depthInside(TriangleTree sheet, TriangleMesh mesh) {
+        double[] distances = sheet.distances(mesh.positions());
+        return IntStream.range(0, distances.length)
+                .filter(v -> sheet.isInside(mesh.x(v), mesh.y(v), mesh.z(v)))
+                .mapToDouble(v -> distances[v])
+                .max()
+                .orElse(0);
+    }
+
+    @Test
+    void whatStandsLittleAboveTheRoofOrIsOfATemplateIsNoHernia() {
+        TriangleMesh sheet = mesh(complete(turnedWoman(), false), "diaphragm");
+        PatientBody hernia = complete(withStomach(sheet, -25, Source.SCAN), false);
+        assertThat(volume(hernia, HERNIA)).isBetween(15.0, 35.0);
+        assertThat(mesh(hernia, "diaphragm").bounds()[5]).isCloseTo(sheet.bounds()[5], within(2.0));
+        // A cap of 10 mm, 2 ml, stands 15 mm above the roof.
+        PatientBody little = complete(withStomach(sheet, -45, Source.SCAN), false);
+        assertThat(little.structure(HERNIA)).isEmpty();
+        PatientBody ofTemplate = complete(withStomach(sheet, 0, Source.VIRTUAL), false);
+        assertThat(ofTemplate.structure(HERNIA)).isEmpty();
     }
 
     /** Without lungs nothing tells where the domes stand. */

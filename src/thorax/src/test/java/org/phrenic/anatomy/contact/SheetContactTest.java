@@ -10,6 +10,7 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.DiaphragmSide;
+import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.engine.math.Triangles;
@@ -438,6 +439,8 @@ class SheetContactTest {
         assertThat(List.of("kidney_L", "kidney", "organ_kidneys", "Small_Bowel", "organ_bowel"))
                 .allMatch(name -> DiaphragmSide.of(StructureKind.ORGAN, name) == DiaphragmSide.BELOW);
         assertThat(DiaphragmSide.of(StructureKind.ORGAN, "heart")).isEqualTo(DiaphragmSide.ABOVE);
+        assertThat(DiaphragmSide.of(StructureKind.ORGAN, OrganNames.STOMACH_IN_CHEST))
+                .isEqualTo(DiaphragmSide.ABOVE);
         assertThat(DiaphragmSide.of(StructureKind.LUNG, "lung_R_middle")).isEqualTo(DiaphragmSide.ABOVE);
         assertThat(DiaphragmSide.of(StructureKind.VESSEL, "aorta")).isEqualTo(DiaphragmSide.NEITHER);
     }
