@@ -74,7 +74,6 @@ public final class RenderLoop implements AutoCloseable {
 
     /** Side of the picture that is drawn out of sight. */
     private static final int PREPARED_PIXELS = 64;
-
     /** Number of failed frames and tasks, with no successful one between, that ends the view. */
     private static final int MAX_FAILURES = 20;
 
@@ -147,7 +146,7 @@ public final class RenderLoop implements AutoCloseable {
         });
     }
 
-    /** Picks the surface under a pixel; {@code done} gets it on the render thread, nothing in another scene. */
+    /** Picks the surface under a pixel; {@code done} gets it on the render thread, or nothing if it cannot be. */
     void pick(
             double px, double py, Request at, ToDoubleFunction<Surface> opacity, Consumer<Optional<PickResult>> done) {
         runTask(gl -> {
@@ -210,14 +209,15 @@ public final class RenderLoop implements AutoCloseable {
                 busy = turn(gl, wanted, now, task);
                 failures = busy ? 0 : failures;
             } catch (RuntimeException | OutOfMemoryError e) {
-                // A frame or a task that fails does not end the view. With a lost context each of them fails; turns
-                // between them, in which nothing is to be drawn, do not.
+                // A frame or a task that fails does not end the view, nor does a lack of memory for some seconds. With
+                // a lost context each of them fails; turns between them, in which nothing is to be drawn, do not.
                 if (++failures == MAX_FAILURES) {
                     throw e;
                 }
                 LOG.log(System.Logger.Level.WARNING, "A frame was not drawn", e);
             }
-            LockSupport.parkNanos(busy ? Math.max(0, pace.intervalNs() - (System.nanoTime() - begun)) : POLL_NS);
+            long rest = POLL_NS * (1 + 4 * failures);
+            LockSupport.parkNanos(busy ? Math.max(0, pace.intervalNs() - (System.nanoTime() - begun)) : rest);
         }
     }
 

@@ -143,8 +143,8 @@ public record StabilityLimit(
 
     /**
      * The largest step at which no frequency from the {@code first} of {@value #FREQUENCIES} on grows, by bisection.
-     * The highest one limits the step as a rule; a limit of it that suits the lower ones is the limit of all, bit for
-     * bit.
+     * The highest one limits the step as a rule. Each frequency is stable up to a step of its own, so a limit of the
+     * highest one that suits the lower ones is the limit of all, bit for bit.
      */
     private double limit(IntegratorKind kind, double stable, int first) {
         double low = stable;

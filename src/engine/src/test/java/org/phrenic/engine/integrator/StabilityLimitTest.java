@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.Random;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Assumptions;
@@ -60,6 +61,55 @@ class StabilityLimitTest {
                 .build());
         system.setViscosity(GAMMA);
         return system;
+    }
+
+    /** By bisection of all frequencies at once, from a step that all schemes bear. */
+    private static double bisected(IntegratorKind kind, StabilityLimit limit) {
+        double low = 1e-6 / Math.max(limit.omegaMax(), limit.maxDamping());
+        double high = low;
+        while (limit.isStable(kind, high)) {
+            low = high;
+            high *= 1.5;
+        }
+        for (int i = 0; i < 40; i++) {
+            double middle = 0.5 * (low + high);
+            if (limit.isStable(kind, middle)) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
+    }
+
+    /**
+     * In a system of much damping and little stiffness the lowest frequency limits the explicit schemes, else the
+     * highest one does.
+     */
+    @Test
+    void theLimitIsThatOfAllFrequenciesToTheLastBit() {
+        StabilityLimit light = new StabilityLimit(900, 900, 0.4, 3, 0, true);
+        StabilityLimit[] limits = {
+            new StabilityLimit(700, 800, 0.3, 40, 2, true),
+            new StabilityLimit(30, 40, 100, 100, 0, false),
+            new StabilityLimit(500, 500, 1, 5, 0, true, Optional.of(light)),
+        };
+        int compared = 0;
+        for (IntegratorKind kind : IntegratorKind.values()) {
+            for (StabilityLimit limit : limits) {
+                double largest = limit.largestStep(kind);
+                if (largest == 0 || Double.isInfinite(largest)) {
+                    continue;
+                }
+                double here = bisected(kind, limit);
+                boolean apart = limit.apart().isPresent() && !kind.stepsNodesApart();
+                assertThat(largest)
+                        .as("%s, %s", kind, limit)
+                        .isEqualTo(apart ? Math.min(here, bisected(kind, light)) : here);
+                compared++;
+            }
+        }
+        assertThat(compared).isGreaterThanOrEqualTo(12);
     }
 
     @Test

@@ -268,7 +268,9 @@ public final class EndExpiration {
 
     private Stretch stretch(TriangleMesh scanned, double[] moved) {
         TriangleMesh mesh = scanned.withPositions(moved);
-        double factor = MeshMeasure.signedVolume(scanned) / MeshMeasure.signedVolume(mesh);
+        double factor = MeshMeasure.hasInside(scanned) && MeshMeasure.hasInside(mesh)
+                ? MeshMeasure.signedVolume(scanned) / MeshMeasure.signedVolume(mesh)
+                : 1;
         return new Stretch(scanned.centre()[2] > domes ? mesh.bounds()[2] : mesh.bounds()[5], factor);
     }
 

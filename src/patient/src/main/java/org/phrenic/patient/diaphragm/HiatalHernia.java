@@ -140,8 +140,8 @@ record HiatalHernia(Structure below, Structure above) {
 
     String note() {
         return Numbers.format(
-                "%.0f ml of the stomach lie in the chest, above the diaphragm, as with a hiatal hernia: they are an organ"
-                        + " of their own, and the diaphragm passes below them",
+                "%.0f ml of the stomach lie in the chest, above the diaphragm, as with a hiatal hernia: they are an"
+                        + " organ of their own, and the diaphragm passes below them",
                 MeshMeasure.signedVolumeMl(above.mesh()));
     }
 }
