@@ -322,11 +322,12 @@ final class RibComponents {
         }
     }
 
-    /** Whether another part holds more voxels of the label of most of a part; not so under one label for all ribs. */
-    boolean isStray(Rib part) {
+    /** Whether another part holds more than so many times its voxels of a part's label, not the common one. */
+    boolean isStray(Rib part, double times) {
         int label = part.dominantSegment();
+        double held = times * part.segments.get(label);
         return !LabelTable.isRibs(s.names().get(label - 1))
-                && ribs.stream().anyMatch(rib -> rib.segments.getOrDefault(label, 0) > part.segments.get(label));
+                && ribs.stream().anyMatch(rib -> rib != part && rib.segments.getOrDefault(label, 0) > held);
     }
 
     private Map<Integer, Integer> totals() {

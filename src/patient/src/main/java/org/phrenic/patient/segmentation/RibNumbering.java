@@ -14,13 +14,15 @@ import org.phrenic.anatomy.StructureName;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.segmentation.VertebraHeights.VertebralEnd;
 
 /**
  * Numbers of ribs. Where a label holds parts of two ribs or names a rib of the other side, labels leave out a number
  * between two ribs that follow each other beside thoracic vertebrae, or all ribs share one label, the connected ribs
  * are numbered from top to bottom on each side. Without thoracic vertebrae they are counted from the first or the last
  * ({@link CutRibCount}). The numbers are otherwise those of least cost: the height of a rib's vertebral end above or
- * below the vertebra of its number, the share of its voxels that carry another number, and numbers left out. Of a rib
+ * below the vertebra of its number, the share of its voxels that carry another number, and numbers left out. A stray
+ * part under the label of a rib is left out where ribs would otherwise leave the numbers of their labels. Of a rib
  * whose vertebral end is cut off the vertebra lies higher than what is left. Where no vertebra above the twelfth is
  * shown, the height of the lowest rib alone tells its number.
  */
@@ -28,12 +30,13 @@ final class RibNumbering {
     static final int RIBS = 12;
     /** Difference in height that costs as much as no vote at all, mm: the height of a thoracic vertebra. */
     static final double VERTEBRA_MM = 25;
-    /** Weight of the labels' numbers where vertebrae are known. */
-    private static final double VOTE = 0.5;
-    /** Cost of a number without a rib between two ribs. */
-    private static final double GAP = 0.3;
-    /** Weight of the height above what is left of a rib whose vertebral end is cut off. */
-    private static final double ABOVE_CUT = 0.2;
+    /**
+     * Mean height of a rib above another below which the last ribs, short and steep ones, may lie in any order: 5 mm in
+     * the scanned man, -9 mm where he is turned by 20 degrees.
+     */
+    private static final double LEVEL_MM = 12;
+    /** Difference in height of two vertebral ends that are not of one vertebra, mm. */
+    private static final double APART_MM = 8;
 
     private static final String BY_VERTEBRAE = "by their vertebrae";
 
@@ -44,6 +47,7 @@ final class RibNumbering {
     private final RibComponents components;
     private final RibSides sides;
     private final VertebraHeights vertebrae;
+    private final RibCosts costs;
 
     private RibNumbering(Segmentation s, RibComponents components) {
         this.s = s;
@@ -51,6 +55,7 @@ final class RibNumbering {
         isCommon = isCommon(s);
         sides = new RibSides(s, components.ribs());
         vertebrae = new VertebraHeights(s);
+        costs = new RibCosts(s, components, vertebrae);
     }
 
     /**
@@ -117,17 +122,16 @@ final class RibNumbering {
                 .orElseThrow(() -> new BadInputException(found + ": found neither spine nor sternum between ribs of"
                         + " one label, expected one of them, ribs of both sides, or the names "
                         + LabelTable.RIGHT_RIBS + " and " + LabelTable.LEFT_RIBS));
-        VertebralEnd[] ends =
-                ribs.stream().map(rib -> vertebralEnd(rib, middle)).toArray(VertebralEnd[]::new);
+        VertebralEnd[] ends = ribs.stream()
+                .map(rib -> VertebraHeights.vertebralEnd(s, rib, middle))
+                .toArray(VertebralEnd[]::new);
         List<Side> both = List.of(Side.RIGHT, Side.LEFT);
         List<List<Integer>> onSides = new ArrayList<>();
-        int stray = 0;
         for (Side side : both) {
             List<Integer> onSide = new ArrayList<>(IntStream.range(0, ribs.size())
                     .filter(i -> sides.of(ribs.get(i), middle) == side)
                     .boxed()
                     .toList());
-            stray += dropStrays(onSide);
             onSides.add(fromTop(onSide, ends));
         }
         String[] nameOf = new String[ribs.size()];
@@ -142,60 +146,55 @@ final class RibNumbering {
                                 onSide.stream().mapToDouble(i -> ends[i].z()).toArray())
                         .toList());
         List<String> ways = new ArrayList<>();
+        List<String> leftOut = new ArrayList<>();
         for (int n = 0; n < both.size(); n++) {
             ways.add(way(onSides.get(n).size(), first[n]));
             int[] numbers = numbers(onSides.get(n), ends, first[n], both.get(n), found);
             for (int i = 0; i < numbers.length; i++) {
+                int rib = onSides.get(n).get(i);
+                if (numbers[i] == 0) {
+                    leftOut.add(leftOut(ribs.get(rib), ends[rib].z(), both.get(n)));
+                    continue;
+                }
                 String name = name(numbers[i], both.get(n));
-                nameOf[onSides.get(n).get(i)] = name;
+                nameOf[rib] = name;
                 numbered.add(name);
             }
         }
         apply(ribs, nameOf);
         return found + ": the " + numbered.size() + " connected ribs are numbered from top to bottom"
                 + told(ways)
-                + (stray > 0 ? "; " + stray + " parts of ribs away from their label's rib are left out" : "")
+                + (leftOut.isEmpty()
+                        ? ""
+                        : "; left out, away from the rib of their label: " + String.join(", ", leftOut))
                 + components.parted();
     }
 
     /** The ribs of a side from top to bottom. */
     private List<Integer> fromTop(List<Integer> onSide, VertebralEnd[] ends) {
-        List<RibComponents.Rib> ribs = components.ribs();
         return onSide.stream()
                 .sorted(Comparator.comparingLong((Integer i) -> onSide.stream()
-                                .filter(other -> ribs.get(other).heightAbove(ribs.get(i)) > 0)
+                                .filter(other -> isAbove(other, i, ends))
                                 .count())
                         .thenComparingDouble(i -> -ends[i].z()))
                 .toList();
     }
 
-    /**
-     * Leaves out parts of a side that has more than twelve, the smallest first, as long as another part holds more of
-     * their label, which is not the common one; returns how many.
-     */
-    private int dropStrays(List<Integer> onSide) {
-        List<RibComponents.Rib> ribs = components.ribs();
-        int before = onSide.size();
-        while (onSide.size() > RIBS) {
-            Optional<Integer> stray = onSide.stream()
-                    .filter(i -> components.isStray(ribs.get(i)))
-                    .min(Comparator.comparingInt(i -> ribs.get(i).voxels.size()));
-            if (stray.isEmpty()) {
-                return before - onSide.size();
-            }
-            s.write(ribs.get(stray.get()).voxels, 0);
-            onSide.remove(stray.get());
-        }
-        return before - onSide.size();
+    /** Whether a rib lies above another in the directions of both, or at the spine where these hardly tell it. */
+    private boolean isAbove(int rib, int other, VertebralEnd[] ends) {
+        double above = components.ribs().get(rib).heightAbove(components.ribs().get(other));
+        double atSpine = ends[rib].z() - ends[other].z();
+        boolean told = ends[rib].isWhole() && ends[other].isWhole() && Math.abs(atSpine) > APART_MM;
+        return (told && Math.abs(above) < LEVEL_MM ? atSpine : above) > 0;
     }
 
-    /**
-     * The end of a rib toward the spine.
-     *
-     * @param z height, mm
-     * @param isCut whether the scan cuts the rib off before it reaches the spine
-     */
-    private record VertebralEnd(double z, boolean isCut) {}
+    /** Clears a part; returns words for it. */
+    private String leftOut(RibComponents.Rib part, double z, Side side) {
+        s.write(part.voxels, 0);
+        return "a part of label " + RibSides.label(s, part.dominantSegment())
+                + vertebrae.nameAt(z).map(name -> " at the height of " + name).orElse("") + " on the "
+                + side.name().toLowerCase(Locale.ROOT);
+    }
 
     /** Name of a rib. */
     static String name(int number, Side side) {
@@ -232,85 +231,32 @@ final class RibNumbering {
         return isCommon && ribs > 0 && ribs < RIBS;
     }
 
-    /** The vertebral end of a rib: the part of its posterior half that is nearest to the median plane. */
-    private VertebralEnd vertebralEnd(RibComponents.Rib rib, double middle) {
-        List<double[]> posterior = VertebraHeights.posterior(s, rib.voxels, rib.centre[1], middle);
-        return new VertebralEnd(
-                VertebraHeights.endHeight(posterior, rib.voxels.size()).orElse(rib.centre[2]),
-                rib.ends != 0 && VertebraHeights.isFarFromSpine(posterior));
-    }
-
     /**
-     * Increasing numbers of least total cost for ribs from top to bottom.
+     * Increasing numbers for ribs from top to bottom; 0 for a part that is left out. Of more than twelve as few as
+     * possible are; of others only those without which ribs go back to the numbers of both labels and vertebrae.
      *
      * @param first number of the highest one as counted without vertebrae; empty if that is unknown
      */
     private int[] numbers(List<Integer> ribs, VertebralEnd[] ends, OptionalInt first, Side side, String found) {
         int n = ribs.size();
         if (isUnknown(n) && !vertebrae.showAboveLast() && (first.isPresent() || vertebrae.areShown())) {
-            int highest = vertebrae.showThorax() || first.isEmpty() ? byLowest(ribs, ends, side) : first.getAsInt();
+            int highest =
+                    vertebrae.showThorax() || first.isEmpty() ? costs.byLowest(ribs, ends, side) : first.getAsInt();
             return IntStream.range(0, n).map(i -> highest + i).toArray();
         }
-        if (n > RIBS || (isUnknown(n) && !vertebrae.areShown())) {
-            throw new BadInputException(found + ", which cannot be told apart: found " + n + " connected ribs on the "
+        List<RibComponents.Rib> all = components.ribs();
+        int least = n
+                - (int) ribs.stream()
+                        .filter(i -> components.isStray(all.get(i), 1))
+                        .count();
+        if (least > RIBS || (isUnknown(n) && !vertebrae.areShown())) {
+            throw new BadInputException(found + ", which cannot be told apart: found "
+                    + (least > RIBS ? least : n) + " connected ribs on the "
                     + side.name().toLowerCase(Locale.ROOT)
-                    + (n > RIBS ? ", expected at most 12" : " and no vertebrae, expected 12, or labelled vertebrae")
+                    + (least > RIBS ? ", expected at most 12" : " and no vertebrae, expected 12, or labelled vertebrae")
                     + components.parted());
         }
-        double[][] least = new double[n][RIBS + 1];
-        int[][] before = new int[n][RIBS + 1];
-        for (int i = 0; i < n; i++) {
-            for (int number = i + 1; number <= RIBS - n + i + 1; number++) {
-                double cost = cost(ribs.get(i), ends, number, side);
-                least[i][number] = i == 0 ? cost : Double.POSITIVE_INFINITY;
-                for (int above = i; i > 0 && above < number; above++) {
-                    double sum = least[i - 1][above] + GAP * (number - above - 1) + cost;
-                    if (sum < least[i][number]) {
-                        least[i][number] = sum;
-                        before[i][number] = above;
-                    }
-                }
-            }
-        }
-        int[] numbers = new int[n];
-        for (int i = n - 1; i >= 0; i--) {
-            numbers[i] = i == n - 1 ? lowest(least[i], n) : before[i + 1][numbers[i + 1]];
-        }
-        return numbers;
-    }
-
-    /**
-     * The number of the highest of ribs that follow each other, from the lowest one whose vertebral end the scan shows:
-     * how far vertebrae lie from each other above the twelfth is then unknown.
-     */
-    private int byLowest(List<Integer> ribs, VertebralEnd[] ends, Side side) {
-        int n = ribs.size();
-        int lowest = IntStream.iterate(n - 1, i -> i >= 0, i -> i - 1)
-                .filter(i -> !ends[ribs.get(i)].isCut())
-                .findFirst()
-                .orElse(n - 1);
-        return IntStream.rangeClosed(1, RIBS - n + 1)
-                .boxed()
-                .min(Comparator.comparingDouble(first -> cost(ribs.get(lowest), ends, first + lowest, side)))
-                .orElseThrow();
-    }
-
-    /** The number of least cost of the lowest of n ribs. */
-    private static int lowest(double[] least, int n) {
-        return IntStream.rangeClosed(n, RIBS)
-                .boxed()
-                .min(Comparator.comparingDouble(number -> least[number]))
-                .orElseThrow();
-    }
-
-    private double cost(int rib, VertebralEnd[] ends, int number, Side side) {
-        int segment = s.find(name(number, side));
-        double vote = 1 - (segment > 0 ? components.ribs().get(rib).share(segment) : 0);
-        if (!vertebrae.showThorax() && !(isCommon && vertebrae.areShown())) {
-            return vote;
-        }
-        double above = (vertebrae.at(number) - ends[rib].z()) / VERTEBRA_MM;
-        return Math.abs(above) * (ends[rib].isCut() && above > 0 ? ABOVE_CUT : 1) + VOTE * vote;
+        return costs.numbers(ribs, ends, side);
     }
 
     /**

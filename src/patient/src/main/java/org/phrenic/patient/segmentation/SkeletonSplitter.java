@@ -13,6 +13,7 @@ import org.phrenic.anatomy.Side;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.segmentation.LungPieces.LungVoxels;
 
 /**
  * Separates ribs, sternum and spine where all bones share a label. The spine is followed up and down from the middle of

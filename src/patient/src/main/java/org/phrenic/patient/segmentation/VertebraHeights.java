@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.StructureKind;
@@ -108,6 +109,38 @@ final class VertebraHeights {
     /** Whether the volume shows a vertebra above the last thoracic one. */
     boolean showAboveLast() {
         return highest < RibNumbering.RIBS;
+    }
+
+    /** Name of the vertebra at a height in mm, such as T5; empty if the volume shows none at all. */
+    Optional<String> nameAt(double z) {
+        return IntStream.rangeClosed(0, LAST)
+                .boxed()
+                .min(Comparator.comparingDouble(level -> Math.abs((level > 0 ? at(level) : at(1) + toNext(0)) - z)))
+                .filter(level -> areShown())
+                .map(level -> level == 0
+                        ? "C7"
+                        : level < StructureName.FIRST_LUMBAR
+                                ? "T" + level
+                                : "L" + (level - StructureName.FIRST_LUMBAR + 1));
+    }
+
+    /**
+     * The end of a rib toward the spine.
+     *
+     * @param z height, mm
+     * @param isCut whether the scan cuts the rib off before it reaches the spine
+     * @param isWhole whether it is near the spine and the scan cuts nothing off the rib
+     */
+    record VertebralEnd(double z, boolean isCut, boolean isWhole) {}
+
+    /** The vertebral end of a rib: the part of its posterior half that is nearest to the median plane, x in mm. */
+    static VertebralEnd vertebralEnd(Segmentation s, RibComponents.Rib rib, double middle) {
+        List<double[]> posterior = posterior(s, rib.voxels, rib.centre[1], middle);
+        boolean far = isFarFromSpine(posterior);
+        return new VertebralEnd(
+                endHeight(posterior, rib.voxels.size()).orElse(rib.centre[2]),
+                rib.ends != 0 && far,
+                rib.ends == 0 && !far);
     }
 
     /** Distance from the median plane and height of each voxel of a rib behind its centre, mm. */

@@ -1,0 +1,113 @@
+package org.phrenic.patient.segmentation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.Map;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.label.LabelTable;
+
+/** Parts under the label of a rib that are none of it, and last ribs that lie beside each other. */
+class RibNumberingTest {
+    private static final int SLICE = CageVoxels.COLUMNS * CageVoxels.ROWS;
+
+    /** The slices of a cage from one on, with labels of each rib. */
+    private static Segmentation from(CageVoxels cage, int slice) {
+        byte[] labels = Arrays.copyOfRange(cage.labels, slice * SLICE, cage.labels.length);
+        return new Segmentation(CageVoxels.volume(labels), CageVoxels.table(false), "scan");
+    }
+
+    /** Voxels of each rib by its name. */
+    private static Map<String, Integer> counts(Segmentation s) {
+        Map<String, Integer> counts = new TreeMap<>();
+        int[] all = s.counts();
+        s.names().stream()
+                .filter(name -> name.startsWith("rib_") && all[s.find(name)] > 0)
+                .forEach(name -> counts.put(name, all[s.find(name)]));
+        return counts;
+    }
+
+    /** Adds an arc to the right of the spine that begins at a slice, over a share of half a turn. */
+    private static void arc(CageVoxels cage, double slice, double share, int label) {
+        for (int step = 0; step <= 400 * share; step++) {
+            double angle = Math.PI * step / 400;
+            double x = 44.5 - 36 * StrictMath.sin(angle) - 6;
+            cage.ball(x, 30 + 22 * StrictMath.cos(angle), slice - 12 * angle / Math.PI, 1.6, label);
+        }
+    }
+
+    private static void clear(CageVoxels cage, int label) {
+        for (int v = 0; v < cage.labels.length; v++) {
+            cage.labels[v] = (cage.labels[v] & LabelGrid.MAX_BYTE_LABEL) == label ? 0 : cage.labels[v];
+        }
+    }
+
+    /** The scan ends below the heads of the tenth ribs. */
+    @Test
+    void aCervicalRibUnderTheLabelOfTheFirstIsLeftOut() {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        Map<String, Integer> truth = counts(from(cage, 40));
+        assertThat(truth).hasSize(20);
+        arc(cage, 124, 0.3, CageVoxels.rib(1, true));
+        Segmentation s = from(cage, 40);
+        assertThat(SegmentationRepair.numberRibs(s))
+                .containsExactly("label 104 holds parts of two ribs: the 20 connected ribs are numbered from top to"
+                        + " bottom by their vertebrae; left out, away from the rib of their label: a part of label 104 at"
+                        + " the height of C7 on the right");
+        assertThat(counts(s)).isEqualTo(truth);
+    }
+
+    /** From the third on right ribs carry the number of the one above, so that two share the label of the second. */
+    @Test
+    void aRibUnderTheLabelOfItsNeighbourIsKept() {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        Map<String, Integer> truth = counts(from(cage, 40));
+        for (int v = 0; v < cage.labels.length; v++) {
+            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            boolean slipped = label >= CageVoxels.rib(3, true) && label <= CageVoxels.rib(12, true);
+            cage.labels[v] = slipped ? (byte) (label - 1) : cage.labels[v];
+        }
+        Segmentation s = from(cage, 40);
+        assertThat(SegmentationRepair.numberRibs(s)).singleElement().asString().endsWith("by their vertebrae");
+        assertThat(counts(s)).isEqualTo(truth);
+    }
+
+    /** It is longer than the twelfth, whose label it carries. */
+    @Test
+    void aThirteenthRibIsLeftOutByItsVertebra() {
+        CageVoxels cage = CageVoxels.withFloatingRibs().withVertebrae(1);
+        Map<String, Integer> truth = counts(from(cage, 0));
+        arc(cage, 124 - 8 * 13, 0.35, CageVoxels.rib(12, true));
+        Segmentation s = from(cage, 0);
+        assertThat(counts(s).get("rib_12_R")).isGreaterThan(2 * truth.get("rib_12_R"));
+        assertThat(SegmentationRepair.numberRibs(s))
+                .singleElement()
+                .asString()
+                .endsWith(": a part of label 115 at the height of L1 on the right");
+        assertThat(counts(s)).isEqualTo(truth);
+    }
+
+    /** The eleventh right rib falls so steeply that in most directions it lies below the twelfth, which is level. */
+    @Test
+    void ribsBesideEachOtherFollowTheirVertebralEnds() {
+        CageVoxels cage = CageVoxels.withFloatingRibs().withVertebrae(1);
+        clear(cage, CageVoxels.rib(11, true));
+        clear(cage, CageVoxels.rib(12, true));
+        for (int step = 0; step <= 180; step++) {
+            double angle = Math.PI * step / 400;
+            double x = StrictMath.sin(angle);
+            double y = StrictMath.cos(angle);
+            cage.ball(38.5 - 36 * x, 30 + 22 * y, 36 - 50 * angle / Math.PI, 1.6, CageVoxels.rib(11, true));
+            if (step <= 160) {
+                cage.ball(38.5 - 26 * x, 30 + 14 * y, 28, 1.6, CageVoxels.rib(12, true));
+            }
+        }
+        Map<String, Integer> truth = counts(from(cage, 0));
+        Segmentation s = cage.segmentation(CageVoxels.table(true));
+        assertThat(s.names()).contains(LabelTable.RIBS);
+        SegmentationRepair.numberRibs(s);
+        assertThat(counts(s)).isEqualTo(truth);
+    }
+}
