@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
@@ -27,7 +28,7 @@ public final class LabelNames {
 
     private static final Map<String, String> REGIONS =
             Map.of("cervical", "c", "thoracic", "t", "dorsal", "t", "lumbar", "l");
-    private static final Pattern NUMBER = Pattern.compile("0*(\\d{1,2})(?:st|nd|rd|th)?");
+    static final Pattern NUMBER = Pattern.compile("0*(\\d{1,2})(?:st|nd|rd|th)?");
     private static final List<String> ORDINALS = List.of(
             "first",
             "second",
@@ -83,12 +84,10 @@ public final class LabelNames {
                     + "|fracture|pacemaker|\\bleads?\\b|marker|\\bclips?\\b|bolus"
                     + "|\\bplates?\\b|\\bscrews?\\b|fixation|osteosynthes");
 
-    private static final Pattern CARTILAGE =
-            Pattern.compile("(?=.*cartilage)(.*\\b(costal|ribs?\\d*\\b).*|cartilages?[ \\d]*)");
-    private static final Pattern RIB = Pattern.compile("(.* )?rib(s|cage)?\\d*( .*)?");
-    /** Ribs that some people have beyond the usual ones. */
-    private static final Pattern EXTRA_RIB =
-            Pattern.compile("(?=.*\\bribs?\\b)(?!.*\\bvertebra)(.* )?(cervical|lumbar)( .*)?");
+    /** Fluid below the diaphragm; free fluid alone may lie in the chest. */
+    private static final Pattern ASCITES =
+            Pattern.compile("(?!.*(pleura|thora|chest|pericard|drain|catheter|tube))(.*\\bascites\\b.*"
+                    + "|(?=.*\\bfluid\\b).*\\b(abdom|(intra)?periton|pelvi).*)");
 
     private static final Pattern STERNUM = Pattern.compile("(?!.*malle)(.* )?(sternum|manubrium|xiphoid)( .*)?");
     private static final Pattern LUNG = Pattern.compile("(?!.*\\b(pleurae?|lungen\\w+)\\b)(.* )?lung.*");
@@ -188,9 +187,7 @@ public final class LabelNames {
         if (LabelWords.isPartlyKnown(name)) {
             return Optional.empty();
         }
-        String plain = LabelWords.english(JOINED_WORDS.matcher(name).replaceAll(" "))
-                .replaceAll("[^a-z0-9]+", " ")
-                .strip();
+        String plain = plain(JOINED_WORDS.matcher(name).replaceAll(" "));
         String ofTool = OF_TOOLS.get(plain.replace(' ', '_'));
         if (ofTool != null) {
             return Optional.of(ofTool);
@@ -199,8 +196,8 @@ public final class LabelNames {
         if (organ.isPresent()) {
             return organ;
         }
-        List<String> words = new ArrayList<>(
-                Arrays.asList(JOINED_SIDE.matcher(plain).replaceAll("$1 ").split(" ", -1)));
+        List<String> words = new ArrayList<>(Arrays.asList(
+                RibNames.apart(JOINED_SIDE.matcher(plain).replaceAll("$1 ")).split(" ", -1)));
         Side side = side(words);
         String suffix = side == Side.RIGHT ? "_R" : side == Side.LEFT ? "_L" : "";
         String rest = String.join(" ", words);
@@ -211,6 +208,9 @@ public final class LabelNames {
         }
         if (lesion) {
             return Optional.of("lesion_" + String.join("_", words) + suffix);
+        }
+        if (ASCITES.matcher(rest).matches()) {
+            return Optional.of(OrganNames.OTHER_PREFIX + "ascites" + suffix);
         }
         return beside ? organ(words, suffix).filter(LabelNames::isNamed) : ofWords(words, side, suffix);
     }
@@ -233,15 +233,9 @@ public final class LabelNames {
 
     private static Optional<String> ofWords(List<String> words, Side side, String suffix) {
         String rest = String.join(" ", words);
-        if (CARTILAGE.matcher(rest).matches()) {
-            return levelled(words, side, "costal_cartilage", LabelTable.COSTAL_CARTILAGES);
-        }
-        Matcher extra = EXTRA_RIB.matcher(rest);
-        if (extra.matches()) {
-            return known("bone_" + extra.group(2) + "_rib" + suffix);
-        }
-        if (RIB.matcher(rest).matches()) {
-            return levelled(words, side, "rib", side == Side.MIDLINE ? LabelTable.RIBS : LabelTable.ribsOf(side));
+        Optional<String> rib = RibNames.structure(words, side, suffix);
+        if (rib.isPresent() || RibNames.isRib(rest)) {
+            return rib;
         }
         Matcher sternum = STERNUM.matcher(rest);
         if (sternum.matches()) {
@@ -261,36 +255,22 @@ public final class LabelNames {
         return vertebra(words).or(() -> organ(words, suffix));
     }
 
-    /** The side of a name such as "Right rib", which may be one rib or all of the side; empty for other names. */
-    static Optional<Side> sideOfRib(String name) {
-        List<String> words = new ArrayList<>(List.of(
-                LabelWords.english(name).replaceAll("[^a-z0-9]+", " ").strip().split(" ", -1)));
-        Side side = side(words);
-        return side != Side.MIDLINE && words.equals(List.of("rib")) ? Optional.of(side) : Optional.empty();
-    }
-
     /** Whether a word says what lies in or beside a structure. */
     static boolean isOfAnatomy(String word) {
         return LESION.matcher(word).find() || BESIDE.matcher(word).find() || FILLERS.contains(word);
     }
 
-    private static Side side(List<String> words) {
+    /** English words of a name in lower case, with a space between them. */
+    static String plain(String name) {
+        return LabelWords.english(name).replaceAll("[^a-z0-9]+", " ").strip();
+    }
+
+    static Side side(List<String> words) {
         boolean right = words.removeAll(List.of("right", "r", "rt"));
         boolean left = words.removeAll(List.of("left", "l", "lt"));
         right |= !Collections.disjoint(words, List.of("rul", "rml", "rll"));
         left |= !Collections.disjoint(words, List.of("lul", "lll"));
         return right == left ? Side.MIDLINE : right ? Side.RIGHT : Side.LEFT;
-    }
-
-    private static Optional<String> levelled(List<String> words, Side side, String stem, String common) {
-        for (String word : words) {
-            Matcher m = NUMBER.matcher(ordinal(word).replaceAll("^(ribs?|cartilages?)", ""));
-            if (m.matches() && side != Side.MIDLINE) {
-                return known(stem + "_" + m.group(1) + (side == Side.RIGHT ? "_R" : "_L"));
-            }
-        }
-        boolean several = words.stream().anyMatch(word -> word.matches("ribs|ribcage|cartilages"));
-        return side == Side.MIDLINE || several ? Optional.of(common) : Optional.empty();
     }
 
     private static Optional<String> vertebra(List<String> words) {
@@ -328,7 +308,7 @@ public final class LabelNames {
     }
 
     /** The number of an ordinal such as "fifth"; any other word as it is. */
-    private static String ordinal(String word) {
+    static String ordinal(String word) {
         int ordinal = 1 + ORDINALS.indexOf(word);
         return ordinal > 0 ? String.valueOf(ordinal) : word;
     }
@@ -342,7 +322,7 @@ public final class LabelNames {
         return known(SYNONYMS.getOrDefault(stem, stem) + suffix);
     }
 
-    private static Optional<String> known(String structure) {
+    static Optional<String> known(String structure) {
         return StructureName.parse(structure).map(name -> StructureName.usual(structure));
     }
 }

@@ -261,4 +261,45 @@ class LabelNamesTest {
     void namesOfToolsWithCapitalsAreKnown(String name, String structure) {
         assertThat(LabelNames.structure(name)).contains(structure);
     }
+
+    @ParameterizedTest
+    @CsvSource({
+        "ribs 1-12 left, ribs_L",
+        "Ribs 1 to 12 right, ribs_R",
+        "rib 1-12 left, ribs_L",
+        "Rippen 1 bis 12 rechts, ribs_R",
+        "ribs 1-12, ribs",
+        "costal cartilages 1-7 left, costal_cartilages",
+    })
+    void aRangeOfNumbersIsNoSingleRib(String name, String structure) {
+        assertThat(LabelNames.structure(name)).contains(structure);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "Rib L5, rib_05_L",
+        "Rib R5, rib_05_R",
+        "rib5L, rib_05_L",
+        "rib 12R, rib_12_R",
+        "Rippe 5 li, rib_05_L",
+        "Rippe re. 7, rib_07_R",
+        "rib_5_left_2, rib_05_L",
+        "lumbar rib L1, bone_lumbar_rib",
+    })
+    void aSideMayBeALetterBesideTheNumberOfARib(String name, String structure) {
+        assertThat(LabelNames.structure(name)).contains(structure);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"ascites", "Aszites", "Ascite", "腹水", "free fluid abdomen", "peritoneal fluid"})
+    void fluidOfTheAbdomenIsAscites(String name) {
+        assertThat(LabelNames.structure(name)).contains("other_ascites");
+    }
+
+    /** Drains, and fluid that may lie in the chest. */
+    @ParameterizedTest
+    @ValueSource(strings = {"ascites drain", "free fluid", "thoracoabdominal fluid", "R5", "5L"})
+    void whatMayBeElsewhereIsUnknown(String name) {
+        assertThat(LabelNames.structure(name)).isEmpty();
+    }
 }

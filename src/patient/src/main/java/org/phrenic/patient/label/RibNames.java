@@ -1,0 +1,86 @@
+package org.phrenic.patient.label;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.phrenic.anatomy.Side;
+
+/** Ribs and their cartilages by the names that files give to labels, as {@link LabelNames}. */
+final class RibNames {
+    private static final Pattern CARTILAGE =
+            Pattern.compile("(?=.*cartilage)(.*\\b(costal|ribs?\\d*\\b).*|cartilages?[ \\d]*)");
+    private static final Pattern RIB = Pattern.compile("(.* )?rib(s|cage)?\\d*( .*)?");
+    /** Ribs that some people have beyond the usual ones. */
+    private static final Pattern EXTRA_RIB =
+            Pattern.compile("(?=.*\\bribs?\\b)(?!.*\\bvertebra)(.* )?(cervical|lumbar)( .*)?");
+
+    private static final Pattern SEVERAL = Pattern.compile("ribs|ribcage|cartilages");
+    /** Numbers from one to another, such as 1-12. */
+    private static final Pattern RANGE = Pattern.compile(
+            "\\b0*(\\d{1,2})(?:st|nd|rd|th)?(?: (?:to|bis|through|thru))? 0*(\\d{1,2})(?:st|nd|rd|th)?\\b");
+    /** A rib, its number and its side in one word, or two of them, such as rib5l, l5 and 5l. */
+    private static final Pattern JOINED = Pattern.compile("\\b(rib\\d{1,2}[lr]|[lr]\\d{1,2}|\\d{1,2}[lr])\\b");
+
+    private RibNames() {}
+
+    /** Whether a name is of ribs or cartilages, whose numbers and sides may be unknown. */
+    static boolean isRib(String name) {
+        return CARTILAGE.matcher(name).matches()
+                || EXTRA_RIB.matcher(name).matches()
+                || RIB.matcher(name).matches();
+    }
+
+    /** A name in plain words, in which those of a rib are written apart and abbreviated German sides written out. */
+    static String apart(String plain) {
+        String words =
+                JOINED.matcher(plain).replaceAll(m -> m.group().replaceAll("(?<=[a-z])(?=\\d)|(?<=\\d)(?=[a-z])", " "));
+        boolean isRib =
+                RIB.matcher(words).matches() && !EXTRA_RIB.matcher(words).matches();
+        if (!isRib || LabelNames.side(new ArrayList<>(List.of(plain.split(" ", -1)))) != Side.MIDLINE) {
+            return plain;
+        }
+        return words.replaceAll("\\bli\\b", "left").replaceAll("\\bre\\b", "right");
+    }
+
+    /** The structure of a name's words without the side; empty if they are of no rib or of an unknown one. */
+    static Optional<String> structure(List<String> words, Side side, String suffix) {
+        String rest = String.join(" ", words);
+        if (CARTILAGE.matcher(rest).matches()) {
+            return levelled(words, side, "costal_cartilage", LabelTable.COSTAL_CARTILAGES);
+        }
+        Matcher extra = EXTRA_RIB.matcher(rest);
+        if (extra.matches()) {
+            return LabelNames.known("bone_" + extra.group(2) + "_rib" + suffix);
+        }
+        return RIB.matcher(rest).matches()
+                ? levelled(words, side, "rib", side == Side.MIDLINE ? LabelTable.RIBS : LabelTable.ribsOf(side))
+                : Optional.empty();
+    }
+
+    /** The side of a name such as "Right rib", which may be one rib or all of the side; empty for other names. */
+    static Optional<Side> sideOfRib(String name) {
+        List<String> words = new ArrayList<>(List.of(LabelNames.plain(name).split(" ", -1)));
+        Side side = LabelNames.side(words);
+        return side != Side.MIDLINE && words.equals(List.of("rib")) ? Optional.of(side) : Optional.empty();
+    }
+
+    private static Optional<String> levelled(List<String> words, Side side, String stem, String common) {
+        boolean several = words.stream().anyMatch(word -> SEVERAL.matcher(word).matches());
+        List<String> numbers = words.stream()
+                .map(word -> LabelNames.NUMBER.matcher(LabelNames.ordinal(word).replaceAll("^(ribs?|cartilages?)", "")))
+                .filter(Matcher::matches)
+                .map(m -> m.group(1))
+                .toList();
+        if (side == Side.MIDLINE || numbers.isEmpty() || (several && numbers.size() > 1) || isRange(words)) {
+            return side == Side.MIDLINE || several || !numbers.isEmpty() ? Optional.of(common) : Optional.empty();
+        }
+        return LabelNames.known(stem + "_" + numbers.get(0) + (side == Side.RIGHT ? "_R" : "_L"));
+    }
+
+    private static boolean isRange(List<String> words) {
+        Matcher range = RANGE.matcher(String.join(" ", words));
+        return range.find() && Integer.parseInt(range.group(1)) < Integer.parseInt(range.group(2));
+    }
+}
