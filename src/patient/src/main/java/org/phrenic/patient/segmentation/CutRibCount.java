@@ -101,7 +101,7 @@ final class CutRibCount {
     }
 
     /** Diagonal of the box of a rib, mm. */
-    private static double length(Segmentation s, IntList voxels) {
+    static double length(Segmentation s, IntList voxels) {
         double square = 0;
         for (int axis = 0; axis < 3; axis++) {
             double low = Double.POSITIVE_INFINITY;

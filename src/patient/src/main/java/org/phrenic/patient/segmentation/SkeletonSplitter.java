@@ -46,13 +46,13 @@ final class SkeletonSplitter {
     private static final String NEAR_LUNGS = "bone_near_lungs";
     private static final String IN_FRONT = "bone_in_front";
     /** Least height of the first rib's vertebral end above the apex of the lung, mm. */
-    private static final double FIRST_ABOVE_APEX_MM = -12;
+    static final double FIRST_ABOVE_APEX_MM = -12;
 
     /**
      * Length of the first rib over that of the second from end to end, 0.49 to 0.69 in five bodies; that of the second
      * over the third is 0.78 to 0.84.
      */
-    private static final double FIRST_SHORT = 0.735;
+    static final double FIRST_SHORT = 0.735;
 
     /** Least length of what a scan leaves of a rib, mm, and least height of what it leaves of a sternum. */
     private static final double LEAST_CUT_MM = 20;

@@ -13,12 +13,14 @@ import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.mesh.IntList;
+import org.phrenic.patient.segmentation.LungPieces.LungVoxels;
 
 /**
  * Numbers of vertebrae that are one off those of the ribs, a frequent error of segmentations. It is seen in the lower
  * ribs: how far the vertebral end of a rib lies from the vertebra of its number, in parts of the distance of vertebrae.
  * The ribs are right if all twelve of a side are there, or if the scan cuts off the first ones and the twelfth is as
- * short as a last rib ({@link CutRibCount}). Then the vertebrae are numbered anew, else the ribs.
+ * short as a last rib ({@link CutRibCount}). Then the vertebrae are numbered anew, else the ribs. Where the first ribs
+ * have the number 2, ribs and vertebrae are numbered one lower.
  */
 final class VertebraNumbering {
     /** First rib that is looked at. */
@@ -67,6 +69,8 @@ final class VertebraNumbering {
                     + shortName(i + 1 < SPINE.size() ? SPINE.get(i + 1) : SACRAL))
             .toList();
 
+    private static final StructureName NONE = new StructureName(StructureKind.OTHER, 0, Side.MIDLINE);
+
     private final Segmentation s;
     /** Name of each segment. */
     private final StructureName[] names;
@@ -77,9 +81,8 @@ final class VertebraNumbering {
 
     private VertebraNumbering(Segmentation s) {
         this.s = s;
-        StructureName unknown = new StructureName(StructureKind.OTHER, 0, Side.MIDLINE);
-        names = Stream.concat(Stream.of(unknown), s.names().stream().map(name -> StructureName.parse(name)
-                        .orElse(unknown)))
+        names = Stream.concat(Stream.of(NONE), s.names().stream().map(name -> StructureName.parse(name)
+                        .orElse(NONE)))
                 .toArray(StructureName[]::new);
     }
 
@@ -108,6 +111,12 @@ final class VertebraNumbering {
                 ends.merge(segment, s.ends(v), (a, b) -> a | b);
             }
         }
+        if (vertebral > 0 && beginsWithSecond(sumX / vertebral)) {
+            shift(-1, true);
+            return Optional.of(
+                    "the highest ribs have the number 2, but are as short as the first ones and end at the top"
+                            + " of the lungs: ribs and vertebrae are numbered one lower");
+        }
         int slip = vertebral == 0 ? 0 : slip(sumX / vertebral);
         if (slip == 0) {
             return Optional.empty();
@@ -116,9 +125,42 @@ final class VertebraNumbering {
         if (!ribsAreRight()) {
             return Optional.of(RibNumbering.renumber(s, "ribs, whose vertebrae lie one " + where + " their numbers"));
         }
-        String beyond = shift(-slip) ? "; what lies above vertebra_C1 then is left out" : "";
+        String beyond = shift(-slip, false) ? "; what lies above vertebra_C1 then is left out" : "";
         return Optional.of("the vertebrae lie one " + where + " the ribs of their numbers: they are numbered anew, "
                 + (slip > 0 ? "vertebra_L01 is vertebra_T12" : "vertebra_T12 is vertebra_L01") + " now" + beyond);
+    }
+
+    /**
+     * Whether the first ribs have the number 2, as where a spine is numbered from below that has a vertebra more or
+     * less than usual: nothing has the number 1, and the ribs of number 2 on both sides, of which the scan cuts nothing
+     * off, are first ones beside those of number 3.
+     */
+    private boolean beginsWithSecond(double middle) {
+        int[] counts = s.counts();
+        boolean hasFirst = IntStream.range(1, names.length)
+                .filter(segment -> counts[segment] > 0 && names[segment].level() <= 1)
+                .anyMatch(segment ->
+                        names[segment].kind() == StructureKind.RIB || names[segment].kind() == StructureKind.VERTEBRA);
+        return !hasFirst
+                && Stream.of(Side.RIGHT, Side.LEFT).allMatch(side -> {
+                    int second = rib(2, side);
+                    int third = rib(3, side);
+                    return second > 0
+                            && third > 0
+                            && (ends.get(second) | ends.get(third)) == 0
+                            && CutRibCount.length(s, ribs.get(second))
+                                    < SkeletonSplitter.FIRST_SHORT * CutRibCount.length(s, ribs.get(third))
+                            && endsAtApex(ribs.get(second), middle, side);
+                });
+    }
+
+    private boolean endsAtApex(IntList rib, double middle, Side side) {
+        Optional<LungVoxels> lung = LungVoxels.of(s, side == Side.RIGHT ? "lung_R" : "lung_L");
+        OptionalDouble end = vertebralEnd(rib, middle);
+        return end.isPresent()
+                && lung.filter(l -> !l.isCutAbove())
+                        .filter(l -> end.getAsDouble() > l.highest() + SkeletonSplitter.FIRST_ABOVE_APEX_MM)
+                        .isPresent();
     }
 
     /** 1 if the vertebrae lie one above the ribs of their numbers, -1 if one below, otherwise 0. */
@@ -191,9 +233,10 @@ final class VertebraNumbering {
      * Gives each vertebra the name of the one so many below it, and so each disc; what is beyond the fifth lumbar
      * vertebra is sacral, what is above the first cervical one becomes background.
      *
+     * @param all whether ribs, their cartilages and the first sacral vertebra go with them
      * @return whether a vertebra or disc becomes background
      */
-    private boolean shift(int down) {
+    private boolean shift(int down, boolean all) {
         boolean leftOut = false;
         byte[] segment = new byte[s.names().size() + 1];
         TreeMap<String, List<Integer>> labels = new TreeMap<>();
@@ -201,13 +244,12 @@ final class VertebraNumbering {
             segment[i] = (byte) i;
         }
         for (String name : List.copyOf(s.names())) {
-            int to = Math.max(SPINE.indexOf(name), DISCS.indexOf(name)) + down;
-            boolean moves = SPINE.contains(name) || DISCS.contains(name);
-            if (moves && to < 0) {
+            boolean ofSpine = SPINE.contains(name) || DISCS.contains(name);
+            String now = all ? allShifted(name, down) : shifted(name, down);
+            if (ofSpine && Math.max(SPINE.indexOf(name), DISCS.indexOf(name)) + down < 0) {
                 segment[s.find(name)] = 0;
                 leftOut = true;
-            } else if (moves) {
-                String now = shifted(name, to);
+            } else if (ofSpine || !now.equals(name)) {
                 boolean joins = now.equals(SACRAL) && s.find(now) > 0;
                 labels.computeIfAbsent(now, n -> new ArrayList<>(joins ? s.labels(n) : List.of()))
                         .addAll(s.labels(name));
@@ -226,12 +268,24 @@ final class VertebraNumbering {
         return vertebra.substring(vertebra.indexOf('_') + 1).replaceFirst("(?<=[TL])0", "");
     }
 
-    /** The name of a vertebra or disc at a place in the spine; the last disc keeps its name. */
-    private static String shifted(String name, int to) {
+    private static String allShifted(String name, int down) {
+        StructureName parsed = StructureName.parse(name).orElse(NONE);
+        if (parsed.kind() == StructureKind.RIB || parsed.kind() == StructureKind.COSTAL_CARTILAGE) {
+            int level = Math.max(1, parsed.level() + down);
+            return name.replaceFirst("\\d+", String.format(Locale.ROOT, "%02d", level));
+        }
+        return name.equals(SACRAL) && down < 0 ? SPINE.get(SPINE.size() + down) : shifted(name, down);
+    }
+
+    /** The name of the vertebra or disc so many below; the last disc keeps its name, as does all else. */
+    private static String shifted(String name, int down) {
+        int vertebra = SPINE.indexOf(name);
+        int disc = DISCS.indexOf(name);
+        int to = Math.max(0, Math.max(vertebra, disc) + down);
         boolean last = to >= SPINE.size();
-        if (SPINE.contains(name)) {
+        if (vertebra >= 0) {
             return last ? SACRAL : SPINE.get(to);
         }
-        return last ? name : DISCS.get(to);
+        return disc < 0 || last ? name : DISCS.get(to);
     }
 }

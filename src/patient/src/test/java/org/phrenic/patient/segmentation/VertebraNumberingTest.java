@@ -25,6 +25,9 @@ class VertebraNumberingTest {
     private static final int T1 = CageVoxels.vertebra(1);
     private static final int T12 = CageVoxels.vertebra(12);
 
+    private static final int RIGHT_LUNG = 2;
+    private static final int LEFT_LUNG = 3;
+
     private static CageVoxels cage() {
         CageVoxels cage = CageVoxels.withFloatingRibs();
         return cage.withVertebrae(1);
@@ -69,6 +72,49 @@ class VertebraNumberingTest {
         TreeMap<String, Integer> truth = counts(scan(cage(), slices, label -> label));
         truth.keySet().removeAll(List.of(without));
         return truth;
+    }
+
+    /**
+     * The cage with short first ribs and lungs up to these, with eleven pairs of ribs and vertebrae one number high.
+     */
+    private static Segmentation fromBelow(int firstRow, int apex) {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        cage.shorten(1, firstRow);
+        for (int k = 40; k < apex; k++) {
+            cage.ball(MIDDLE - 20, 30, k, 8, RIGHT_LUNG);
+            cage.ball(MIDDLE + 20, 30, k, 8, LEFT_LUNG);
+        }
+        byte[] labels = new byte[cage.labels.length];
+        for (int v = 0; v < labels.length; v++) {
+            int label = ribsMovedDown().applyAsInt(cage.labels[v] & LabelGrid.MAX_BYTE_LABEL);
+            labels[v] = (byte) vertebraeMoved(1).applyAsInt(label);
+        }
+        Map<Integer, String> table = new TreeMap<>(CageVoxels.table(false).structures());
+        table.put(RIGHT_LUNG, "lung_R");
+        table.put(LEFT_LUNG, "lung_L");
+        return new Segmentation(CageVoxels.volume(labels), new LabelTable(table), "scan");
+    }
+
+    @Test
+    void firstRibsWithTheNumberTwoAreNumberedAnewWithTheirSpine() {
+        Segmentation s = fromBelow(34, 108);
+        int second = s.counts()[s.find("rib_03_R")];
+        assertThat(SegmentationRepair.numberRibs(s))
+                .containsExactly("the highest ribs have the number 2, but are as short as the first ones and end at the"
+                        + " top of the lungs: ribs and vertebrae are numbered one lower");
+        Map<String, Integer> found = counts(s);
+        assertThat(found)
+                .containsKeys("rib_01_L", "rib_11_L", "rib_11_R", "vertebra_T01", "vertebra_T11")
+                .doesNotContainKeys("rib_12_L", "rib_12_R", "vertebra_T12")
+                .containsEntry("rib_02_R", second);
+        assertThat(s.labels("rib_01_R")).containsExactly(CageVoxels.rib(2, true));
+    }
+
+    /** They are as long as the third, or lie below the apex of the lungs. */
+    @Test
+    void secondRibsKeepTheirNumber() {
+        assertThat(SegmentationRepair.numberRibs(fromBelow(0, 108))).isEmpty();
+        assertThat(SegmentationRepair.numberRibs(fromBelow(34, 120))).isEmpty();
     }
 
     /** Ribs 1 to 11, moved down by one, with one voxel under the name of rib 1: the ribs are wrong, not the spine. */
