@@ -27,6 +27,8 @@ class VertebraNumberingTest {
 
     private static final int RIGHT_LUNG = 2;
     private static final int LEFT_LUNG = 3;
+    private static final int SACRAL = 4;
+    private static final int CARTILAGE = 5;
 
     private static CageVoxels cage() {
         CageVoxels cage = CageVoxels.withFloatingRibs();
@@ -84,6 +86,8 @@ class VertebraNumberingTest {
             cage.ball(MIDDLE - 20, 30, k, 8, RIGHT_LUNG);
             cage.ball(MIDDLE + 20, 30, k, 8, LEFT_LUNG);
         }
+        cage.ball(MIDDLE, 50, 10, 3, SACRAL);
+        cage.ball(MIDDLE - 10, 4, 90, 2, CARTILAGE);
         byte[] labels = new byte[cage.labels.length];
         for (int v = 0; v < labels.length; v++) {
             int label = ribsMovedDown().applyAsInt(cage.labels[v] & LabelGrid.MAX_BYTE_LABEL);
@@ -92,6 +96,8 @@ class VertebraNumberingTest {
         Map<Integer, String> table = new TreeMap<>(CageVoxels.table(false).structures());
         table.put(RIGHT_LUNG, "lung_R");
         table.put(LEFT_LUNG, "lung_L");
+        table.put(SACRAL, "vertebra_S1");
+        table.put(CARTILAGE, "costal_cartilage_03_R");
         return new Segmentation(CageVoxels.volume(labels), new LabelTable(table), "scan");
     }
 
@@ -104,7 +110,8 @@ class VertebraNumberingTest {
                         + " top of the lungs: ribs and vertebrae are numbered one lower");
         Map<String, Integer> found = counts(s);
         assertThat(found)
-                .containsKeys("rib_01_L", "rib_11_L", "rib_11_R", "vertebra_T01", "vertebra_T11")
+                .containsKeys("rib_01_L", "rib_11_L", "rib_11_R", "vertebra_T01", "vertebra_T11", "vertebra_L05")
+                .containsKey("costal_cartilage_02_R")
                 .doesNotContainKeys("rib_12_L", "rib_12_R", "vertebra_T12")
                 .containsEntry("rib_02_R", second);
         assertThat(s.labels("rib_01_R")).containsExactly(CageVoxels.rib(2, true));
