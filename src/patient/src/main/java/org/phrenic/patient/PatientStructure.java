@@ -73,6 +73,11 @@ public record PatientStructure(
         return cuts().isEmpty();
     }
 
+    /** Whether the scan truncates the structure at its upper or lower end at most. */
+    public boolean isCutAlongBody() {
+        return cuts().stream().allMatch(cut -> "SI".contains(cut.side()));
+    }
+
     /** Ends of the scan at which it truncates the structure. */
     public List<CutPlane> cuts() {
         return scan.map(Scan::cuts).orElse(List.of());

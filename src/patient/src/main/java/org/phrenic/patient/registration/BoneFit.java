@@ -35,6 +35,8 @@ final class BoneFit {
     private static final double STERNUM_SIGMA_MM = 2;
     /** Height of the lower end of a sternum, mm. */
     private static final double STERNUM_END_MM = 10;
+    /** Least share of a sternum cut at its front or a side that tells where the rest lies, as of a vertebra. */
+    private static final double LEAST_STERNUM = 0.4;
 
     private static final int CARTILAGE_POINTS = 6;
     private static final double CARTILAGE_SIGMA_MM = 4;
@@ -92,13 +94,10 @@ final class BoneFit {
                 ribs.add(new RibFit(s));
             } else if (s.kind() == StructureKind.VERTEBRA) {
                 surfaces.add(s.pair(true));
-            } else if (s.kind() == StructureKind.STERNUM || s.kind() == StructureKind.COSTAL_CARTILAGE) {
+            } else if (s.kind() == StructureKind.COSTAL_CARTILAGE) {
                 surfaces.add(s.pair(true));
-                if (s.kind() == StructureKind.STERNUM
-                        && !s.isComplete()
-                        && !s.cutAt().contains("I")) {
-                    sternumEnds.add(lowerEnd(s.template()), lowerEnd(s.scan()), STERNUM_SIGMA_MM);
-                }
+            } else if (s.kind() == StructureKind.STERNUM) {
+                addSternum(s);
             }
         }
         boolean endsInLungs =
@@ -106,6 +105,16 @@ final class BoneFit {
         boolean bonesTell = endsInLungs && vertebrae.size() >= LEAST_VERTEBRAE && ribs.size() >= LEAST_RIBS;
         organs.stream().filter(organ -> !bonesTell || tellsBesideBones(organ)).forEach(surfaces::add);
         belowSternum = belowSternum(shared);
+    }
+
+    /** Adds a sternum, unless the front or a side of the scan leaves the smaller part of it. */
+    private void addSternum(SharedStructure s) {
+        if (s.organ().isCutAlongBody() || s.shownShare(start.apply(s.template())) >= LEAST_STERNUM) {
+            surfaces.add(s.pair(true));
+        }
+        if (s.cutAt().equals("S")) {
+            sternumEnds.add(lowerEnd(s.template()), lowerEnd(s.scan()), STERNUM_SIGMA_MM);
+        }
     }
 
     /**

@@ -34,6 +34,9 @@ final class SurfacePair {
     private final TriangleMesh scan;
     private final TriangleTree scanTree;
     private final boolean whole;
+    /** Whether points of the template beyond a cut of the scan are nearest to it. */
+    private final boolean inALine;
+
     private final boolean[] atCut;
     /** Triangles of the scan at the border of an open surface or at the end of the scan. */
     private final boolean[] atScanBorder;
@@ -56,6 +59,7 @@ final class SurfacePair {
         this.scan = scan;
         scanTree = new TriangleTree(scan);
         whole = organ.isComplete();
+        inALine = IN_A_LINE.contains(kind) && (kind != StructureKind.STERNUM || organ.isCutAlongBody());
         atCut = atCut(organ, scan);
         rest = template;
         this.template = template;
@@ -121,7 +125,7 @@ final class SurfacePair {
     /**
      * Pairs of original points of the template and points of the scan, nearest to each other as the template is placed.
      * Pairs much farther apart than half of all count less. Points nearest to a cut have no counterpart. Of a structure
-     * that the scan cuts off, points of the template count only where it is long and thin.
+     * that the scan cuts off, points of the template count only where it is long and thin and cut across.
      *
      * @param count number of points of each surface
      * @param sigmaMm standard deviation of a pair
@@ -145,7 +149,7 @@ final class SurfacePair {
         double[] t = template.positions();
         double[] r = rest.positions();
         n = Math.min(count, template.vertexCount());
-        boolean fromTemplate = whole || IN_A_LINE.contains(kind);
+        boolean fromTemplate = whole || inALine;
         for (int i = 0; fromTemplate && i < n; i++) {
             int v = (int) ((long) i * template.vertexCount() / n);
             if (scanTree.closest(t[3 * v], t[3 * v + 1], t[3 * v + 2], hit) && !atScanBorder[hit.triangle]) {

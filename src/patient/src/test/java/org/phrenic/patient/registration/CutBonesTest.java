@@ -8,6 +8,8 @@ import java.util.List;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
@@ -41,14 +43,19 @@ class CutBonesTest {
     }
 
     private static List<PatientStructure> scan(Thorax body, double top, Predicate<Structure> shown) {
+        return scan(body, new CutPlane("S", 0, 0, 1, top), shown);
+    }
+
+    private static List<PatientStructure> scan(Thorax body, CutPlane end, Predicate<Structure> shown) {
         List<PatientStructure> seen = new ArrayList<>();
         for (Structure s : body.structures()) {
-            if (shown.test(s) && s.mesh().bounds()[2] < top - 15) {
-                boolean cut = s.mesh().bounds()[5] > top;
-                TriangleMesh mesh = cut ? below(s.mesh(), top) : s.mesh();
+            double[] depths = depths(s.mesh(), end);
+            if (shown.test(s) && depths[1] > 15) {
+                boolean cut = depths[0] < 0;
+                TriangleMesh mesh = cut ? inside(s.mesh(), end) : s.mesh();
                 MeshedSegment meshed =
                         new MeshedSegment(mesh, 0, 0, DistanceSummary.NONE, MeshQuality.of(mesh), 0.2, 1, 0);
-                List<CutPlane> ends = cut ? List.of(new CutPlane("S", 0, 0, 1, top)) : List.of();
+                List<CutPlane> ends = cut ? List.of(end) : List.of();
                 seen.add(PatientStructure.ofScan(
                         s.withMesh(mesh), new PatientStructure.Scan(List.of(1), 1000, 1000, ends, meshed)));
             }
@@ -56,10 +63,24 @@ class CutBonesTest {
         return seen;
     }
 
+    /** Least and greatest depth of a surface below the end of a scan, mm. */
+    private static double[] depths(TriangleMesh mesh, CutPlane end) {
+        double[] sorted = IntStream.range(0, mesh.vertexCount())
+                .mapToDouble(v -> end.depth(new double[] {mesh.x(v), mesh.y(v), mesh.z(v)}))
+                .sorted()
+                .toArray();
+        return new double[] {sorted[0], sorted[sorted.length - 1]};
+    }
+
     private static TriangleMesh below(TriangleMesh mesh, double top) {
+        return inside(mesh, new CutPlane("S", 0, 0, 1, top));
+    }
+
+    private static TriangleMesh inside(TriangleMesh mesh, CutPlane end) {
         int[] t = mesh.triangles();
         int[] part = IntStream.range(0, mesh.triangleCount())
-                .filter(i -> IntStream.range(3 * i, 3 * i + 3).allMatch(c -> mesh.z(t[c]) < top))
+                .filter(i -> IntStream.range(3 * i, 3 * i + 3)
+                        .allMatch(c -> end.depth(new double[] {mesh.x(t[c]), mesh.y(t[c]), mesh.z(t[c])}) > 0))
                 .flatMap(i -> IntStream.range(3 * i, 3 * i + 3).map(c -> t[c]))
                 .toArray();
         return MeshRepair.repair(new TriangleMesh(mesh.positions(), part), 0, 0).mesh();
@@ -158,6 +179,27 @@ class CutBonesTest {
                 .orElseThrow()
                 .bounds()[2];
         assertThat(end).isGreaterThan(top - 20);
+    }
+
+    /**
+     * The front of the field of view leaves the upper part of a sternum that slopes forward: its lowest point there is
+     * no xiphoid.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.2, 0.5})
+    void theFrontEndOfAScanDoesNotShortenTheSternum(double share) {
+        double[] whole = sternum(WOMAN).bounds();
+        double front = whole[1] + share * (whole[4] - whole[1]);
+        PatientBody body =
+                completed(scan(WOMAN, new CutPlane("A", 0, -1, 0, -front), s -> s.kind() != StructureKind.DIAPHRAGM));
+        double[] found = sternum(body.thorax()).bounds();
+        assertThat(found[2]).isCloseTo(whole[2], within(25.0));
+        assertThat(error(body, WOMAN, "sternum_body")).isLessThan(12);
+    }
+
+    private static TriangleMesh sternum(Thorax body) {
+        return PatientBody.merged(body.structuresOf(StructureKind.STERNUM).stream())
+                .orElseThrow();
     }
 
     /** The front of a rib: its tip is nearer to the median plane than the end toward the head. */
