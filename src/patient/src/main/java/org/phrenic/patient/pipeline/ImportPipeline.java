@@ -1,12 +1,14 @@
 package org.phrenic.patient.pipeline;
 
 import java.nio.file.Files;
+import java.util.List;
 import java.util.Optional;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.AbsentStructures;
 import org.phrenic.patient.ImportProgress;
 import org.phrenic.patient.MeshingSettings;
 import org.phrenic.patient.PatientBody;
@@ -64,7 +66,7 @@ public final class ImportPipeline {
         if (request.completion().isEmpty()) {
             return ImportResult.of(file, grid, scanned, Optional.empty());
         }
-        ImportResult result = ImportResult.of(file, grid, completed(request, scanned, progress));
+        ImportResult result = ImportResult.of(file, grid, completed(request, grid, scanned, progress));
         result.quality().flatMap(SheetQuality::refusal).ifPresent(why -> {
             throw new BadInputException(file + ": " + why);
         });
@@ -93,14 +95,18 @@ public final class ImportPipeline {
         return LabelTable.of(request.labels().get(), volume);
     }
 
-    private static RestingBody completed(ImportRequest request, PatientBody all, ImportProgress progress) {
+    private static RestingBody completed(
+            ImportRequest request, Optional<LabelGrid> grid, PatientBody all, ImportProgress progress) {
         ImportRequest.Completion completion = request.completion().orElseThrow();
         Thorax template = completion.template();
         PatientBody scanned = ScanFragments.leftOut(all, template);
         progress.stage("bringing " + template.name() + " to the scan for what it lacks");
         RestingBody resting;
+        List<String> absent;
         try {
             resting = RestingBody.asScanned(scanned, BodyCompletion.complete(scanned, template));
+            PatientBody asScanned = resting.body();
+            absent = grid.map(view -> AbsentStructures.notes(asScanned, view)).orElse(List.of());
             if (resting.isInspired() && !completion.keepLevel()) {
                 progress.stage("bringing the scan from inspiration to end-expiration");
                 resting = resting.atEndExpiration(scanned, template);
@@ -109,8 +115,11 @@ public final class ImportPipeline {
             throw new BadInputException(request.file() + ": " + problem.getMessage(), problem);
         }
         progress.stage("building the diaphragm from the organs and bones that it touches");
-        return resting.with(SkinEnvelope.complete(DiaphragmCompletion.complete(
-                resting.body(), resting.moved(), resting.level().flatMap(BreathLevel::parted))));
+        PatientBody whole = DiaphragmCompletion.complete(
+                resting.body().withNotes(absent),
+                resting.moved(),
+                resting.level().flatMap(BreathLevel::parted));
+        return resting.with(SkinEnvelope.complete(whole));
     }
 
     private static ScanAlignment.Aligned aligned(ImportRequest request, PatientBody scanned) {

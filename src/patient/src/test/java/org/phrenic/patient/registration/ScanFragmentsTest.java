@@ -1,18 +1,23 @@
 package org.phrenic.patient.registration;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.mesh.MeshMeasure;
+import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.AbsentStructures;
 import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
@@ -136,5 +141,61 @@ class ScanFragmentsTest {
                     .as("right lung of a body of " + size)
                     .isEqualTo(PatientStructure.Source.EXTENDED);
         }
+    }
+
+    /** The woman with her left lung and last ribs from a template, and a heart that fills an eighth of that lung. */
+    private static PatientBody withoutLeftLung() {
+        Structure lung = WOMAN.find("lung_L").orElseThrow();
+        List<PatientStructure> shown = new ArrayList<>();
+        for (Structure s : WOMAN.structures()) {
+            boolean absent = s.isSameAs(lung) || (s.kind() == StructureKind.RIB && s.level() == 12);
+            if (SHOWN.contains(s.kind())) {
+                shown.add(
+                        absent
+                                ? new PatientStructure(
+                                        s, PatientStructure.Source.VIRTUAL, Optional.empty(), Optional.empty())
+                                : BodyCompletionTest.scanned(s, ""));
+            }
+        }
+        Structure heart = new Structure(
+                "heart",
+                StructureKind.ORGAN,
+                0,
+                Side.MIDLINE,
+                shrunk(lung, 0.5, lung.mesh().centre()).mesh());
+        shown.add(BodyCompletionTest.scanned(heart, ""));
+        return body(shown);
+    }
+
+    /** The field of view of a scan up to a place on the left, mm, in voxels of 10 mm. */
+    private static LabelGrid view(double leftEnd) {
+        int columns = (int) ((leftEnd + 300) / 10);
+        double[] toMm = {10, 0, 0, -300, 0, 10, 0, -300, 0, 0, 10, -500};
+        return LabelGrid.of(columns, 60, 100, new byte[columns * 60 * 100], toMm);
+    }
+
+    @Test
+    void aLungAndRibsThatTheScanWouldShowAreNamed() {
+        PatientBody body = withoutLeftLung();
+        List<String> notes = AbsentStructures.notes(body, view(300));
+        double overlap = MeshMeasure.signedVolumeMl(
+                body.structure("heart").orElseThrow().structure().mesh());
+        assertThat(notes).hasSize(2);
+        assertThat(notes.get(0))
+                .contains("the left side of the chest and no left lung", "heart by ")
+                .satisfies(note -> {
+                    double stated = Double.parseDouble(note.replaceAll(".*heart by (\\d+) ml.*", "$1"));
+                    assertThat(stated).isCloseTo(overlap, withinPercentage(4));
+                });
+        assertThat(notes.get(1)).endsWith("virtual ones lie there: rib_12_R, rib_12_L");
+        // The end of the field of view passes through the left lung and ribs.
+        assertThat(AbsentStructures.notes(body, view(40)))
+                .singleElement()
+                .asString()
+                .endsWith("there: rib_12_R");
+        List<PatientStructure> lungs = body.structures().stream()
+                .filter(s -> s.structure().kind() == StructureKind.LUNG)
+                .toList();
+        assertThat(AbsentStructures.notes(body(lungs), view(300))).isEmpty();
     }
 }
