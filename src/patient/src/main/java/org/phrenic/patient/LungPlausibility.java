@@ -5,8 +5,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
@@ -54,8 +56,10 @@ final class LungPlausibility {
         if (complete) {
             right.ifPresent(mesh -> size("right", mesh, findings));
             left.ifPresent(mesh -> size("left", mesh, findings));
+            MedianFrame frame = MedianFrame.of(new Thorax(
+                    "scan", structures.stream().map(PatientStructure::structure).toList(), List.of()));
             PatientBody.merged(lungs.stream().map(PatientStructure::structure))
-                    .ifPresent(mesh -> proportions(mesh, findings));
+                    .ifPresent(mesh -> proportions(frame.toFrame(mesh), findings));
         }
         return findings;
     }
@@ -114,6 +118,7 @@ final class LungPlausibility {
         }
     }
 
+    /** @param lungs both lungs in the frame of the body's median plane */
     private static void proportions(TriangleMesh lungs, List<String> findings) {
         double[] box = lungs.bounds();
         double height = box[5] - box[2];

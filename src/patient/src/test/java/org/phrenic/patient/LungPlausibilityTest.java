@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.GeometryOverride;
@@ -62,5 +64,42 @@ class LungPlausibilityTest {
         assertThat(notes(ScanSamples.volume(), LIVER_TOO))
                 .doesNotContain(LARGER)
                 .doesNotContain(OTHER_SIDE);
+    }
+
+    /** The woman's lungs are 1.2 times as tall as deep, and as deep again for a box of LPS where she lies turned. */
+    @Test
+    void aTurnedBodyHasTheProportionsOfAStraightOne() {
+        for (double degrees : new double[] {0, 20, -30}) {
+            assertThat(LungPlausibility.check(turned(degrees, 1)))
+                    .as("turned by " + degrees)
+                    .isEmpty();
+            assertThat(LungPlausibility.check(turned(degrees, 0.7)))
+                    .as("turned by " + degrees)
+                    .singleElement()
+                    .asString()
+                    .contains("is the spacing right?");
+        }
+    }
+
+    /** The virtual woman turned about the body's axis, with slices of another distance. */
+    private static List<PatientStructure> turned(double degrees, double height) {
+        double cos = StrictMath.cos(StrictMath.toRadians(degrees));
+        double sin = StrictMath.sin(StrictMath.toRadians(degrees));
+        return VirtualThorax.ofPreset("adult-female", Resolution.LOW).structures().stream()
+                .map(s -> {
+                    double[] p = s.mesh().positions().clone();
+                    for (int i = 0; i < p.length; i += 3) {
+                        double x = p[i];
+                        p[i] = cos * x - sin * p[i + 1];
+                        p[i + 1] = sin * x + cos * p[i + 1];
+                        p[i + 2] *= height;
+                    }
+                    return new PatientStructure(
+                            s.withMesh(s.mesh().withPositions(p)),
+                            PatientStructure.Source.SCAN,
+                            Optional.empty(),
+                            Optional.empty());
+                })
+                .toList();
     }
 }
