@@ -30,6 +30,8 @@ final class LabelPlaces {
     private static final double LEAST_BETWEEN_SIDES = 50;
     /** Greatest mean distance (mm) of vertebrae from their middle to a side; ribs of two sides lie farther off. */
     private static final double MOST_BESIDE_SPINE = 50;
+    /** Least number of pairs of right and left structures that tell whether their names are exchanged. */
+    private static final int LEAST_PAIRS = 3;
     /** Share of the comparisons along a coordinate that have to hold. */
     private static final double MOST = 0.8;
 
@@ -41,6 +43,8 @@ final class LabelPlaces {
     private final Map<String, double[][]> ribs = new TreeMap<>();
 
     private final List<Relation> relations = new ArrayList<>();
+    /** Those of right structures and their left counterparts. */
+    private final List<Relation> pairs = new ArrayList<>();
     /** Vectors from right ribs to left ones. */
     private final List<double[]> acrossCage = new ArrayList<>();
 
@@ -139,8 +143,8 @@ final class LabelPlaces {
         expect("liver", "lung_R", 2);
         expect("liver", LabelTable.LUNGS, 2);
         expect("spleen", "lung_L", 2);
-        expect("kidney_R", "kidney_L", 0);
-        expect("adrenal_gland_R", "adrenal_gland_L", 0);
+        expectPair("kidney_R", "kidney_L");
+        expectPair("adrenal_gland_R", "adrenal_gland_L");
         expect("liver", "stomach", 0);
         expect("gallbladder", "stomach", 0);
         expect("gallbladder", "spleen", 0);
@@ -159,7 +163,7 @@ final class LabelPlaces {
                 && name.kind() == otherName.kind()
                 && name.level() == otherName.level()
                 && !name.kind().isNamed()) {
-            relations.add(new Relation(0, apart));
+            addPair(apart);
             if (name.kind() == StructureKind.RIB) {
                 acrossCage.add(apart);
             }
@@ -217,6 +221,33 @@ final class LabelPlaces {
         }
     }
 
+    private void expectPair(String right, String left) {
+        if (centres.containsKey(right) && centres.containsKey(left)) {
+            addPair(Vectors.subtract(centres.get(left), centres.get(right)));
+        }
+    }
+
+    private void addPair(double[] apart) {
+        Relation pair = new Relation(0, apart);
+        relations.add(pair);
+        pairs.add(pair);
+    }
+
+    /** Whether most pairs of right and left structures lie on each other's sides, and all else as the file states. */
+    boolean haveSidesExchanged() {
+        boolean upright = IntStream.of(1, 2).allMatch(axis -> share(relations, BodyAxes.STATED, axis) >= MOST);
+        return upright && pairs.size() >= LEAST_PAIRS && share(pairs, BodyAxes.MIRRORED, 0) >= MOST;
+    }
+
+    /** Share of comparisons along a coordinate that hold in these axes; 1 without any. */
+    private static double share(List<Relation> relations, BodyAxes axes, int axis) {
+        return relations.stream()
+                .filter(r -> r.axis() == axis)
+                .mapToInt(r -> r.holds(axes) ? 1 : 0)
+                .average()
+                .orElse(1);
+    }
+
     /** Number of comparisons made. */
     int compared() {
         return relations.size();
@@ -254,12 +285,6 @@ final class LabelPlaces {
 
     /** Whether most of the comparisons along each coordinate hold in these axes. */
     boolean fit(BodyAxes axes) {
-        return IntStream.range(0, 3)
-                .allMatch(axis -> relations.stream()
-                                .filter(r -> r.axis() == axis)
-                                .mapToInt(r -> r.holds(axes) ? 1 : 0)
-                                .average()
-                                .orElse(1)
-                        >= MOST);
+        return IntStream.range(0, 3).allMatch(axis -> share(relations, axes, axis) >= MOST);
     }
 }

@@ -15,7 +15,8 @@ import org.phrenic.mesh.voxel.LabelGrid;
  * ({@link LungMoments}).
  *
  * @param stated sides of the body to which columns, rows and slices run by the file, such as LPS
- * @param seen sides to which they run if structures lie as in people
+ * @param seen sides to which they run if structures lie as in people; the stated ones if names of right and left
+ *     structures are exchanged while others lie as in people
  * @param sidesAlone whether right and left alone differ, as they do if labels are exchanged
  */
 public record StatedAxes(String stated, String seen, boolean sidesAlone) {
@@ -52,6 +53,10 @@ public record StatedAxes(String stated, String seen, boolean sidesAlone) {
         LabelGrid grid = volume.grid();
         LabelPlaces places = new LabelPlaces(grid, table.structures());
         List<BodyAxes> fitting = fitting(places);
+        if (fitting.isEmpty() && places.haveSidesExchanged()) {
+            String stated = BodyAxes.STATED.letters(grid);
+            return Optional.of(new StatedAxes(stated, stated, true));
+        }
         boolean fits = fitting.contains(BodyAxes.STATED);
         Optional<LungMoments> lungs = usual.flatMap(u -> lungs(grid, table.structures()));
         if (lungs.isPresent()) {
@@ -128,9 +133,24 @@ public record StatedAxes(String stated, String seen, boolean sidesAlone) {
         return whole ? Optional.of(LungMoments.of(grid, label -> isLung[label])) : Optional.empty();
     }
 
+    /** Whether names of right and left structures are exchanged, whatever the axes. */
+    private boolean isOfNames() {
+        return seen.equals(stated);
+    }
+
+    /** What is expected instead, after the sentence. */
+    public String expected() {
+        return isOfNames()
+                ? "expected each label under the name of its own side, or --axes " + stated + " to keep them"
+                : "expected --axes " + seen + ", or --axes " + stated + " to keep them";
+    }
+
     /** One sentence without a full stop: what is found, and the axes that are expected. */
     public String sentence() {
-        return "structures lie as in people if columns, rows and slices run to " + seen + ", where the file states "
-                + stated + (sidesAlone ? " (or labels of right and left are exchanged)" : "");
+        return isOfNames()
+                ? "structures that are named right lie to the left of those that are named left, while liver, spleen or"
+                        + " stomach lie as in people: names of right and left are exchanged"
+                : "structures lie as in people if columns, rows and slices run to " + seen + ", where the file states "
+                        + stated + (sidesAlone ? " (or labels of right and left are exchanged)" : "");
     }
 }

@@ -81,8 +81,7 @@ public final class ImportPipeline {
         Optional<Thorax> known =
                 request.alignTo().or(() -> request.completion().map(ImportRequest.Completion::template));
         StatedAxes.contradicted(volume, table, known.flatMap(LungMoments::of)).ifPresent(axes -> {
-            throw new BadInputException(request.file() + ": " + axes.sentence() + "; expected --axes " + axes.seen()
-                    + ", or --axes " + axes.stated() + " to keep them");
+            throw new BadInputException(request.file() + ": " + axes.sentence() + "; " + axes.expected());
         });
     }
 

@@ -69,6 +69,33 @@ class StatedAxesTest {
         }
     }
 
+    /** Ribs and kidneys under each other's names beside a liver, spleen and stomach under their own. */
+    @Test
+    void exchangedNamesOfSidesAreNoAxes() {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        Map<Integer, String> right = new TreeMap<>(CageVoxels.table(false).structures());
+        List<String> organs = List.of("liver", "gallbladder", "stomach", "spleen", "kidney_R", "kidney_L");
+        int[][] places = {{30, 30}, {38, 24}, {52, 30}, {62, 32}, {34, 42}, {56, 42}};
+        for (int i = 0; i < places.length; i++) {
+            cage.ball(places[i][0], places[i][1], 50, 3, i + 1);
+            right.put(i + 1, organs.get(i));
+        }
+        LabelVolume volume = cage.volume();
+        assertThat(StatedAxes.contradicted(volume, new LabelTable(right), Optional.empty()))
+                .isEmpty();
+        Map<Integer, String> exchanged = new TreeMap<>();
+        right.forEach((label, name) -> exchanged.put(
+                label,
+                name.endsWith("_R")
+                        ? name.replace("_R", "_L")
+                        : name.endsWith("_L") ? name.replace("_L", "_R") : name));
+        StatedAxes found = StatedAxes.contradicted(volume, new LabelTable(exchanged), Optional.empty())
+                .orElseThrow();
+        assertThat(found.sentence()).contains("names of right and left are exchanged");
+        assertThat(found.expected())
+                .isEqualTo("expected each label under the name of its own side, or --axes LPS to keep them");
+    }
+
     /** Liver, right lung and left lung alone leave front and back open: only what contradicts the file counts. */
     @Test
     void whatStructuresLeaveOpenStaysAsStated() {
