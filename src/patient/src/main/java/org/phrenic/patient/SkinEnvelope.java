@@ -61,8 +61,13 @@ public final class SkinEnvelope {
                 Optional.empty(),
                 Optional.empty()));
         return new PatientBody(body.name(), all, ExpectedStructures.missing(all), body.notes())
-                .withNotes(List.of(Numbers.format(
-                        "the skin is a smooth envelope of bones and organs, %.0f mm outside them", WALL_MM)));
+                .withNotes(List.of(note(!skins.isEmpty())));
+    }
+
+    private static String note(boolean isShown) {
+        return Numbers.format(
+                "the skin is a smooth envelope of bones and organs, %.0f mm outside them%s",
+                WALL_MM, isShown ? ", and of the skin that the scan shows" : "");
     }
 
     private static boolean contains(double[] skin, double[] ribs) {

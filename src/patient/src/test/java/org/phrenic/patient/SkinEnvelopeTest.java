@@ -48,6 +48,8 @@ class SkinEnvelopeTest {
         PatientBody grown = SkinEnvelope.complete(body(PatientStructure.Source.VIRTUAL));
         TriangleMesh skin = skin(grown);
         assertThat(grown.structure(SkinEnvelope.NAME).orElseThrow().source()).isEqualTo(PatientStructure.Source.BUILT);
+        assertThat(grown.notes())
+                .containsExactly("the skin is a smooth envelope of bones and organs, 15 mm outside them");
         MeshTopology topology = new MeshTopology(skin);
         assertThat(topology.isClosed() && topology.isManifold()).isTrue();
         assertThat(topology.eulerCharacteristic()).isEqualTo(2);
@@ -241,5 +243,9 @@ class SkinEnvelopeTest {
                     .allMatch(d -> d < -8);
         }
         assertThat(skin(grown).bounds()[3]).isCloseTo(own.bounds()[3], within(10.0));
+        assertThat(grown.notes())
+                .containsExactly(
+                        "the skin is a smooth envelope of bones and organs, 15 mm outside them, and of the skin"
+                                + " that the scan shows");
     }
 }
