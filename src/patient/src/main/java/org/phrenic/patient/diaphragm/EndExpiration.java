@@ -72,7 +72,7 @@ public final class EndExpiration {
     private static final double FASTEST = 1.5;
     /**
      * Soft structures within the cage. The skin, muscles and other bones keep their places, and so do vessels and
-     * unknown structures outside the liver.
+     * unknown structures outside liver and chest.
      */
     private static final Set<StructureKind> SOFT =
             EnumSet.of(StructureKind.LUNG, StructureKind.LIVER, StructureKind.ORGAN, StructureKind.LESION);
@@ -85,6 +85,7 @@ public final class EndExpiration {
     private final BoneCarriage bones;
     private final LesionBones lesionBones;
     private final LiverContents inLiver;
+    private final ChestContents inChest;
     /** How the liver of the scan keeps its volume; empty without a liver. */
     private final Optional<Stretch> ofLiver;
 
@@ -135,6 +136,7 @@ public final class EndExpiration {
         Optional<Structure> liver =
                 scanned.stream().filter(s -> s.kind() == StructureKind.LIVER).findFirst();
         inLiver = new LiverContents(scanned, liver);
+        inChest = new ChestContents(scanned);
         ofLiver = liver.map(s -> stretch(s.mesh(), risen(s.mesh())));
     }
 
@@ -202,7 +204,7 @@ public final class EndExpiration {
         }
         boolean still =
                 STILL.contains(s.name()) || LesionPlace.standsStill(s.name().toLowerCase(Locale.ROOT));
-        return SOFT.contains(s.kind()) && !still ? raised(s) : s;
+        return inChest.has(s) || (SOFT.contains(s.kind()) && !still) ? raised(s) : s;
     }
 
     /** A structure that goes with a bone, or is one. */

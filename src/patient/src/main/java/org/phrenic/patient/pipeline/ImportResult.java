@@ -9,6 +9,7 @@ import org.phrenic.document.report.Disclaimer;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.diaphragm.SheetQuality;
+import org.phrenic.patient.diaphragm.UnknownSides;
 import org.phrenic.patient.registration.ScanAlignment;
 
 /**
@@ -33,13 +34,16 @@ public record ImportResult(
         statements = List.copyOf(statements);
     }
 
-    /** Measures the diaphragm of the body and adds a note if it is beyond a limit. */
+    /** Measures the diaphragm of the body; adds notes on limits and on unknown structures that it passes through. */
     static ImportResult of(String file, Optional<LabelGrid> grid, PatientBody body, Optional<ScanAlignment> alignment) {
         Optional<SheetQuality> quality = SheetQuality.of(body.thorax());
         return new ImportResult(
                 file,
                 grid,
-                body.withNotes(quality.flatMap(SheetQuality::warning).stream().toList()),
+                body.withNotes(Stream.concat(
+                                quality.flatMap(SheetQuality::warning).stream(),
+                                UnknownSides.note(body.thorax()).stream())
+                        .toList()),
                 alignment,
                 quality,
                 Optional.empty(),

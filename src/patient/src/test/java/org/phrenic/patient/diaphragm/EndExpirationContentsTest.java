@@ -9,9 +9,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.Shapes;
 import org.phrenic.mesh.TriangleMesh;
@@ -24,6 +27,7 @@ class EndExpirationContentsTest {
     /** Vertex of rib 7 at which a lesion lies. */
     private static final int ON_RIB = 200;
 
+    private static final String FLUID = "other_Pleural_Effusion";
     private static final PatientBody SCANNED = scanned();
     private static final PatientBody RESTING = EndExpiration.of(
                     SCANNED, EndExpirationTest.INSPIRED, EndExpirationTest.LEVEL)
@@ -37,6 +41,7 @@ class EndExpirationContentsTest {
         places.put("hepatic_vein", liver);
         places.put("vessel_of_segment_4", liver);
         places.put("other_5", liver);
+        places.put("other_nodule", mesh(EndExpirationTest.INSPIRED, "lung_R").centre());
         places.put("aorta", vertebra);
         places.put("other_9", vertebra);
         places.put("lesion_vertebra_t11_tumor", vertebra);
@@ -49,6 +54,9 @@ class EndExpirationContentsTest {
                 Optional.empty(),
                 Optional.empty())));
         all.add(organ("heart", 0.55, 0.4, 60));
+        PatientStructure fluid = organ(FLUID, 0.3, 0.6, 15);
+        all.add(fluid.withStructure(new Structure(
+                FLUID, StructureKind.OTHER, 0, Side.MIDLINE, fluid.structure().mesh())));
         all.add(organ("spleen", 0.8, 0.8, -60));
         all.add(organ("kidney_L", 0.65, 0.8, -100));
         all.add(organ("kidney_R", 0.35, 0.8, -170));
@@ -113,6 +121,38 @@ class EndExpirationContentsTest {
         double rise = mesh(resting, "hepatic_vein").bounds()[2]
                 - mesh(SCANNED, "hepatic_vein").bounds()[2];
         assertThat(rise).isGreaterThan(0.5 * EndExpirationTest.LEVEL.descentMm());
+    }
+
+    /** Fluid below the right lung, and an unknown structure within it. */
+    @Test
+    void whatLiesInTheChestRisesWithTheLung() {
+        double[] fluid = mesh(SCANNED, FLUID).centre();
+        assertThat(mesh(RESTING, FLUID).centre()[2] - fluid[2])
+                .isGreaterThan(0.7 * EndExpirationTest.LEVEL.descentMm());
+        TriangleTree lung = new TriangleTree(mesh(RESTING, "lung_R"));
+        double[] nodule = vertex(mesh(RESTING, "other_nodule"), 0);
+        assertThat(nodule[2]).isGreaterThan(mesh(SCANNED, "other_nodule").z(0) + 5);
+        assertThat(lung.isInside(nodule[0], nodule[1], nodule[2])).isTrue();
+    }
+
+    /** A ball that the dome of the virtual man passes through, and balls above and below it. */
+    @Test
+    void unknownStructuresOnBothSidesOfTheDiaphragmAreNamed() {
+        Thorax man = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
+        double[] liver = man.find("liver").orElseThrow().mesh().bounds();
+        List<Structure> all = new ArrayList<>(man.structures());
+        double x = 0.6 * liver[0] + 0.4 * liver[3];
+        double y = 0.5 * (liver[1] + liver[4]);
+        assertThat(UnknownSides.note(man)).isEmpty();
+        for (int offset : new int[] {-50, 50}) {
+            TriangleMesh ball = Shapes.moved(Shapes.sphere(20, 3), x, y, liver[5] + offset);
+            all.add(new Structure("other_" + offset, StructureKind.OTHER, 0, Side.MIDLINE, ball));
+        }
+        assertThat(UnknownSides.note(new Thorax("man", all, List.of()))).isEmpty();
+        TriangleMesh through = Shapes.moved(Shapes.sphere(20, 3), x, y, liver[5]);
+        all.add(new Structure("other_1", StructureKind.OTHER, 0, Side.MIDLINE, through));
+        assertThat(UnknownSides.note(new Thorax("man", all, List.of())))
+                .hasValueSatisfying(note -> assertThat(note).contains("both sides of the diaphragm", ": other_1 ("));
     }
 
     @Test

@@ -1,0 +1,54 @@
+package org.phrenic.patient.diaphragm;
+
+import java.util.List;
+import java.util.Optional;
+import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.anatomy.MedianFrame;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.file.Numbers;
+import org.phrenic.mesh.TriangleMesh;
+
+/** Unknown structures that lie on both sides of the diaphragm, where no such structure can lie. */
+public final class UnknownSides {
+    /** Least share of the vertices of a structure on each side. */
+    private static final double LEAST_SHARE = 0.1;
+
+    private UnknownSides() {}
+
+    /** One sentence that names them; empty if there are none, or no diaphragm. */
+    public static Optional<String> note(Thorax scanned) {
+        List<Structure> unknown = scanned.structuresOf(StructureKind.OTHER);
+        List<Structure> sheets = scanned.structuresOf(StructureKind.DIAPHRAGM);
+        if (unknown.isEmpty() || sheets.isEmpty() || sheets.get(0).mesh().triangleCount() == 0) {
+            return Optional.empty();
+        }
+        MedianFrame frame = MedianFrame.of(scanned);
+        TriangleMesh shells = frame.toFrame(sheets.get(0).mesh());
+        Diaphragm diaphragm =
+                Diaphragm.withTrefoilTendon(Diaphragm.sheetAmong(shells).orElse(shells));
+        List<String> names = unknown.stream()
+                .filter(s -> s.mesh().vertexCount() > 0)
+                .flatMap(s -> onBothSides(frame.toFrame(s), diaphragm).stream())
+                .toList();
+        return names.isEmpty()
+                ? Optional.empty()
+                : Optional.of("unknown structures lie on both sides of the diaphragm, as the scan shows them and not as"
+                        + " the body lies: " + String.join(", ", names));
+    }
+
+    private static Optional<String> onBothSides(Structure s, Diaphragm diaphragm) {
+        double below = share(s, diaphragm, true);
+        double above = share(s, diaphragm, false);
+        return below < LEAST_SHARE || above < LEAST_SHARE
+                ? Optional.empty()
+                : Optional.of(Numbers.format("%s (%.0f %% below)", s.name(), 100 * below));
+    }
+
+    /** Share of the vertices on the side where an organ of the chest, or of the abdomen, does not belong. */
+    private static double share(Structure s, Diaphragm diaphragm, boolean thoracic) {
+        OrganSides sides = new OrganSides(diaphragm, thoracic, List.of(s));
+        return (double) sides.count() / sides.vertices();
+    }
+}
