@@ -2,6 +2,7 @@ package org.phrenic.scene.style;
 
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Pattern;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Side;
@@ -15,6 +16,8 @@ public final class StructureLabels {
     private static final Pattern VERTEBRAL = Pattern.compile("[ctls]\\d+");
 
     private static final Pattern NUMBER = Pattern.compile("\\d+");
+
+    private static final Set<String> LOBES = Set.of("upper", "middle", "lower");
 
     private StructureLabels() {}
 
@@ -74,8 +77,13 @@ public final class StructureLabels {
 
     private static String lung(String name, Side side) {
         String[] parts = name.split("_", 3);
-        String lobe = parts.length > 2 ? ", " + parts[2].replace('_', ' ').toLowerCase(Locale.ROOT) + " lobe" : "";
-        return "Lung" + side(side) + piece(name).orElse(lobe);
+        String part = parts.length > 2 ? parts[2].toLowerCase(Locale.ROOT) : "";
+        String stem = part.replaceFirst("(^|_)\\d+$", "");
+        if (stem.isEmpty() || LOBES.contains(stem)) {
+            String lobe = stem.isEmpty() ? "" : ", " + stem + " lobe";
+            return "Lung" + side(side) + lobe + piece(name).orElse("");
+        }
+        return "Lung" + side(side) + ", " + part.replace('_', ' ');
     }
 
     /** Which of several pieces a structure is, as in {@code lung_R_2}. */
