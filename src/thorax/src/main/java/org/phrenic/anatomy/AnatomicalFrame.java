@@ -28,6 +28,11 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
     private static final double MIN_PART_MM = 80;
 
     private static final double MAX_PART_MM = 1200;
+    /** Length that no person has, mm. */
+    private static final double LONGEST_MM = 3000;
+    /** Ribs below it are as short as their heads are apart, where the border of a scan cuts them. */
+    private static final int LAST_WIDE_RIB = 10;
+
     private static final String UNKNOWN_AXES = "???";
     private static final String DIRECTIONS = "LRPASI";
 
@@ -140,8 +145,8 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
     }
 
     /**
-     * Detects the length of a unit, mm, from the width of the rib cage, or without ribs of both sides from the extent
-     * of any structures.
+     * Detects the length of a unit, mm, from the width of the rib cage. Where ribs 1 to 10 lack on a side, the cage
+     * fits no unit, or no person is as long as the structures in its unit, the extent of all structures tells.
      *
      * @param axes of the structures
      * @throws IllegalArgumentException if the axes are invalid, or the structures are too small or too large for a part
@@ -150,16 +155,22 @@ public record AnatomicalFrame(String axes, double millimetresPerUnit) {
     static double unitOfPart(String axes, List<Structure> structures) {
         String valid = new AnatomicalFrame(axes, 1).axes;
         boolean bothSides = Stream.of(Side.RIGHT, Side.LEFT)
-                .allMatch(side -> centre(structures, StructureKind.RIB, side, 1, 12) != null);
+                .allMatch(side -> centre(structures, StructureKind.RIB, side, 1, LAST_WIDE_RIB) != null);
         OptionalDouble ofCage = bothSides ? unitOfCage(structures, valid) : OptionalDouble.empty();
-        return ofCage.orElseGet(() -> unitOfExtent(structures));
+        return ofCage.isPresent() && ofCage.getAsDouble() * extent(structures) <= LONGEST_MM
+                ? ofCage.getAsDouble()
+                : unitOfExtent(structures);
     }
 
-    private static double unitOfExtent(List<Structure> structures) {
-        double extent = IntStream.range(0, 3)
+    private static double extent(List<Structure> structures) {
+        return IntStream.range(0, 3)
                 .mapToDouble(axis -> extent(structures, axis))
                 .max()
                 .orElseThrow();
+    }
+
+    private static double unitOfExtent(List<Structure> structures) {
+        double extent = extent(structures);
         return unit(extent, MIN_PART_MM, MAX_PART_MM)
                 .orElseThrow(() -> new IllegalArgumentException(Numbers.format(
                         "units: found structures over %.4g units, expected 80 to 1200 mm (or that in cm or m)",

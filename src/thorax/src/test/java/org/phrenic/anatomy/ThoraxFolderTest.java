@@ -12,6 +12,8 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
@@ -253,6 +255,20 @@ class ThoraxFolderTest {
                         BoxBody.box(40 * s.side().sign(), 80, s.mesh().centre()[2], 2)))
                 .toList());
         write(body.subList(body.size() - 1, body.size()));
+        assertThat(part().notes()).containsExactly("axes LPS, 1.0 mm a unit");
+    }
+
+    /** Heads of ribs 44 mm apart would be a rib cage in cm, and the body 2.5 or 3.1 m long. */
+    @ParameterizedTest
+    @CsvSource({"11, 12, 125", "9, 12, 155"})
+    void headsOfRibsAreNoRibCageInCentimetres(int first, int last, double halfSkin) {
+        List<Structure> body = new ArrayList<>(BoxBody.structures().stream()
+                .filter(s -> s.kind() == StructureKind.RIB && s.level() >= first && s.level() <= last)
+                .map(s -> s.withMesh(
+                        BoxBody.box(20 * s.side().sign(), 80, s.mesh().centre()[2], 2)))
+                .toList());
+        body.add(new Structure("skin", StructureKind.SKIN, 0, Side.MIDLINE, BoxBody.box(0, 0, 60, halfSkin)));
+        write(body);
         assertThat(part().notes()).containsExactly("axes LPS, 1.0 mm a unit");
     }
 
