@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.BiPredicate;
 import org.phrenic.patient.label.LabelTable;
 
 /**
@@ -50,7 +51,7 @@ public final class LungSplitter {
         if (right != left) {
             nameOther(segmentation, right);
         } else if (!right) {
-            Optional<String> problem = part(segmentation);
+            Optional<String> problem = part(segmentation, (ofRight, ofLeft) -> true);
             if (problem.isPresent()) {
                 return problem;
             }
@@ -64,9 +65,10 @@ public final class LungSplitter {
     /**
      * Gives each of two bodies side by side, with all that is connected to it, to the lung of its side.
      *
+     * @param areLungs whether a right and a left body may be the lungs
      * @return a sentence if there are none
      */
-    private static Optional<String> part(Segmentation segmentation) {
+    private static Optional<String> part(Segmentation segmentation, BiPredicate<Place, Place> areLungs) {
         VoxelRegion region = new VoxelRegion(segmentation, segmentation.find(LabelTable.LUNGS));
         region.computeDepths();
         byte[] piece = new byte[region.cells()];
@@ -82,8 +84,12 @@ public final class LungSplitter {
             if (second > 0 && (isLarge || erosion == 0)) {
                 Place large = Place.of(segmentation, region, piece, first);
                 Place small = Place.of(segmentation, region, piece, second);
-                if (isLarge ? small.isBeside(large) : isCollapsed(segmentation, small, large)) {
-                    divide(segmentation, region, piece, large, small);
+                // The x axis points to the patient's left.
+                Place right = large.centre(0) < small.centre(0) ? large : small;
+                Place left = right == large ? small : large;
+                if ((isLarge ? small.isBeside(large) : isCollapsed(segmentation, small, large))
+                        && areLungs.test(right, left)) {
+                    divide(segmentation, region, piece, right, left);
                     return Optional.empty();
                 }
             }
@@ -134,7 +140,12 @@ public final class LungSplitter {
                 && labelled.voxels > MIN_SHARE * largest.voxels
                 && sizes[largest(sizes, first)] <= MIN_SHARE * largest.voxels
                 && isRightLabelled == labelled.centre(0) < largest.centre(0);
-        if ((isOneLung || part(s).isPresent()) && largest.isBeside(labelled)) {
+        boolean isApart = isOneLung ? !labelled.spans(largest.centre(0)) : largest.isBeside(labelled);
+        boolean isLobe = !isApart || labelled.voxels <= MIN_SHARE * region.memberCount();
+        BiPredicate<Place, Place> areLungs =
+                (right, left) -> isRightLabelled ? labelled.isPartOf(right, left) : labelled.isPartOf(left, right);
+        boolean areBoth = !isOneLung && isLobe && part(s, areLungs).isEmpty();
+        if (isApart && !areBoth) {
             String other = isRightLabelled ? LEFT : RIGHT;
             region.assign(piece, first, s.segment(other));
             s.inheritFrom(other, LabelTable.LUNGS);
@@ -175,15 +186,13 @@ public final class LungSplitter {
         return largest;
     }
 
-    private static void divide(Segmentation segmentation, VoxelRegion region, byte[] piece, Place first, Place second) {
+    private static void divide(Segmentation segmentation, VoxelRegion region, byte[] piece, Place right, Place left) {
         for (int cell = 0; cell < piece.length; cell++) {
-            piece[cell] = piece[cell] == first.mark || piece[cell] == second.mark ? piece[cell] : 0;
+            piece[cell] = piece[cell] == right.mark || piece[cell] == left.mark ? piece[cell] : 0;
         }
         region.growRegions(piece);
-        // The x axis points to the patient's left.
-        boolean firstIsRight = first.centre(0) < second.centre(0);
-        assign(segmentation, region, piece, firstIsRight ? first : second, RIGHT);
-        assign(segmentation, region, piece, firstIsRight ? second : first, LEFT);
+        assign(segmentation, region, piece, right, RIGHT);
+        assign(segmentation, region, piece, left, LEFT);
     }
 
     private static void assign(Segmentation s, VoxelRegion region, byte[] piece, Place place, String lung) {
@@ -263,7 +272,12 @@ public final class LungSplitter {
             return !spans(other.centre(0)) && !other.spans(centre(0));
         }
 
-        private boolean spans(double x) {
+        /** Whether this is a lobe of one of two lungs: beside the other, and nearer to the one than that is. */
+        boolean isPartOf(Place lung, Place other) {
+            return isBeside(other) && Math.abs(centre(0) - lung.centre(0)) < Math.abs(other.centre(0) - lung.centre(0));
+        }
+
+        boolean spans(double x) {
             return x >= low[0] && x <= high[0];
         }
 

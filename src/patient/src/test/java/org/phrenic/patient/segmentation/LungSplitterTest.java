@@ -119,6 +119,32 @@ class LungSplitterTest {
         assertThat(notes).isEmpty();
     }
 
+    /** The other lung, in lobes apart, is no pair of lungs beside a whole lung, nor beside a collapsed one. */
+    @ParameterizedTest
+    @CsvSource({"4, 20, 30", "14, 8, 12"})
+    void lobesOfTheOtherLungStayOnTheirSide(int column, int wide, int tall) {
+        box(2, column, 5, 5, wide, 20, tall);
+        box(1, 30, 5, 3, 18, 20, 18);
+        box(1, 36, 5, 24, 18, 20, 16);
+        Segmentation s = segmentation();
+        assertThat(LungSplitter.split(s, notes)).isEmpty();
+        assertThat(count(s, "lung_R")).isEqualTo(wide * 20 * tall);
+        assertThat(count(s, "lung_L")).isEqualTo(18 * 20 * 18);
+        assertThat(notes).singleElement().asString().startsWith("lungs: 1244 ml that lie apart from both lungs");
+    }
+
+    @Test
+    void aLungThatReachesInFrontOfTheLabelledOneIsTheOther() {
+        box(2, 4, 5, 5, 12, 20, 30);
+        box(1, 8, 0, 5, 9, 4, 30);
+        box(1, 17, 0, 5, 18, 25, 30);
+        Segmentation s = segmentation();
+        assertThat(LungSplitter.split(s, notes)).isEmpty();
+        assertThat(count(s, "lung_R")).isEqualTo(12 * 20 * 30);
+        assertThat(count(s, "lung_L")).isEqualTo(9 * 4 * 30 + 18 * 25 * 30);
+        assertThat(notes).isEmpty();
+    }
+
     /** The lobes of one lung lie apart where fluid fills the fissure between them. */
     @Test
     void lobesOneAboveTheOtherAreNoTwoLungs() {
