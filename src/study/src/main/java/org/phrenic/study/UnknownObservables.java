@@ -6,6 +6,8 @@ import java.util.Set;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.cage.RibCage;
 import org.phrenic.model.assembly.Scene;
+import org.phrenic.model.organ.OrganSettings;
+import org.phrenic.model.organ.SternumModel;
 
 /** Observables of structures that a scene lacks: they are unknown, not 0. */
 final class UnknownObservables {
@@ -25,7 +27,9 @@ final class UnknownObservables {
             unknown.addAll(OF_LUNGS);
         }
         boolean sternum = !scene.thorax().structuresOf(StructureKind.STERNUM).isEmpty();
-        if (!sternum || scene.pose().cage().sternum() == RibCage.TRUNK) {
+        boolean isLed = scene.pose().cage().sternum() != RibCage.TRUNK;
+        boolean standsStill = scene.settings().get(OrganSettings.STERNUM) == SternumModel.OFF;
+        if (!sternum || (!isLed && !standsStill)) {
             unknown.addAll(OF_STERNUM);
         }
         return unknown;

@@ -189,6 +189,18 @@ class BreathStudyTest {
                         "response 'air': found no number, expected a body that has lung_volume_change_ml");
     }
 
+    /** A sternum that stands still moves by 0, which is known. */
+    @Test
+    void aSternumThatStandsStillHasAResponse() {
+        String depth = "responses:\n  - {name: forward, observable: ap_change_mm, reduction: size}\n";
+        String point = "{kind: list, columns: [sternum, lungs, liver], points: [['off', embedded, false]]}";
+        SweepPlan plan = SweepPlan.of(study("", point, depth + "series: [sternum_cranial_mm]\n"));
+        RunRow run = RunRow.of(plan.model(), plan.points().get(0));
+        assertThat(run.failure()).isEmpty();
+        assertThat(run.outcome().responses()).containsExactly(0);
+        assertThat(run.outcome().series()[0]).containsOnly(0);
+    }
+
     /** A curve without a point would be drawn without a reason. */
     @Test
     void aSeriesThatABodyLacksIsAFailedRun() {
