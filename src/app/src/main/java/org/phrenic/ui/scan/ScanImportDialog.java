@@ -98,18 +98,16 @@ final class ScanImportDialog {
     }
 
     /**
-     * What of a folder an import replaces, in words: a body, also one of meshes alone, and a table of labels, which
-     * goes with the body that it is of.
+     * What of a folder an import writes over, in words: a body, also one of meshes alone, and a table of labels.
      *
      * @param withTable whether the import writes its table of labels
      */
     static List<String> replaced(Path folder, boolean withTable) {
         List<String> replaced = new ArrayList<>();
-        boolean isBody = ThoraxFolder.isBody(folder);
-        if (isBody) {
+        if (ThoraxFolder.isBody(folder)) {
             replaced.add("the body");
         }
-        if ((withTable || isBody) && Files.exists(folder.resolve(ScanImporter.LABELS_FILE))) {
+        if (withTable && Files.exists(folder.resolve(ScanImporter.LABELS_FILE))) {
             replaced.add(ScanImporter.LABELS_FILE);
         }
         return replaced;

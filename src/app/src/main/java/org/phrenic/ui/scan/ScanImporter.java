@@ -10,8 +10,6 @@ import java.util.UUID;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import org.phrenic.anatomy.Thorax;
-import org.phrenic.anatomy.ThoraxFolder;
-import org.phrenic.file.AtomicFile;
 import org.phrenic.file.FileNames;
 import org.phrenic.patient.pipeline.ImportPipeline;
 import org.phrenic.patient.pipeline.ImportRequest;
@@ -43,6 +41,9 @@ public final class ScanImporter {
 
     /** The table of labels in the thorax folder, if it was edited. */
     static final String LABELS_FILE = "labels.csv";
+
+    private static final String KEPT_TABLE =
+            LABELS_FILE + ": was in the folder and stays as it is; the body is of the proposed structures";
 
     private final Window owner;
     private final Session session;
@@ -149,10 +150,9 @@ public final class ScanImporter {
                     choice.geometry(),
                     choice.template().map(body -> new ImportRequest.Completion(template(body), false)),
                     Optional.empty());
-            ImportResult result = ImportPipeline.run(request, progress);
+            ImportResult built = ImportPipeline.run(request, progress);
             progress.stage("writing the thorax folder");
-            write(result, choice);
-            return Optional.of(result);
+            return Optional.of(write(built, choice));
         } catch (CancellationException cancelled) {
             return Optional.empty();
         } finally {
@@ -162,16 +162,20 @@ public final class ScanImporter {
         }
     }
 
-    private static void write(ImportResult result, ScanImportDialog.Choice choice) {
+    /**
+     * Writes the body and its labels to the folder. A table of unknown origin is its user's, and stays with a note.
+     *
+     * @return the result with the note
+     */
+    private static ImportResult write(ImportResult built, ScanImportDialog.Choice choice) {
         FileWrites writing = FileWrites.begin(choice.folder().toString());
         Path table = choice.folder().resolve(LABELS_FILE);
         try {
-            boolean replacesBody = ThoraxFolder.isBody(choice.folder());
+            ImportResult result =
+                    !choice.labels().isEdited() && Files.exists(table) ? built.withNote(KEPT_TABLE) : built;
             result.write(choice.folder());
-            // A table of the body that was replaced would name other structures than those beside it.
-            if (choice.labels().writeIfEdited(table).isEmpty() && replacesBody) {
-                AtomicFile.delete(table);
-            }
+            choice.labels().writeIfEdited(table);
+            return result;
         } finally {
             writing.end();
         }

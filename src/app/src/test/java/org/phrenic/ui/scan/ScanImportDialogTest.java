@@ -77,10 +77,10 @@ class ScanImportDialogTest {
         assertThat(ScanImportDialog.replaced(folder, true)).containsExactly("the body", "labels.csv");
         Files.delete(mesh);
         Files.createFile(folder.resolve("thorax.yaml"));
-        assertThat(ScanImportDialog.replaced(folder, false)).containsExactly("the body", "labels.csv");
+        assertThat(ScanImportDialog.replaced(folder, false)).containsExactly("the body");
     }
 
-    /** A table of a body is replaced with it; another is replaced by an edited one alone. */
+    /** The table is written only if it was edited, which the button tells before it is pressed. */
     @Test
     void theButtonNamesWhatIsReplaced(@TempDir Path folder) throws IOException {
         Path scan = folder.resolve("scan.mha");
@@ -97,11 +97,13 @@ class ScanImportDialogTest {
             JTextField to = WindowHarness.find(dialog.content(), JTextField.class, "Thorax folder")
                     .orElseThrow();
             to.setText(body.toString());
-            assertThat(dialog.start().getText()).isEqualTo("Import and replace the body and labels.csv");
+            assertThat(dialog.start().getText()).isEqualTo("Import and replace the body");
             to.setText(table.toString());
             assertThat(dialog.start().getText()).isEqualTo("Import");
             labels.setValueAt("liver", 0, ScanLabels.STRUCTURE_COLUMN);
             assertThat(dialog.start().getText()).isEqualTo("Import and replace labels.csv");
+            to.setText(body.toString());
+            assertThat(dialog.start().getText()).isEqualTo("Import and replace the body and labels.csv");
         });
     }
 

@@ -129,29 +129,38 @@ class ScanImporterTest {
         return Files.write(scan, ScanSamples.voxels(), StandardOpenOption.APPEND);
     }
 
-    private void importInto(Path body, ScanLabels labels, Path scan) throws IOException {
+    private ImportResult importInto(Path body, ScanLabels labels, Path scan) throws IOException {
         CancellableProgress progress = new CancellableProgress((stage, share) -> {});
         ScanImportDialog.Choice choice =
                 new ScanImportDialog.Choice(labels, GeometryOverride.NONE, Optional.empty(), body);
-        assertThat(ScanImporter.build(scan, choice, progress, folder)).isPresent();
+        return ScanImporter.build(scan, choice, progress, folder).orElseThrow();
     }
 
-    /** A table beside a scan is its user's, and no part of a body. */
+    /** Nothing tells whose a table is: it may be another program's, or written by hand for many labels. */
     @Test
-    void theTableOfABodyGoesWithTheBodyThatAnImportReplaces() throws IOException {
+    void aTableOfLabelsIsReplacedByAnEditedOneAloneAndOtherwiseStaysWithANote() throws IOException {
         Path scan = namedScan();
         Thorax template = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
         ScanLabels edited = ScanLabels.read(scan, template);
         edited.setValueAt("lungs", 0, ScanLabels.STRUCTURE_COLUMN);
-        Path body = Files.createDirectory(folder.resolve("mueller"));
-        Path table = Files.writeString(body.resolve("labels.csv"), "label,structure\n");
-        importInto(body, ScanLabels.read(scan, template), scan);
-        assertThat(table).hasContent("label,structure");
-        importInto(body, edited, scan);
+        Path body = folder.resolve("mueller");
+        Path table = body.resolve("labels.csv");
+        assertThat(importInto(body, ScanLabels.read(scan, template), scan)
+                        .body()
+                        .notes())
+                .noneMatch(note -> note.startsWith("labels.csv"));
+        Files.writeString(table, "label,structure\n");
+        for (int again = 0; again < 2; again++) {
+            assertThat(importInto(body, ScanLabels.read(scan, template), scan)
+                            .body()
+                            .notes())
+                    .contains("labels.csv: was in the folder and stays as it is; the body is of the proposed"
+                            + " structures");
+            assertThat(table).hasContent("label,structure");
+        }
+        assertThat(body.resolve("import.json")).content().contains("labels.csv: was in the folder");
+        assertThat(importInto(body, edited, scan).body().notes()).noneMatch(note -> note.startsWith("labels.csv"));
         assertThat(table).content().contains("lungs");
-        importInto(body, ScanLabels.read(scan, template), scan);
-        assertThat(table).doesNotExist();
-        assertThat(body.resolve("thorax.yaml")).exists();
     }
 
     private static JTextField folderField(Component at) {

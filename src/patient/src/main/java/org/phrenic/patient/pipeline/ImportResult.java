@@ -70,6 +70,11 @@ public record ImportResult(
         return new ImportResult(file, grid, body, alignment, quality, resting, all);
     }
 
+    /** Returns a copy whose body has a further note. */
+    public ImportResult withNote(String note) {
+        return new ImportResult(file, grid, body.withNotes(List.of(note)), alignment, quality, resting, statements);
+    }
+
     /** The content of {@code import.json}. */
     public Map<String, Object> report() {
         return ImportReport.of(this).with("notice", Disclaimer.TEXT);
