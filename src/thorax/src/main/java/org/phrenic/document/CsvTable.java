@@ -5,10 +5,12 @@ import java.io.StringReader;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.function.BiConsumer;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
 import org.apache.commons.csv.CSVRecord;
@@ -72,6 +74,54 @@ public final class CsvTable {
     public static CsvTable parse(String name, String text, Character comment) {
         String content = text.startsWith("\uFEFF") ? text.substring(1) : text;
         char delimiter = comment == null ? delimiter(content) : ',';
+        Map<String, Integer> columns = new LinkedHashMap<>();
+        List<String[]> rows = new ArrayList<>();
+        List<Long> lines = new ArrayList<>();
+        forEachRecord(name, content, delimiter, comment, (line, cells) -> {
+            if (columns.isEmpty()) {
+                readHeader(name, line, cells, columns);
+                return;
+            }
+            if (cells.length != columns.size()) {
+                throw BadInputException.at(
+                        name,
+                        "line " + line,
+                        "found " + cells.length + " cells, expected " + columns.size() + " as in the header");
+            }
+            rows.add(cells);
+            lines.add(line);
+        });
+        if (columns.isEmpty()) {
+            throw BadInputException.at(name, "line 1", "found nothing, expected a line of column names");
+        }
+        return new CsvTable(name, delimiter == ';', columns, rows, lines);
+    }
+
+    /**
+     * Parses the first columns of a table with commas. A row with fewer cells lacks the last ones: they are empty.
+     * Cells behind these columns may be anything.
+     *
+     * @param name name for error messages
+     * @param columns names of the columns; the first line of the text is not read
+     */
+    public static CsvTable parseFirst(String name, String text, List<String> columns) {
+        List<String[]> rows = new ArrayList<>();
+        List<Long> lines = new ArrayList<>();
+        forEachRecord(name, text, ',', null, (line, cells) -> {
+            String[] row = Arrays.copyOf(cells, columns.size());
+            for (int i = cells.length; i < row.length; i++) {
+                row[i] = "";
+            }
+            rows.add(row);
+            lines.add(line);
+        });
+        int from = Math.min(1, rows.size());
+        return of(name, columns, rows.subList(from, rows.size()), lines.subList(from, lines.size()));
+    }
+
+    /** Calls {@code each} with the first line and the cells of each record that is not blank. */
+    private static void forEachRecord(
+            String name, String content, char delimiter, Character comment, BiConsumer<Long, String[]> each) {
         CSVFormat format = CSVFormat.RFC4180
                 .builder()
                 .setDelimiter(delimiter)
@@ -79,9 +129,6 @@ public final class CsvTable {
                 .setIgnoreEmptyLines(false)
                 .setIgnoreSurroundingSpaces(true)
                 .get();
-        Map<String, Integer> columns = new LinkedHashMap<>();
-        List<String[]> rows = new ArrayList<>();
-        List<Long> lines = new ArrayList<>();
         long line = 1;
         try (CSVParser parser = CSVParser.parse(new StringReader(content), format)) {
             long linesBefore = 0;
@@ -89,20 +136,8 @@ public final class CsvTable {
                 line = linesBefore + 1;
                 linesBefore = parser.getCurrentLineNumber();
                 String[] cells = record.values();
-                if (cells.length == 1 && cells[0].isBlank()) {
-                    continue;
-                }
-                if (columns.isEmpty()) {
-                    readHeader(name, line, cells, columns);
-                } else {
-                    if (cells.length != columns.size()) {
-                        throw BadInputException.at(
-                                name,
-                                "line " + line,
-                                "found " + cells.length + " cells, expected " + columns.size() + " as in the header");
-                    }
-                    rows.add(cells);
-                    lines.add(line);
+                if (cells.length > 1 || !cells[0].isBlank()) {
+                    each.accept(line, cells);
                 }
             }
         } catch (IOException | UncheckedIOException broken) {
@@ -111,10 +146,6 @@ public final class CsvTable {
                             + " before the delimiter",
                     broken);
         }
-        if (columns.isEmpty()) {
-            throw BadInputException.at(name, "line 1", "found nothing, expected a line of column names");
-        }
-        return new CsvTable(name, delimiter == ';', columns, rows, lines);
     }
 
     private static void readHeader(String name, long line, String[] cells, Map<String, Integer> columns) {

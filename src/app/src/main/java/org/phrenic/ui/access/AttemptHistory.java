@@ -9,7 +9,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Predicate;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import org.apache.commons.math3.stat.descriptive.moment.StandardDeviation;
@@ -182,18 +181,9 @@ public final class AttemptHistory {
         return found.length < expected.length ? HEADER : line;
     }
 
-    /** All rows. A row with fewer cells than the header has columns lacks the last ones: they are empty. */
+    /** All rows, in the program's columns. */
     private CsvTable table() {
-        List<String> lines = lines();
-        int commas = commas(lines.get(0));
-        String text = lines.stream()
-                .map(line -> line.isBlank() ? line : line + ",".repeat(Math.max(0, commas - commas(line))))
-                .collect(Collectors.joining("\n"));
-        return CsvTable.parse(file.toString(), text);
-    }
-
-    private static int commas(String line) {
-        return (int) line.chars().filter(c -> c == ',').count();
+        return CsvTable.parseFirst(file.toString(), String.join("\n", lines()), List.of(HEADER.split(",")));
     }
 
     /**

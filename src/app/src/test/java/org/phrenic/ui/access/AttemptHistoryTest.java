@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.access.BreathCycle;
 import org.phrenic.access.Needle;
 import org.phrenic.access.attempt.AttemptRecord;
@@ -160,6 +161,33 @@ class AttemptHistoryTest {
         assertThat(Files.readAllLines(file))
                 .hasSize(3)
                 .startsWith(COLUMNS + ",notes", rows.get(1) + ",\"steep, slow\"");
+        assertThat(kept.learningCurve(first.plan().title()))
+                .startsWith("This exercise: 2 samples in 1 session, 1 hit, 7.5");
+    }
+
+    /**
+     * Text with commas and breaks in its cells, a column without a heading, and two of one name, as spreadsheets save.
+     */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "\"notes, steep\"\n%s,slow",
+                "notes\n%s,\"first\nsecond, third\"",
+                "notes; remarks\n%s,slow",
+                "\n%s,slow",
+                "notes,notes\n%s,slow,steep",
+                "notes\n%s,slow,steep"
+            })
+    void whatStandsBehindTheColumnsMayBeAnyText(String behind) throws IOException {
+        Path file = folder.resolve("notes.csv");
+        AttemptHistory kept = new AttemptHistory(file, "2026-11-25T10:00");
+        Rehearsal first = SampledAttempts.rehearsal(new TargetingError(3, 4, true, OptionalDouble.empty()));
+        kept.add(first);
+        String edited =
+                COLUMNS + "," + behind.formatted(Files.readAllLines(file).get(1)) + "\n";
+        Files.writeString(file, edited);
+        kept.add(SampledAttempts.rehearsal(new TargetingError(6, 8, false, OptionalDouble.empty())));
+        assertThat(file).content().startsWith(edited);
         assertThat(kept.learningCurve(first.plan().title()))
                 .startsWith("This exercise: 2 samples in 1 session, 1 hit, 7.5");
     }
