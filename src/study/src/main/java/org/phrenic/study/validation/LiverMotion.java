@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.document.Key;
 import org.phrenic.document.OrderedValues;
@@ -15,9 +16,9 @@ import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
+import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
-import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
 import org.phrenic.study.Attempts;
 import org.phrenic.study.BreathSeries;
@@ -107,20 +108,20 @@ public record LiverMotion(List<Row> rows, List<String> failures) {
             for (String preset : PRESETS) {
                 Scenario run = on.with("preset=" + preset);
                 jobs.add(new BatchRunner.Job<>(
-                        anatomy + ", " + preset, () -> row(anatomy, preset, breath(run, thorax), table)));
+                        anatomy + ", " + preset, () -> row(anatomy, preset, breath(anatomy, run, thorax), table)));
             }
         }
         Attempts<Row> done = Attempts.of(jobs, threads, progress);
         return new LiverMotion(done.results(), done.failures());
     }
 
-    private static BreathSeries breath(Scenario scenario, Thorax thorax) {
-        try (Simulation simulation = Simulation.of(scenario, thorax)) {
-            if (simulation.scene().liver().isEmpty()) {
-                throw new BadInputException("found no liver, expected a body with a liver, and liver=true");
-            }
-            return PresetRun.of(simulation, PresetRun.SAMPLE_S, MEASURED);
+    private static BreathSeries breath(String anatomy, Scenario scenario, Thorax thorax) {
+        if (!scenario.get(OrganSettings.LIVER)
+                || thorax.structuresOf(StructureKind.LIVER).isEmpty()) {
+            throw new BadInputException(
+                    "found no liver in " + anatomy + ", expected a body with a liver, and liver=true");
         }
+        return PresetRun.of(scenario, thorax, PresetRun.SAMPLE_S, MEASURED);
     }
 
     /** Evaluates one run. */

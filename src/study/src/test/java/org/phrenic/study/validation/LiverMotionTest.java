@@ -119,12 +119,12 @@ class LiverMotionTest {
 
     /** A check of nothing is no passed check. */
     @Test
-    void aBodyWithoutALiverIsRefused() {
+    void aBodyWithoutALiverIsRefusedBeforeItBreathes() {
         Scenario without = Scenario.defaults().with("resolution=low", "liver=false");
         PhysiologyTable table = PhysiologyTable.shipped();
         assertThatThrownBy(() -> LiverMotion.of(table, without, List.of("virtual/adult-male"), 1, (c, t, w) -> {}))
                 .isInstanceOf(BadInputException.class)
-                .hasMessage("found no liver, expected a body with a liver, and liver=true");
+                .hasMessage("found no liver in virtual/adult-male, expected a body with a liver, and liver=true");
     }
 
     @Test
