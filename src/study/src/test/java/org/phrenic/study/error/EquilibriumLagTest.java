@@ -21,9 +21,13 @@ class EquilibriumLagTest {
                 new BreathRunner(scenario, SimulationRun.loadThorax(scenario), BreathRunner.SAMPLE_S)) {
             Trajectory run = runs.run(settings);
             assertThat(run.substeps()).isGreaterThan(1);
-            assertThat(EquilibriumLag.of(runs, run, settings, List.of(0.75)))
-                    .singleElement()
-                    .satisfies(lag -> {
+            List<EquilibriumLag> alone = EquilibriumLag.of(runs, run, settings, List.of(0.75));
+            assertThat(EquilibriumLag.of(runs, run, settings, List.of(0.3, 0.75)))
+                    .as("each phase begins anew")
+                    .hasSize(2)
+                    .usingRecursiveFieldByFieldElementComparator()
+                    .endsWith(alone.get(0))
+                    .allSatisfy(lag -> {
                         assertThat(lag.heldMaxMm()).isBetween(0.001, 1.0);
                         assertThat(lag.heldDriftMm()).isBetween(0.0, 0.1);
                         assertThat(lag.newton().converged()).isTrue();
