@@ -121,6 +121,11 @@ public final class RobotOperator {
         return needle.record();
     }
 
+    /** Time since the beginning of the present attempt, or of the last one to its end, s. */
+    double timeS() {
+        return timeS;
+    }
+
     private void insert(NeedleInsertion needle, double[] target, Random random) {
         needle.placeAtRest(entryRest, target);
         double depth = Vectors.distance(needle.shaft().entry(), target) + hand.depthMm() * random.nextGaussian();

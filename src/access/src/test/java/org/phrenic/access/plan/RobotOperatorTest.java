@@ -127,12 +127,18 @@ class RobotOperatorTest {
         assertThat(record(entry, STEADY, true).insideS()).isBetween(2.25 + 0.2, 2.25 + 0.35);
     }
 
-    /** It is at its place all the time, within the distance at which the gate closes. */
+    /**
+     * It is at its place all the time, within the distance at which the gate closes: after a breath, the needle takes
+     * 1.8 s to it.
+     */
     @Test
     void aTargetThatNeverLeavesItsPlaceIsReachedToo() throws IOException {
         recordABreath(2, "");
-        assertThat(sample(STEADY, false, 1).distanceMm()).isLessThan(2);
-        assertThat(sample(STEADY, true, 1).distanceMm()).isLessThan(2);
+        for (boolean held : List.of(false, true)) {
+            RobotOperator robot = new RobotOperator(plan, anatomy, access, new double[] {0, 0, -10}, STEADY, held);
+            assertThat(robot.attempt(1).samples().get(0).distanceMm()).isLessThan(2);
+            assertThat(robot.timeS()).isBetween(PERIOD_S + 1.8, PERIOD_S + 1.8 + 1.1);
+        }
     }
 
     /** In proportion to a target that all but rests, the lung would be displaced by twice as much. */
@@ -157,6 +163,23 @@ class RobotOperatorTest {
         assertThatExceptionOfType(BadInputException.class)
                 .isThrownBy(() -> sample(lost, false, 1))
                 .withMessageContaining("plan.yaml: found a needle that does not arrive in 120 s");
+    }
+
+    /** The target passes its place for less than a tenth of a second in several breaths, too short a time to go on. */
+    @Test
+    void aNeedleThatIsInDoesNotWaitForEverToGoOn() {
+        RobotOperator.Hand lost = new RobotOperator.Hand(0.25, 0.1, 0, 0, 600, 0, 0);
+        List<String> told = new ArrayList<>();
+        for (int seed = 0; seed < 40; seed++) {
+            RobotOperator robot = new RobotOperator(plan, anatomy, access, new double[] {0, 0, -10}, lost, false);
+            try {
+                robot.attempt(seed);
+            } catch (BadInputException lostOnTheWay) {
+                told.add(lostOnTheWay.getMessage());
+            }
+            assertThat(robot.timeS()).isLessThan(120 + 1);
+        }
+        assertThat(told).anyMatch(reason -> reason.contains("does not arrive in 120 s"));
     }
 
     @Test
