@@ -15,6 +15,9 @@ import org.phrenic.file.Numbers;
  */
 record PlotAxis(double low, double high, double from, double to) {
     private static final double MARGIN = 0.04;
+    /** Least length of an axis of different values, as a share of them: ticks have 8 digits then, which fit. */
+    private static final double LEAST_RANGE = 1e-6;
+
     private static final int TICKS = 5;
     /** Significant digits of a tick whose step needs no more. */
     private static final int TICK_DIGITS = 4;
@@ -24,7 +27,10 @@ record PlotAxis(double low, double high, double from, double to) {
         double[] finite = Arrays.stream(values).filter(Double::isFinite).toArray();
         double low = Arrays.stream(finite).min().orElse(0);
         double high = Arrays.stream(finite).max().orElse(1);
-        double room = high > low ? MARGIN * (high - low) : Math.max(1e-9, MARGIN * Math.abs(low));
+        double range = high - low;
+        double least = LEAST_RANGE * Math.max(Math.abs(low), Math.abs(high));
+        double room =
+                range > 0 ? Math.max(MARGIN * range, (least - range) / 2) : Math.max(1e-9, MARGIN * Math.abs(low));
         return new PlotAxis(low - room, high + room, from, to);
     }
 

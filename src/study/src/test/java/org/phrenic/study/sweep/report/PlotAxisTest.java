@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class PlotAxisTest {
     private static List<String> texts(double... values) {
@@ -24,6 +26,17 @@ class PlotAxisTest {
         assertThat(texts(2501.2, 2503.1)).containsExactly("2501.5", "2502", "2502.5", "2503");
         assertThat(texts(12341, 12359)).containsExactly("12345", "12350", "12355");
         assertThat(texts(-131.4, -131.2)).contains("-131.25");
+    }
+
+    /** Means of equal values differ in their last bits. */
+    @ParameterizedTest
+    @ValueSource(doubles = {131.2, -131.2, 1, 9.99, 0.02})
+    void ticksOfValuesThatDifferByRoundingAreShort(double value) {
+        assertThat(texts(value, Math.nextUp(value)))
+                .hasSizeGreaterThan(1)
+                .doesNotHaveDuplicates()
+                .allMatch(text ->
+                        text.replaceFirst("^-?0*\\.?0*", "").replace(".", "").length() <= 8);
     }
 
     @Test
