@@ -134,6 +134,17 @@ class ReproduceCommandTest {
     }
 
     @Test
+    void aReproductionThatCannotBeMadeLeavesAnEarlierReport() throws IOException {
+        Path out = Files.createDirectory(folder.resolve("earlier"));
+        Path page = Files.writeString(out.resolve("report.html"), "of an earlier reproduction");
+        Path text = Files.writeString(out.resolve("report.md"), "of an earlier reproduction");
+        CommandLineRun refused = CommandLineRun.of("reproduce", "--out", out.toString(), "--patients", out + "/none");
+        assertThat(refused.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+        assertThat(page).hasContent("of an earlier reproduction");
+        assertThat(text).hasContent("of an earlier reproduction");
+    }
+
+    @Test
     void aScanThatCannotBeUsedIsNamedAndTheStudyGoesOn() throws IOException {
         Path scans = Files.createDirectory(folder.resolve("scans"));
         Files.writeString(scans.resolve("anna_expiration.nii.gz"), "no scan");

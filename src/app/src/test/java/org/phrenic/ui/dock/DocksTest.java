@@ -417,16 +417,18 @@ class DocksTest {
         try {
             ForcesDock dock = on(() -> new ForcesDock(own));
             assertThat(on(() -> dock.checkBox(WallContact.CONTACT).isEnabled())).isTrue();
-            EventThread.run(() -> own.changeSeparately(
-                    EditName.of("Material paper"), List.of(Assignment.read("test", "material", "paper"))));
-            EventThread.run(() -> dock.onChange());
-            for (Setting<?> lacking : List.of(WallContact.CONTACT, TransdiaphragmaticPressure.PRESSURE)) {
-                assertThat(on(() -> dock.checkBox(lacking).isEnabled())).isFalse();
-                assertThat(on(() -> dock.checkBox(lacking).isSelected())).isFalse();
+            for (String material : List.of("paper", "published")) {
+                EventThread.run(() -> own.changeSeparately(
+                        EditName.of("Material " + material), List.of(Assignment.read("test", "material", material))));
+                EventThread.run(() -> dock.onChange());
+                for (Setting<?> lacking : List.of(WallContact.CONTACT, TransdiaphragmaticPressure.PRESSURE)) {
+                    assertThat(on(() -> dock.checkBox(lacking).isEnabled())).isFalse();
+                    assertThat(on(() -> dock.checkBox(lacking).isSelected())).isFalse();
+                }
+                assertThat(on(() -> dock.checkBox(Muscle.MUSCLE).isEnabled())).isTrue();
+                EventThread.run(() -> own.edits().undo());
+                EventThread.run(() -> dock.onChange());
             }
-            assertThat(on(() -> dock.checkBox(Muscle.MUSCLE).isEnabled())).isTrue();
-            EventThread.run(() -> own.edits().undo());
-            EventThread.run(() -> dock.onChange());
             assertThat(on(() -> dock.checkBox(WallContact.CONTACT).isEnabled())).isTrue();
             assertThat(on(() -> dock.checkBox(WallContact.CONTACT).isSelected()))
                     .isTrue();
