@@ -42,11 +42,12 @@ final class RibCosts {
 
     /**
      * Increasing numbers for ribs from top to bottom; 0 for a part that is left out. Of more than twelve as few as
-     * possible are; of others only those without which ribs go back to the numbers of both labels and vertebrae.
+     * possible are; of others, where the scan cuts off ribs of the side above or below, only those without which ribs
+     * go back to the numbers of both labels and vertebrae. A side of which nothing is cut off keeps all.
      */
     int[] numbers(List<Integer> ribs, VertebralEnd[] ends, Side side) {
         int[] most = leastCost(ribs, ends, side, NEVER);
-        if (!vertebrae.showThorax()) {
+        if (!vertebrae.showThorax() || ribs.stream().noneMatch(this::isCut)) {
             return most;
         }
         int[] fewer = leastCost(ribs, ends, side, LEFT_OUT);
@@ -119,6 +120,10 @@ final class RibCosts {
                 .boxed()
                 .min(Comparator.comparingDouble(first -> cost(ribs.get(lowest), ends, first + lowest, side)))
                 .orElseThrow();
+    }
+
+    private boolean isCut(int rib) {
+        return (components.ribs().get(rib).ends & (s.endsToward(true) | s.endsToward(false))) != 0;
     }
 
     /** The number of least cost of the lowest rib; 0 if there are none. */

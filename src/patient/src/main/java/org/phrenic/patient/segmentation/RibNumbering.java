@@ -22,9 +22,9 @@ import org.phrenic.patient.segmentation.VertebraHeights.VertebralEnd;
  * are numbered from top to bottom on each side. Without thoracic vertebrae they are counted from the first or the last
  * ({@link CutRibCount}). The numbers are otherwise those of least cost: the height of a rib's vertebral end above or
  * below the vertebra of its number, the share of its voxels that carry another number, and numbers left out. A stray
- * part under the label of a rib is left out where ribs would otherwise leave the numbers of their labels. Of a rib
- * whose vertebral end is cut off the vertebra lies higher than what is left. Where no vertebra above the twelfth is
- * shown, the height of the lowest rib alone tells its number.
+ * part under the label of a rib is left out where the scan cuts off ribs of its side and they would otherwise leave the
+ * numbers of their labels. Of a rib whose vertebral end is cut off the vertebra lies higher than what is left. Where no
+ * vertebra above the twelfth is shown, the height of the lowest rib alone tells its number.
  */
 final class RibNumbering {
     static final int RIBS = 12;
@@ -233,7 +233,7 @@ final class RibNumbering {
 
     /**
      * Increasing numbers for ribs from top to bottom; 0 for a part that is left out. Of more than twelve as few as
-     * possible are; of others only those without which ribs go back to the numbers of both labels and vertebrae.
+     * possible are; of others those that {@link RibCosts#numbers} tells.
      *
      * @param first number of the highest one as counted without vertebrae; empty if that is unknown
      */

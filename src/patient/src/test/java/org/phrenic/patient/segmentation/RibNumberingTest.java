@@ -74,6 +74,24 @@ class RibNumberingTest {
         assertThat(counts(s)).isEqualTo(truth);
     }
 
+    /** Right ribs from the second on and the spine carry the number of the one above. Nothing is cut off. */
+    @Test
+    void aCompleteCageKeepsItsTwelveRibsBesideASlippedSpine() {
+        CageVoxels cage = CageVoxels.withFloatingRibs().withVertebrae(1);
+        Map<String, Integer> truth = counts(from(cage, 0));
+        for (int v = 0; v < cage.labels.length; v++) {
+            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            if (label > CageVoxels.rib(1, true) && label <= CageVoxels.rib(12, true)) {
+                cage.labels[v] = (byte) (label - 1);
+            } else if (label >= CageVoxels.vertebra(12) && label <= CageVoxels.vertebra(1)) {
+                cage.labels[v] = (byte) (label == CageVoxels.vertebra(1) ? 0 : label + 1);
+            }
+        }
+        Segmentation s = from(cage, 0);
+        assertThat(SegmentationRepair.numberRibs(s)).last().asString().contains("vertebra_T12 is vertebra_L01");
+        assertThat(counts(s)).isEqualTo(truth);
+    }
+
     /** It is longer than the twelfth, whose label it carries. */
     @Test
     void aThirteenthRibIsLeftOutByItsVertebra() {
