@@ -212,7 +212,7 @@ public final class LabelNames {
         if (ASCITES.matcher(rest).matches()) {
             return Optional.of(OrganNames.OTHER_PREFIX + "ascites" + suffix);
         }
-        return beside ? organ(words, suffix).filter(LabelNames::isNamed) : ofWords(words, side, suffix);
+        return beside ? organ(words, suffix).filter(LabelNames::isNamed) : ofWords(name, words, side, suffix);
     }
 
     /** The organ of a name such as "Liver-CTV". "E" is External in the names of TG-263. */
@@ -231,9 +231,9 @@ public final class LabelNames {
                 .isPresent();
     }
 
-    private static Optional<String> ofWords(List<String> words, Side side, String suffix) {
+    private static Optional<String> ofWords(String name, List<String> words, Side side, String suffix) {
         String rest = String.join(" ", words);
-        Optional<String> rib = RibNames.structure(words, side, suffix);
+        Optional<String> rib = RibNames.structure(name, words, side, suffix);
         if (rib.isPresent() || RibNames.isRib(rest)) {
             return rib;
         }

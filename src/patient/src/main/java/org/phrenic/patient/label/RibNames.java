@@ -17,11 +17,17 @@ final class RibNames {
             Pattern.compile("(?=.*\\bribs?\\b)(?!.*\\bvertebra)(.* )?(cervical|lumbar)( .*)?");
 
     private static final Pattern SEVERAL = Pattern.compile("ribs|ribcage|cartilages");
-    /** Numbers from one to another, such as 1-12. */
-    private static final Pattern RANGE = Pattern.compile(
-            "\\b0*(\\d{1,2})(?:st|nd|rd|th)?(?: (?:to|bis|through|thru))? 0*(\\d{1,2})(?:st|nd|rd|th)?\\b");
+    /** Numbers from one to another, such as 1-12 or 1 to 12. A number without a dash or word before it is a copy's. */
+    private static final Pattern RANGE = Pattern.compile("(?<![a-z\\d])[lr]?0*(\\d{1,2})(?:st|nd|rd|th)?"
+            + "(?: ?[-\u2013] ?|[ _](?:to|bis|through|thru)[ _])"
+            + "[lr]?0*(\\d{1,2})(?:st|nd|rd|th)?[lr]?(?![a-z\\d])");
     /** A rib, its number and its side in one word, or two of them, such as rib5l, l5 and 5l. */
     private static final Pattern JOINED = Pattern.compile("\\b(rib\\d{1,2}[lr]|[lr]\\d{1,2}|\\d{1,2}[lr])\\b");
+
+    /** Words of several ribs, and a rib of a lumbar vertebra: letters beside numbers are no sides in their names. */
+    private static final Pattern NO_SIDES = Pattern.compile("\\b(ribs\\d*|ribcage\\d*|cage|l0?[1-5] rib)\\b");
+    /** A German abbreviation of a side beside a number or at the end. */
+    private static final Pattern GERMAN_SIDE = Pattern.compile("\\b(?:(?<=\\d )(li|re)|(li|re)(?= \\d|$))\\b");
 
     private RibNames() {}
 
@@ -38,24 +44,25 @@ final class RibNames {
                 JOINED.matcher(plain).replaceAll(m -> m.group().replaceAll("(?<=[a-z])(?=\\d)|(?<=\\d)(?=[a-z])", " "));
         boolean isRib =
                 RIB.matcher(words).matches() && !EXTRA_RIB.matcher(words).matches();
-        if (!isRib || LabelNames.side(new ArrayList<>(List.of(plain.split(" ", -1)))) != Side.MIDLINE) {
+        boolean told = isRib && !NO_SIDES.matcher(plain).find();
+        if (!told || LabelNames.side(new ArrayList<>(List.of(plain.split(" ", -1)))) != Side.MIDLINE) {
             return plain;
         }
-        return words.replaceAll("\\bli\\b", "left").replaceAll("\\bre\\b", "right");
+        return GERMAN_SIDE.matcher(words).replaceAll(m -> m.group().equals("li") ? "left" : "right");
     }
 
-    /** The structure of a name's words without the side; empty if they are of no rib or of an unknown one. */
-    static Optional<String> structure(List<String> words, Side side, String suffix) {
+    /** The structure of a name and its words without the side; empty if it is of no rib or of an unknown one. */
+    static Optional<String> structure(String name, List<String> words, Side side, String suffix) {
         String rest = String.join(" ", words);
         if (CARTILAGE.matcher(rest).matches()) {
-            return levelled(words, side, "costal_cartilage", LabelTable.COSTAL_CARTILAGES);
+            return levelled(name, words, side, "costal_cartilage", LabelTable.COSTAL_CARTILAGES);
         }
         Matcher extra = EXTRA_RIB.matcher(rest);
         if (extra.matches()) {
             return LabelNames.known("bone_" + extra.group(2) + "_rib" + suffix);
         }
         return RIB.matcher(rest).matches()
-                ? levelled(words, side, "rib", side == Side.MIDLINE ? LabelTable.RIBS : LabelTable.ribsOf(side))
+                ? levelled(name, words, side, "rib", side == Side.MIDLINE ? LabelTable.RIBS : LabelTable.ribsOf(side))
                 : Optional.empty();
     }
 
@@ -66,21 +73,21 @@ final class RibNames {
         return side != Side.MIDLINE && words.equals(List.of("rib")) ? Optional.of(side) : Optional.empty();
     }
 
-    private static Optional<String> levelled(List<String> words, Side side, String stem, String common) {
+    private static Optional<String> levelled(String name, List<String> words, Side side, String stem, String common) {
         boolean several = words.stream().anyMatch(word -> SEVERAL.matcher(word).matches());
         List<String> numbers = words.stream()
                 .map(word -> LabelNames.NUMBER.matcher(LabelNames.ordinal(word).replaceAll("^(ribs?|cartilages?)", "")))
                 .filter(Matcher::matches)
                 .map(m -> m.group(1))
                 .toList();
-        if (side == Side.MIDLINE || numbers.isEmpty() || (several && numbers.size() > 1) || isRange(words)) {
+        if (side == Side.MIDLINE || numbers.isEmpty() || (several && numbers.size() > 1) || isRange(name)) {
             return side == Side.MIDLINE || several || !numbers.isEmpty() ? Optional.of(common) : Optional.empty();
         }
         return LabelNames.known(stem + "_" + numbers.get(0) + (side == Side.RIGHT ? "_R" : "_L"));
     }
 
-    private static boolean isRange(List<String> words) {
-        Matcher range = RANGE.matcher(String.join(" ", words));
+    private static boolean isRange(String name) {
+        Matcher range = RANGE.matcher(LabelWords.english(name));
         return range.find() && Integer.parseInt(range.group(1)) < Integer.parseInt(range.group(2));
     }
 }
