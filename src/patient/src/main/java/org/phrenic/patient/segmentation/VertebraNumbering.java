@@ -69,6 +69,9 @@ final class VertebraNumbering {
                     + shortName(i + 1 < SPINE.size() ? SPINE.get(i + 1) : SACRAL))
             .toList();
 
+    private static final List<String> NECK =
+            Stream.concat(SPINE.stream().limit(7), DISCS.stream().limit(7)).toList();
+
     private static final StructureName NONE = new StructureName(StructureKind.OTHER, 0, Side.MIDLINE);
 
     private final Segmentation s;
@@ -132,8 +135,8 @@ final class VertebraNumbering {
 
     /**
      * Whether the first ribs have the number 2, as where a spine is numbered from below that has a vertebra more or
-     * less than usual: nothing has the number 1, and the ribs of number 2 on both sides, of which the scan cuts nothing
-     * off, are first ones beside those of number 3.
+     * less than usual: nothing has the number 1, no neck is labelled, and the ribs of number 2 on both sides, of which
+     * the scan cuts nothing off, are first ones beside those of number 3.
      */
     private boolean beginsWithSecond(double middle) {
         int[] counts = s.counts();
@@ -141,7 +144,10 @@ final class VertebraNumbering {
                 .filter(segment -> counts[segment] > 0 && names[segment].level() <= 1)
                 .anyMatch(segment ->
                         names[segment].kind() == StructureKind.RIB || names[segment].kind() == StructureKind.VERTEBRA);
+        boolean hasNeck =
+                s.names().stream().filter(name -> counts[s.find(name)] > 0).anyMatch(name -> NECK.contains(name));
         return !hasFirst
+                && !hasNeck
                 && Stream.of(Side.RIGHT, Side.LEFT).allMatch(side -> {
                     int second = rib(2, side);
                     int third = rib(3, side);
@@ -233,11 +239,16 @@ final class VertebraNumbering {
      * Gives each vertebra the name of the one so many below it, and so each disc; what is beyond the fifth lumbar
      * vertebra is sacral, what is above the first cervical one becomes background.
      *
-     * @param all whether ribs, their cartilages and the first sacral vertebra go with them
+     * @param all whether ribs, their cartilages and the first sacral vertebra go with them; cartilages of which there
+     *     is a first one stay
      * @return whether a vertebra or disc becomes background
      */
     private boolean shift(int down, boolean all) {
         boolean leftOut = false;
+        int[] counts = s.counts();
+        boolean cartilagesStay = IntStream.range(1, names.length)
+                .anyMatch(i ->
+                        counts[i] > 0 && names[i].kind() == StructureKind.COSTAL_CARTILAGE && names[i].level() == 1);
         byte[] segment = new byte[s.names().size() + 1];
         TreeMap<String, List<Integer>> labels = new TreeMap<>();
         for (int i = 1; i < segment.length; i++) {
@@ -245,7 +256,7 @@ final class VertebraNumbering {
         }
         for (String name : List.copyOf(s.names())) {
             boolean ofSpine = SPINE.contains(name) || DISCS.contains(name);
-            String now = all ? allShifted(name, down) : shifted(name, down);
+            String now = all ? allShifted(name, down, cartilagesStay) : shifted(name, down);
             if (ofSpine && Math.max(SPINE.indexOf(name), DISCS.indexOf(name)) + down < 0) {
                 segment[s.find(name)] = 0;
                 leftOut = true;
@@ -268,9 +279,10 @@ final class VertebraNumbering {
         return vertebra.substring(vertebra.indexOf('_') + 1).replaceFirst("(?<=[TL])0", "");
     }
 
-    private static String allShifted(String name, int down) {
+    private static String allShifted(String name, int down, boolean cartilagesStay) {
         StructureName parsed = StructureName.parse(name).orElse(NONE);
-        if (parsed.kind() == StructureKind.RIB || parsed.kind() == StructureKind.COSTAL_CARTILAGE) {
+        boolean cartilage = parsed.kind() == StructureKind.COSTAL_CARTILAGE && !cartilagesStay;
+        if (parsed.kind() == StructureKind.RIB || cartilage) {
             int level = Math.max(1, parsed.level() + down);
             return name.replaceFirst("\\d+", String.format(Locale.ROOT, "%02d", level));
         }

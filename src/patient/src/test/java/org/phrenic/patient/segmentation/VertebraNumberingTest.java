@@ -29,6 +29,7 @@ class VertebraNumberingTest {
     private static final int LEFT_LUNG = 3;
     private static final int SACRAL = 4;
     private static final int CARTILAGE = 5;
+    private static final int OTHER = 6;
 
     private static CageVoxels cage() {
         CageVoxels cage = CageVoxels.withFloatingRibs();
@@ -80,6 +81,11 @@ class VertebraNumberingTest {
      * The cage with short first ribs and lungs up to these, with eleven pairs of ribs and vertebrae one number high.
      */
     private static Segmentation fromBelow(int firstRow, int apex) {
+        return fromBelow(firstRow, apex, "liver");
+    }
+
+    /** The same with another structure above the spine. */
+    private static Segmentation fromBelow(int firstRow, int apex, String other) {
         CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
         cage.shorten(1, firstRow);
         for (int k = 40; k < apex; k++) {
@@ -88,6 +94,7 @@ class VertebraNumberingTest {
         }
         cage.ball(MIDDLE, 50, 10, 3, SACRAL);
         cage.ball(MIDDLE - 10, 4, 90, 2, CARTILAGE);
+        cage.ball(MIDDLE, 50, 124, 3, OTHER);
         byte[] labels = new byte[cage.labels.length];
         for (int v = 0; v < labels.length; v++) {
             int label = ribsMovedDown().applyAsInt(cage.labels[v] & LabelGrid.MAX_BYTE_LABEL);
@@ -98,6 +105,7 @@ class VertebraNumberingTest {
         table.put(LEFT_LUNG, "lung_L");
         table.put(SACRAL, "vertebra_S1");
         table.put(CARTILAGE, "costal_cartilage_03_R");
+        table.put(OTHER, other);
         return new Segmentation(CageVoxels.volume(labels), new LabelTable(table), "scan");
     }
 
@@ -115,6 +123,24 @@ class VertebraNumberingTest {
                 .doesNotContainKeys("rib_12_L", "rib_12_R", "vertebra_T12")
                 .containsEntry("rib_02_R", second);
         assertThat(s.labels("rib_01_R")).containsExactly(CageVoxels.rib(2, true));
+    }
+
+    @Test
+    void aSpineBelowALabelledNeckKeepsItsNumbers() {
+        for (String neck : List.of("vertebra_C7", "disc_C7_T1", "vertebra_C1")) {
+            Segmentation s = fromBelow(34, 108, neck);
+            assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+            assertThat(counts(s)).containsKeys(neck, "vertebra_T02", "rib_02_R");
+        }
+    }
+
+    @Test
+    void cartilagesOfWhichThereIsAFirstKeepTheirNumbers() {
+        Segmentation s = fromBelow(34, 108, "costal_cartilage_01_R");
+        assertThat(SegmentationRepair.numberRibs(s)).hasSize(1);
+        assertThat(counts(s))
+                .containsKeys("rib_01_R", "costal_cartilage_01_R", "costal_cartilage_03_R")
+                .doesNotContainKey("costal_cartilage_02_R");
     }
 
     /** They are as long as the third, or lie below the apex of the lungs. */
