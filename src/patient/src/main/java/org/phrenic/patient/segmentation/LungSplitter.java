@@ -25,6 +25,8 @@ public final class LungSplitter {
     private static final double MIN_SHARE = 0.3;
     /** The same of a collapsed lung, which lies apart from the other and beside it. */
     private static final double MIN_SHARE_COLLAPSED = 0.05;
+    /** Least size of a lobe that lies apart from its lung, over that of the label. */
+    private static final double LEAST_LOBE = 0.1;
     /** Least volume of a collapsed lung, and of what is left out with a note, ml. */
     private static final double MIN_ML = 30;
     /** Lower share of a lung's height, beside which gas in the stomach and the bowel lies. */
@@ -149,6 +151,28 @@ public final class LungSplitter {
             String other = isRightLabelled ? LEFT : RIGHT;
             region.assign(piece, first, s.segment(other));
             s.inheritFrom(other, LabelTable.LUNGS);
+            giveLobes(
+                    s, region, piece, sizes, isRightLabelled ? List.of(labelled, largest) : List.of(largest, labelled));
+        }
+    }
+
+    /**
+     * Gives each component of a lobe's size but the largest that lies beside one lung and not beside the other to that
+     * other.
+     *
+     * @param lungs the right and the left one
+     */
+    private static void giveLobes(Segmentation s, VoxelRegion region, byte[] piece, int[] sizes, List<Place> lungs) {
+        for (int p = 1; p < sizes.length; p++) {
+            if (p == largest(sizes, 0) || sizes[p] <= LEAST_LOBE * region.memberCount()) {
+                continue;
+            }
+            Place lobe = Place.of(s, region, piece, p);
+            boolean besideRight = lobe.isBeside(lungs.get(0));
+            boolean besideLeft = lobe.isBeside(lungs.get(1));
+            if (besideRight != besideLeft) {
+                assign(s, region, piece, lobe, besideRight ? LEFT : RIGHT);
+            }
         }
     }
 

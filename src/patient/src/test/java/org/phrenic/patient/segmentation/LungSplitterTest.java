@@ -129,8 +129,22 @@ class LungSplitterTest {
         Segmentation s = segmentation();
         assertThat(LungSplitter.split(s, notes)).isEmpty();
         assertThat(count(s, "lung_R")).isEqualTo(wide * 20 * tall);
-        assertThat(count(s, "lung_L")).isEqualTo(18 * 20 * 18);
-        assertThat(notes).singleElement().asString().startsWith("lungs: 1244 ml that lie apart from both lungs");
+        assertThat(count(s, "lung_L")).isEqualTo(18 * 20 * 34);
+        assertThat(notes).isEmpty();
+    }
+
+    /** Upper and middle lobe of the right lung have a label; its lower lobe shares one with the left lung. */
+    @Test
+    void aLobeApartBelowTheLabelledLungIsAPieceOfThat() {
+        box(2, 4, 5, 22, 20, 20, 15);
+        box(1, 4, 5, 8, 20, 20, 12);
+        box(1, 30, 5, 8, 18, 20, 24);
+        Segmentation s = segmentation();
+        assertThat(LungSplitter.split(s, notes)).isEmpty();
+        assertThat(count(s, "lung_R")).isEqualTo(20 * 20 * 27);
+        assertThat(count(s, "lung_L")).isEqualTo(18 * 20 * 24);
+        assertThat(s.labels("lung_R")).containsExactly(1, 2);
+        assertThat(notes).isEmpty();
     }
 
     @Test
