@@ -11,11 +11,14 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.query.TriangleTree;
 
-/** Unknown structures that go where the lungs go: what names tell to lie in the pleura, and what lungs surround. */
+/**
+ * Unknown structures that go where the lungs go: fluid and air in the pleura by their names, and what lungs surround.
+ */
 final class ChestContents {
     private static final Pattern IN_PLEURA =
-            Pattern.compile(".*(pleura|effusion|empyema|(hydro|ha?emo|pneumo|chylo)thorax).*");
-    private static final Pattern ELSEWHERE = Pattern.compile(".*(ascites|periton|abdom|joint).*");
+            Pattern.compile(".*(effusion|empyema|(hydro|ha?emo|pneumo|chylo)thorax|pleura.*fluid|fluid.*pleura).*");
+    private static final Pattern ELSEWHERE =
+            Pattern.compile(".*(ascites|periton|abdom|joint|pericard|drain|catheter|tube|plaque|thicken|parietal).*");
     /** Points nearer to a lung than this touch it, mm. */
     private static final double TOUCH_MM = 5;
     /** Least share of the vertices of a structure that lie in lungs or touch them. */
