@@ -33,11 +33,14 @@ public final class AbsentStructures {
     private final PatientBody body;
     private final VoxelBox view;
     private final double[] toVoxel;
+    /** First and last slice with labels. */
+    private final int[] slices;
 
     private AbsentStructures(PatientBody body, LabelGrid grid) {
         this.body = body;
         view = VoxelBox.of(grid);
         toVoxel = view.toVoxel();
+        slices = labelled(grid);
     }
 
     /**
@@ -105,6 +108,20 @@ public final class AbsentStructures {
                 && shareInView(s.structure().mesh()) >= LEAST_WITHIN;
     }
 
+    /** First and last slice with labels; a volume can be filled up with empty ones beyond the end of the scan. */
+    private static int[] labelled(LabelGrid grid) {
+        int area = grid.columns() * grid.rows();
+        int first = 0;
+        int last = grid.voxelCount() - 1;
+        while (first < last && grid.label(first) == 0) {
+            first++;
+        }
+        while (last > first && grid.label(last) == 0) {
+            last--;
+        }
+        return new int[] {first / area, last / area};
+    }
+
     private double shareInView(TriangleMesh mesh) {
         double[] voxel = new double[3];
         int inside = 0;
@@ -114,6 +131,7 @@ public final class AbsentStructures {
             for (int axis = 0; axis < 3; axis++) {
                 within &= voxel[axis] > -0.5 && voxel[axis] < view.size()[axis] - 0.5;
             }
+            within &= voxel[2] > slices[0] - 0.5 && voxel[2] < slices[1] + 0.5;
             inside += within ? 1 : 0;
         }
         return (double) inside / mesh.vertexCount();

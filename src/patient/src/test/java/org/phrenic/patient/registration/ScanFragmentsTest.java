@@ -169,9 +169,17 @@ class ScanFragmentsTest {
 
     /** The field of view of a scan up to a place on the left, mm, in voxels of 10 mm. */
     private static LabelGrid view(double leftEnd) {
+        return view(leftEnd, 0);
+    }
+
+    /** The same with labels from a slice on. */
+    private static LabelGrid view(double leftEnd, int first) {
         int columns = (int) ((leftEnd + 300) / 10);
         double[] toMm = {10, 0, 0, -300, 0, 10, 0, -300, 0, 0, 10, -500};
-        return LabelGrid.of(columns, 60, 100, new byte[columns * 60 * 100], toMm);
+        byte[] labels = new byte[columns * 60 * 100];
+        labels[columns * 60 * first] = 1;
+        labels[labels.length - 1] = 1;
+        return LabelGrid.of(columns, 60, 100, labels, toMm);
     }
 
     @Test
@@ -193,6 +201,11 @@ class ScanFragmentsTest {
                 .singleElement()
                 .asString()
                 .endsWith("there: rib_12_R");
+        // Slices without a label at the height of the twelfth ribs are beyond the end of the scan.
+        double[] rib =
+                body.structure("rib_12_R").orElseThrow().structure().mesh().centre();
+        assertThat(AbsentStructures.notes(body, view(300, (int) ((rib[2] + 500) / 10))))
+                .noneMatch(note -> note.contains("rib_12"));
         List<PatientStructure> lungs = body.structures().stream()
                 .filter(s -> s.structure().kind() == StructureKind.LUNG)
                 .toList();
