@@ -10,7 +10,7 @@ import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.TriangleMesh;
 
-/** Unknown structures that lie on both sides of the diaphragm, where no such structure can lie. */
+/** Unknown structures that pass through the diaphragm, as a tube does, or lie on both sides of it. */
 public final class UnknownSides {
     /** Least share of the vertices of a structure on each side. */
     private static final double LEAST_SHARE = 0.1;
@@ -34,8 +34,8 @@ public final class UnknownSides {
                 .toList();
         return names.isEmpty()
                 ? Optional.empty()
-                : Optional.of("unknown structures lie on both sides of the diaphragm, as the scan shows them and not as"
-                        + " the body lies: " + String.join(", ", names));
+                : Optional.of("unknown structures pass through or lie on both sides of the diaphragm, as tubes do or as"
+                        + " the scan and not the body lies: " + String.join(", ", names));
     }
 
     private static Optional<String> onBothSides(Structure s, Diaphragm diaphragm) {

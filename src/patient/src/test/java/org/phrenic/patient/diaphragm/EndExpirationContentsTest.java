@@ -151,8 +151,8 @@ class EndExpirationContentsTest {
         assertThat(UnknownSides.note(new Thorax("man", all, List.of()))).isEmpty();
         TriangleMesh through = Shapes.moved(Shapes.sphere(20, 3), x, y, liver[5]);
         all.add(new Structure("other_1", StructureKind.OTHER, 0, Side.MIDLINE, through));
-        assertThat(UnknownSides.note(new Thorax("man", all, List.of())))
-                .hasValueSatisfying(note -> assertThat(note).contains("both sides of the diaphragm", ": other_1 ("));
+        assertThat(UnknownSides.note(new Thorax("man", all, List.of()))).hasValueSatisfying(note -> assertThat(note)
+                .contains("pass through or lie on both sides of the diaphragm", ": other_1 ("));
     }
 
     @Test
