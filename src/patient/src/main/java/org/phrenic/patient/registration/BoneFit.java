@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
@@ -35,6 +36,8 @@ final class BoneFit {
     private static final double STERNUM_SIGMA_MM = 2;
     /** Height of the lower end of a sternum, mm. */
     private static final double STERNUM_END_MM = 10;
+    /** Vertices nearer to the end of a scan than this lie at the cut, mm. */
+    private static final double AT_CUT_MM = 3;
     /** Least share of a sternum cut at its front or a side that tells where the rest lies, as of a vertebra. */
     private static final double LEAST_STERNUM = 0.4;
 
@@ -112,9 +115,19 @@ final class BoneFit {
         if (s.organ().isCutAlongBody() || s.shownShare(start.apply(s.template())) >= LEAST_STERNUM) {
             surfaces.add(s.pair(true));
         }
-        if (s.cutAt().equals("S")) {
+        if (s.cutAt().equals("S") || showsLowerEnd(s)) {
             sternumEnds.add(lowerEnd(s.template()), lowerEnd(s.scan()), STERNUM_SIGMA_MM);
         }
+    }
+
+    /** Whether a scan cuts a sternum off above and has no other end at its lower end. */
+    static boolean showsLowerEnd(SharedStructure s) {
+        boolean[] atCut = s.organ().verticesAtCut(AT_CUT_MM);
+        double bound = s.scan().bounds()[2] + STERNUM_END_MM;
+        return s.cutAt().contains("S")
+                && !s.cutAt().contains("I")
+                && IntStream.range(0, atCut.length)
+                        .noneMatch(v -> atCut[v] && s.scan().z(v) < bound);
     }
 
     /**

@@ -197,6 +197,28 @@ class CutBonesTest {
         assertThat(error(body, WOMAN, "sternum_body")).isLessThan(12);
     }
 
+    /** The upper part touches a side of the field of view; the front of another scan cuts the lower part off. */
+    @Test
+    void theLowerEndOfASternumIsShownWhereNoOtherEndOfTheScanLies() {
+        double[] whole = sternum(WOMAN).bounds();
+        double top = whole[2] + 0.9 * (whole[5] - whole[2]);
+        TriangleMesh low = below(sternum(WOMAN), top);
+        CutPlane side = new CutPlane("L", 1, 0, 0, low.bounds()[3]);
+        CutPlane front = new CutPlane("A", 0, -1, 0, -(whole[1] + 0.2 * (whole[4] - whole[1])));
+        assertThat(BoneFit.showsLowerEnd(withCuts(low, top, side))).isTrue();
+        assertThat(BoneFit.showsLowerEnd(withCuts(inside(low, front), top, front)))
+                .isFalse();
+    }
+
+    private static SharedStructure withCuts(TriangleMesh mesh, double top, CutPlane other) {
+        List<CutPlane> ends = List.of(other, new CutPlane("S", 0, 0, 1, top));
+        MeshedSegment meshed = new MeshedSegment(mesh, 0, 0, DistanceSummary.NONE, MeshQuality.of(mesh), 0.2, 1, 0);
+        Structure sternum = WOMAN.find("sternum_body").orElseThrow().withMesh(mesh);
+        return new SharedStructure(
+                PatientStructure.ofScan(sternum, new PatientStructure.Scan(List.of(1), 1000, 1000, ends, meshed)),
+                mesh);
+    }
+
     private static TriangleMesh sternum(Thorax body) {
         return PatientBody.merged(body.structuresOf(StructureKind.STERNUM).stream())
                 .orElseThrow();
