@@ -16,9 +16,11 @@ import org.phrenic.mesh.query.TriangleTree;
  */
 final class ChestContents {
     private static final Pattern IN_PLEURA =
-            Pattern.compile(".*(effusion|empyema|(hydro|ha?emo|pneumo|chylo)thorax|pleura.*fluid|fluid.*pleura).*");
+            Pattern.compile(".*(effusion|erguss|empyema|(hydro|ha?emo|pneumo|chylo)thorax"
+                    + "|pleura.*(fluid|air|gas|collection)|(fluid|air|gas|collection).*pleura).*");
     private static final Pattern ELSEWHERE =
-            Pattern.compile(".*(ascites|periton|abdom|joint|pericard|drain|catheter|tube|plaque|thicken|parietal).*");
+            Pattern.compile(".*(ascites|periton|abdom|joint|peri[ck]ard|plaque|thicken|parietal).*"
+                    + "|(.*_)?(drain(age)?|catheter|tube)s?(_.*)?");
     /** Points nearer to a lung than this touch it, mm. */
     private static final double TOUCH_MM = 5;
     /** Least share of the vertices of a structure that lie in lungs or touch them. */

@@ -18,7 +18,16 @@ class ChestContentsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"other_pleural_effusion", "other_fluid_pleural_R", "other_Pneumothorax", "other_empyema"})
+    @ValueSource(
+            strings = {
+                "other_pleural_effusion",
+                "other_fluid_pleural_R",
+                "other_Pneumothorax",
+                "other_empyema",
+                "other_tuberculous_effusion",
+                "other_pleural_air",
+                "other_Pleuraerguss"
+            })
     void fluidAndAirInThePleuraGoWithTheLungs(String name) {
         assertThat(isInChest(name)).isTrue();
     }
@@ -32,7 +41,9 @@ class ChestContentsTest {
                 "other_pleural_plaque",
                 "other_pleural_thickening_effusion",
                 "other_pleura_parietal",
-                "other_pericardial_effusion"
+                "other_pericardial_effusion",
+                "other_Perikarderguss",
+                "other_drain_of_effusion"
             })
     void drainsAndWhatLiesOnTheWallStay(String name) {
         assertThat(isInChest(name)).isFalse();
