@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.regex.Pattern;
-import java.util.stream.IntStream;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.TriangleMesh;
@@ -25,8 +24,6 @@ final class ChestContents {
     private static final double TOUCH_MM = 5;
     /** Least share of the vertices of a structure that lie in lungs or touch them. */
     private static final double LEAST_TOUCHING = 0.7;
-    /** Number of vertices, about, that tell this share. */
-    private static final int SAMPLE = 300;
 
     private final Set<String> names = new HashSet<>();
 
@@ -50,16 +47,10 @@ final class ChestContents {
     }
 
     private static boolean isAmong(TriangleMesh mesh, List<TriangleTree> lungs) {
-        int step = Math.max(1, mesh.vertexCount() / SAMPLE);
-        int[] sample =
-                IntStream.iterate(0, v -> v < mesh.vertexCount(), v -> v + step).toArray();
         TriangleTree.Hit hit = new TriangleTree.Hit();
-        long touching = IntStream.of(sample)
-                .filter(v -> lungs.stream()
-                        .anyMatch(lung -> lung.isInside(mesh.x(v), mesh.y(v), mesh.z(v))
-                                || (lung.closest(mesh.x(v), mesh.y(v), mesh.z(v), hit)
-                                        && hit.distanceSquared < TOUCH_MM * TOUCH_MM)))
-                .count();
-        return touching >= LEAST_TOUCHING * sample.length;
+        return LiverContents.isShare(mesh, LEAST_TOUCHING, v -> lungs.stream()
+                .anyMatch(lung -> lung.isInside(mesh.x(v), mesh.y(v), mesh.z(v))
+                        || (lung.closest(mesh.x(v), mesh.y(v), mesh.z(v), hit)
+                                && hit.distanceSquared < TOUCH_MM * TOUCH_MM)));
     }
 }

@@ -43,22 +43,22 @@ public final class DiaphragmCompletion {
         List<PatientStructure> rest = new ArrayList<>(body.structures().stream()
                 .filter(s -> s.structure().kind() != StructureKind.DIAPHRAGM)
                 .toList());
-        MedianFrame frame = MedianFrame.of(bare(body, rest));
+        Thorax whole = bare(body, rest);
+        MedianFrame frame = MedianFrame.of(whole);
         Structure sheet;
         Thorax straight;
         List<String> notes =
                 new ArrayList<>(List.of("the diaphragm is built from the organs and bones that it touches"));
         try {
-            Thorax before = frame.toFrame(bare(body, rest));
+            Thorax before = frame.toFrame(whole);
             CageEnvelope cage = new CageEnvelope(before);
-            if (showsBases(body)) {
-                HiatalHernia.of(before, cage).ifPresent(hernia -> {
-                    part(rest, hernia, frame);
-                    notes.add(hernia.note());
-                });
-            }
-            Thorax bare = bare(body, rest);
-            straight = frame.toFrame(bare);
+            Optional<HiatalHernia> hernia = showsBases(body) ? HiatalHernia.of(before, cage) : Optional.empty();
+            hernia.ifPresent(found -> {
+                part(rest, found, frame);
+                notes.add(found.note());
+            });
+            Thorax bare = hernia.isPresent() ? bare(body, rest) : whole;
+            straight = hernia.isPresent() ? frame.toFrame(bare) : before;
             TriangleMesh built = DiaphragmBuilder.build(straight, cage, parted, vertices);
             sheet = new Structure(NAME, StructureKind.DIAPHRAGM, 0, Side.MIDLINE, frame.toScan(built));
             YieldToSheet contact = new YieldToSheet(bare, frame, built);

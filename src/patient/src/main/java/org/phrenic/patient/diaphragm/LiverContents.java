@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Structure;
@@ -45,12 +46,14 @@ final class LiverContents {
     }
 
     private static boolean isWithin(TriangleMesh mesh, TriangleTree surface) {
+        return isShare(mesh, LEAST_WITHIN, v -> surface.isInside(mesh.x(v), mesh.y(v), mesh.z(v)));
+    }
+
+    /** Whether at least a share of the vertices satisfies a condition, told by a sample of them. */
+    static boolean isShare(TriangleMesh mesh, double least, IntPredicate condition) {
         int step = Math.max(1, mesh.vertexCount() / SAMPLE);
         int[] sample =
                 IntStream.iterate(0, v -> v < mesh.vertexCount(), v -> v + step).toArray();
-        long within = IntStream.of(sample)
-                .filter(v -> surface.isInside(mesh.x(v), mesh.y(v), mesh.z(v)))
-                .count();
-        return within >= LEAST_WITHIN * sample.length;
+        return IntStream.of(sample).filter(condition).count() >= least * sample.length;
     }
 }

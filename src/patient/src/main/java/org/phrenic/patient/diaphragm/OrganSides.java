@@ -42,6 +42,15 @@ final class OrganSides {
         return new TriangleMesh(sheet.positions(), corners);
     }
 
+    /** Share of the vertices of an organ beyond; {@link #count} and the rest stay as they are. */
+    double share(TriangleMesh organ) {
+        TriangleTree.Hit hit = new TriangleTree.Hit();
+        long beyond = IntStream.range(0, organ.vertexCount())
+                .filter(v -> depth(organ.x(v), organ.y(v), organ.z(v), hit) > THROUGH_MM)
+                .count();
+        return (double) beyond / organ.vertexCount();
+    }
+
     private void measure(TriangleMesh organ) {
         TriangleTree.Hit hit = new TriangleTree.Hit();
         vertices += organ.vertexCount();

@@ -28,9 +28,11 @@ public final class UnknownSides {
         TriangleMesh shells = frame.toFrame(sheets.get(0).mesh());
         Diaphragm diaphragm =
                 Diaphragm.withTrefoilTendon(Diaphragm.sheetAmong(shells).orElse(shells));
+        OrganSides below = new OrganSides(diaphragm, true, List.of());
+        OrganSides above = new OrganSides(diaphragm, false, List.of());
         List<String> names = unknown.stream()
                 .filter(s -> s.mesh().vertexCount() > 0)
-                .flatMap(s -> onBothSides(frame.toFrame(s), diaphragm).stream())
+                .flatMap(s -> onBothSides(frame.toFrame(s), below, above).stream())
                 .toList();
         return names.isEmpty()
                 ? Optional.empty()
@@ -38,17 +40,14 @@ public final class UnknownSides {
                         + " the scan and not the body lies: " + String.join(", ", names));
     }
 
-    private static Optional<String> onBothSides(Structure s, Diaphragm diaphragm) {
-        double below = share(s, diaphragm, true);
-        double above = share(s, diaphragm, false);
-        return below < LEAST_SHARE || above < LEAST_SHARE
+    /**
+     * @param below what lies below counts, as of an organ of the chest
+     * @param above what lies above counts, as of one of the abdomen
+     */
+    private static Optional<String> onBothSides(Structure s, OrganSides below, OrganSides above) {
+        double share = below.share(s.mesh());
+        return share < LEAST_SHARE || above.share(s.mesh()) < LEAST_SHARE
                 ? Optional.empty()
-                : Optional.of(Numbers.format("%s (%.0f %% below)", s.name(), 100 * below));
-    }
-
-    /** Share of the vertices on the side where an organ of the chest, or of the abdomen, does not belong. */
-    private static double share(Structure s, Diaphragm diaphragm, boolean thoracic) {
-        OrganSides sides = new OrganSides(diaphragm, thoracic, List.of(s));
-        return (double) sides.count() / sides.vertices();
+                : Optional.of(Numbers.format("%s (%.0f %% below)", s.name(), 100 * share));
     }
 }

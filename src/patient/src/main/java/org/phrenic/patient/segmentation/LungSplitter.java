@@ -1,10 +1,10 @@
 package org.phrenic.patient.segmentation;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.TreeSet;
 import java.util.function.BiPredicate;
 import org.phrenic.patient.label.LabelTable;
 
@@ -220,11 +220,10 @@ public final class LungSplitter {
     }
 
     private static void assign(Segmentation s, VoxelRegion region, byte[] piece, Place place, String lung) {
-        List<Integer> labels = new ArrayList<>(s.find(lung) > 0 ? s.labels(lung) : List.of());
-        labels.addAll(s.labels(LabelTable.LUNGS));
-        labels.sort(null);
+        TreeSet<Integer> labels = new TreeSet<>(s.labels(LabelTable.LUNGS));
+        labels.addAll(s.find(lung) > 0 ? s.labels(lung) : List.of());
         region.assign(piece, place.mark, s.segment(lung));
-        s.setLabels(lung, labels);
+        s.setLabels(lung, List.copyOf(labels));
     }
 
     /** Notes what belongs to neither lung. */

@@ -46,13 +46,13 @@ final class SkeletonSplitter {
     private static final String NEAR_LUNGS = "bone_near_lungs";
     private static final String IN_FRONT = "bone_in_front";
     /** Least height of the first rib's vertebral end above the apex of the lung, mm. */
-    static final double FIRST_ABOVE_APEX_MM = -12;
+    private static final double FIRST_ABOVE_APEX_MM = -12;
 
     /**
      * Length of the first rib over that of the second from end to end, 0.49 to 0.69 in five bodies; that of the second
      * over the third is 0.78 to 0.84.
      */
-    static final double FIRST_SHORT = 0.735;
+    private static final double FIRST_SHORT = 0.735;
 
     /** Least length of what a scan leaves of a rib, mm, and least height of what it leaves of a sternum. */
     private static final double LEAST_CUT_MM = 20;
@@ -318,10 +318,19 @@ final class SkeletonSplitter {
         if (ribs.size() < LEAST_RIBS || ribs.size() > MOST_RIBS) {
             return false;
         }
-        return !lungs.get(side).isCutAbove()
-                && isRegular(ribs)
-                && ribs.get(0).length() < FIRST_SHORT * ribs.get(1).length()
-                && ribs.get(0).endZ() > lungs.get(side).highest() + FIRST_ABOVE_APEX_MM;
+        Part first = ribs.get(0);
+        return isRegular(ribs) && isFirst(first.length(), ribs.get(1).length(), first.endZ(), lungs.get(side));
+    }
+
+    /**
+     * Whether a rib is the first one: as short beside the next, and as high as the apex of a lung that the scan shows.
+     *
+     * @param lengthMm its length
+     * @param nextMm length of the next one
+     * @param endZ height of its vertebral end, mm
+     */
+    static boolean isFirst(double lengthMm, double nextMm, double endZ, LungVoxels lung) {
+        return !lung.isCutAbove() && lengthMm < FIRST_SHORT * nextMm && endZ > lung.highest() + FIRST_ABOVE_APEX_MM;
     }
 
     private boolean isSternum(Part part) {

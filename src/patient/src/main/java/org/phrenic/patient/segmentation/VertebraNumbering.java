@@ -154,19 +154,17 @@ final class VertebraNumbering {
                     return second > 0
                             && third > 0
                             && (ends.get(second) | ends.get(third)) == 0
-                            && CutRibCount.length(s, ribs.get(second))
-                                    < SkeletonSplitter.FIRST_SHORT * CutRibCount.length(s, ribs.get(third))
-                            && endsAtApex(ribs.get(second), middle, side);
+                            && isFirst(ribs.get(second), ribs.get(third), middle, side);
                 });
     }
 
-    private boolean endsAtApex(IntList rib, double middle, Side side) {
+    private boolean isFirst(IntList rib, IntList next, double middle, Side side) {
         Optional<LungVoxels> lung = LungVoxels.of(s, side == Side.RIGHT ? "lung_R" : "lung_L");
         OptionalDouble end = vertebralEnd(rib, middle);
-        return end.isPresent()
-                && lung.filter(l -> !l.isCutAbove())
-                        .filter(l -> end.getAsDouble() > l.highest() + SkeletonSplitter.FIRST_ABOVE_APEX_MM)
-                        .isPresent();
+        return lung.isPresent()
+                && end.isPresent()
+                && SkeletonSplitter.isFirst(
+                        CutRibCount.length(s, rib), CutRibCount.length(s, next), end.getAsDouble(), lung.get());
     }
 
     /** 1 if the vertebrae lie one above the ribs of their numbers, -1 if one below, otherwise 0. */
