@@ -114,13 +114,16 @@ final class VertebraNumbering {
                 ends.merge(segment, s.ends(v), (a, b) -> a | b);
             }
         }
-        if (vertebral > 0 && beginsWithSecond(sumX / vertebral)) {
+        if (vertebral == 0 || ribs.isEmpty()) {
+            return Optional.empty();
+        }
+        if (beginsWithSecond(sumX / vertebral)) {
             shift(-1, true);
             return Optional.of(
                     "the highest ribs have the number 2, but are as short as the first ones and end at the top"
                             + " of the lungs: ribs and vertebrae are numbered one lower");
         }
-        int slip = vertebral == 0 ? 0 : slip(sumX / vertebral);
+        int slip = slip(sumX / vertebral);
         if (slip == 0) {
             return Optional.empty();
         }

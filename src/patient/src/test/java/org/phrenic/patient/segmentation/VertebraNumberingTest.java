@@ -109,6 +109,16 @@ class VertebraNumberingTest {
         return new Segmentation(CageVoxels.volume(labels), new LabelTable(table), "scan");
     }
 
+    /** An abdominal scan with vertebrae and organs labelled: no first vertebra, no neck and no rib. */
+    @Test
+    void vertebraeOfAScanWithoutRibsKeepTheirNumbers() {
+        Segmentation s = scan(cage(), ABDOMEN, label -> label < FIRST_LEFT ? label : 0);
+        TreeMap<String, Integer> before = counts(s);
+        assertThat(before).containsKey("vertebra_T12").doesNotContainKey("vertebra_T01");
+        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(counts(s)).isEqualTo(before);
+    }
+
     @Test
     void firstRibsWithTheNumberTwoAreNumberedAnewWithTheirSpine() {
         Segmentation s = fromBelow(34, 108);
