@@ -1,22 +1,32 @@
 package org.phrenic.patient.segmentation;
 
 import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Comparator;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.IntList;
+import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.mesh.voxel.LayerParting;
 import org.phrenic.patient.label.LabelTable;
 
 /**
- * Ribs that hang together under their label, as where it holds the cartilages of the costal margin, or where a bridge
- * of bone joins two.
+ * Ribs that hang together: under their label, as where it holds the cartilages of the costal margin or where a bridge
+ * of bone joins two; or where each has a label of its own and they touch.
  */
 final class FusedRibs {
+    /** Least share of the shorter one's directions that two ribs which touch have in common. */
+    private static final double BESIDE = 0.5;
+    /** Least difference in height of two ribs that touch, mm: more than the thickness of one. */
+    private static final double APART_MM = 8;
+
     private final Segmentation s;
     /** x and y of an axis in front of the vertebral ends of the ribs and behind their front ends, mm. */
     private final double[] axis;
@@ -46,6 +56,98 @@ final class FusedRibs {
         ribs.clear();
         ribs.addAll(apart);
         return parted.isEmpty() ? "" : "; ribs that hang together are parted: " + String.join(", ", parted);
+    }
+
+    /**
+     * Parts ribs that touch by their labels: of a connected part that holds nearly all of several labels, each nearly
+     * all in one piece, the pieces that lie one above another are ribs. Others, as the front and the back of one rib
+     * under two labels, stay together.
+     *
+     * @param ribs connected parts of ribs; one that holds several is replaced by these
+     * @param middle x and y of the axis about which the ribs curve, mm
+     */
+    static void partByLabels(Segmentation s, List<RibComponents.Rib> ribs, double[] middle) {
+        Map<Integer, Integer> totals = RibComponents.totals(ribs);
+        FusedRibs fused = new FusedRibs(s, middle);
+        List<RibComponents.Rib> apart = ribs.stream()
+                .flatMap(rib -> fused.byLabels(
+                        rib,
+                        rib.segments.keySet().stream()
+                                .filter(segment -> !LabelTable.isRibs(s.names().get(segment - 1)))
+                                .filter(segment -> rib.share(segment) > RibComponents.FRAGMENT)
+                                .filter(segment -> isMost(rib.segments.get(segment), totals.get(segment)))
+                                .toList()))
+                .toList();
+        ribs.clear();
+        ribs.addAll(apart);
+    }
+
+    private static boolean isMost(int part, int all) {
+        return part > (1 - RibComponents.SUBSTANTIAL) * all;
+    }
+
+    private Stream<RibComponents.Rib> byLabels(RibComponents.Rib rib, List<Integer> labels) {
+        if (labels.size() < 2) {
+            return Stream.of(rib);
+        }
+        byte[] groups = new byte[LabelGrid.MAX_BYTE_LABEL + 1];
+        labels.forEach(label -> groups[label] = (byte) (int) label);
+        Map<Integer, RibComponents.Rib> pieces = new TreeMap<>();
+        for (IntList voxels : new VoxelRuns(s, groups, true).voxels(run -> true).values()) {
+            int label = s.segmentAt(voxels.get(0));
+            if (isMost(voxels.size(), rib.segments.get(label))) {
+                RibComponents.Rib piece = new RibComponents.Rib(s, voxels);
+                piece.findAngles(s, axis);
+                pieces.put(label, piece);
+            }
+        }
+        List<List<Integer>> ribs = new ArrayList<>();
+        for (int label : pieces.keySet()) {
+            List<List<Integer>> same = ribs.stream()
+                    .filter(other -> other.stream().anyMatch(o -> !areTwo(pieces.get(o), pieces.get(label))))
+                    .toList();
+            ribs.removeAll(same);
+            ribs.add(Stream.concat(same.stream().flatMap(List::stream), Stream.of(label))
+                    .toList());
+        }
+        return ribs.size() < 2 ? Stream.of(rib) : shared(rib, pieces, ribs);
+    }
+
+    /** Whether two pieces of one connected part lie one above the other. */
+    private static boolean areTwo(RibComponents.Rib a, RibComponents.Rib b) {
+        return RibComponents.commonAngle(a, b) > BESIDE && Math.abs(a.heightAbove(b)) > APART_MM;
+    }
+
+    /** Ribs of some labels each, with the voxels that belong to none of their pieces in the nearest one. */
+    private Stream<RibComponents.Rib> shared(
+            RibComponents.Rib whole, Map<Integer, RibComponents.Rib> pieces, List<List<Integer>> ribs) {
+        List<IntList> parts = new ArrayList<>();
+        BitSet shared = new BitSet();
+        for (List<Integer> rib : ribs) {
+            int[] voxels = rib.stream()
+                    .flatMapToInt(label -> IntStream.of(pieces.get(label).voxels.toArray()))
+                    .toArray();
+            parts.add(new IntList());
+            for (int voxel : voxels) {
+                parts.get(parts.size() - 1).add(voxel);
+                shared.set(voxel);
+            }
+        }
+        List<IntList> others = ribs.stream().map(rib -> new IntList()).toList();
+        for (int voxel : whole.voxels.toArray()) {
+            if (!shared.get(voxel)) {
+                int nearest = IntStream.range(0, parts.size())
+                        .boxed()
+                        .min(Comparator.comparingDouble(
+                                part -> RibComponents.distance(s, s.point(voxel), parts.get(part))))
+                        .orElseThrow();
+                others.get(nearest).add(voxel);
+            }
+        }
+        for (int part = 0; part < parts.size(); part++) {
+            IntStream.of(others.get(part).toArray()).forEach(parts.get(part)::add);
+        }
+        return parts.stream().map(part -> new RibComponents.Rib(s, part));
     }
 
     private Stream<RibComponents.Rib> apart(RibComponents.Rib rib, List<String> parted) {

@@ -19,7 +19,7 @@ import org.phrenic.patient.label.LabelTable;
  */
 final class RibComponents {
     /** Parts smaller than this share of the usual one are fragments. */
-    private static final double FRAGMENT = 0.05;
+    static final double FRAGMENT = 0.05;
 
     private static final int MIN_VOXELS = 20;
     /** Share of a label or of a part from which an overlap counts. */
@@ -33,10 +33,7 @@ final class RibComponents {
     private static final double OVERRIDING_MM = 8;
 
     private static final int ANGLES = 72;
-    /**
-     * Two parts lie side by side if more than this share of the shorter one is within {@link #BESIDE_MM} of the gap's
-     * width.
-     */
+    /** Two parts lie side by side if more of the shorter one is within {@link #BESIDE_MM} of the gap's width. */
     private static final double MAX_BESIDE = 0.4;
 
     private static final double BESIDE_MM = 12;
@@ -44,7 +41,7 @@ final class RibComponents {
     private static final double NEAR_MM = 25;
 
     private static final int SAMPLES = 100;
-    /** Greatest number of directions between two parts that lie in line, {@value #ANGLES} in a turn. */
+    /** Greatest number of directions between two parts in line, {@value #ANGLES} in a turn. */
     private static final int MAX_GAP = 16;
     /** Numbers of directions from whose first to whose last the slope of an end is taken. */
     private static final int LEAST_SLOPE = 2;
@@ -75,6 +72,17 @@ final class RibComponents {
                 for (int axis = 0; axis < 3; axis++) {
                     centre[axis] += s.coordinate(voxel, axis) / voxels.size();
                 }
+            }
+        }
+
+        /** Finds its directions about an axis of this x and y, mm. */
+        void findAngles(Segmentation s, double[] axis) {
+            for (int i = 0; i < voxels.size(); i++) {
+                int voxel = voxels.get(i);
+                double angle = StrictMath.atan2(s.coordinate(voxel, 1) - axis[1], s.coordinate(voxel, 0) - axis[0]);
+                int bin = Math.min(ANGLES - 1, (int) ((angle + Math.PI) / (2 * Math.PI) * ANGLES));
+                inDirection[bin]++;
+                heights[bin] += s.coordinate(voxel, 2);
             }
         }
 
@@ -136,32 +144,21 @@ final class RibComponents {
             new RibSides(s, ribs).middle().orElse(acrossRibs),
             ribs.stream().mapToDouble(rib -> rib.centre[1]).average().orElse(0)
         };
+        FusedRibs.partByLabels(s, ribs, middle);
         parted = isParted ? FusedRibs.part(s, ribs, middle[0]) : "";
-        ribs.forEach(rib -> findAngles(rib, middle));
-        joinPieces(middle[0]);
-    }
-
-    private void findAngles(Rib rib, double[] middle) {
-        for (int i = 0; i < rib.voxels.size(); i++) {
-            int voxel = rib.voxels.get(i);
-            double angle = StrictMath.atan2(s.coordinate(voxel, 1) - middle[1], s.coordinate(voxel, 0) - middle[0]);
-            int bin = (int) ((angle + Math.PI) / (2 * Math.PI) * ANGLES);
-            rib.inDirection[Math.min(ANGLES - 1, bin)]++;
-            rib.heights[Math.min(ANGLES - 1, bin)] += s.coordinate(voxel, 2);
-        }
-    }
-
-    /**
-     * Joins parts of one label alone that lie end to end: in different directions about the body's axis, and near to
-     * each other or at one end of the volume; or near with their ends alone, as parts of a first rib, which curves
-     * about the axis itself. Those on the two sides of the median plane, whose x is given in mm, are never one rib.
-     */
-    private void joinPieces(double middle) {
-        while (joinTwo(middle)) {
+        ribs.forEach(rib -> rib.findAngles(s, middle));
+        while (joinTwo(middle[0])) {
             // A part that has grown may lie in line with what its pieces did not.
         }
     }
 
+    /**
+     * Joins two parts of one label alone that lie end to end: in different directions about the body's axis, and near
+     * to each other or at one end of the volume; or near with their ends alone, as parts of a first rib, which curves
+     * about the axis itself. Those on the two sides of the median plane, whose x is given in mm, are never one rib.
+     *
+     * @return whether there were two
+     */
     private boolean joinTwo(double middle) {
         for (int i = 0; i < ribs.size(); i++) {
             for (int j = ribs.size() - 1; j > i; j--) {
@@ -233,7 +230,7 @@ final class RibComponents {
         int stride = Math.max(1, shorter.voxels.size() / SAMPLES);
         return IntStream.iterate(0, i -> i < shorter.voxels.size(), i -> i + stride)
                 .map(shorter.voxels::get)
-                .mapToDouble(v -> distance(s.point(v), longer.voxels))
+                .mapToDouble(v -> distance(s, s.point(v), longer.voxels))
                 .toArray();
     }
 
@@ -254,7 +251,7 @@ final class RibComponents {
     }
 
     /** Share of the shorter part's directions that two parts have in common, but for one in which both may end. */
-    private static double commonAngle(Rib a, Rib b) {
+    static double commonAngle(Rib a, Rib b) {
         int common = 0;
         int ofA = 0;
         int ofB = 0;
@@ -266,7 +263,7 @@ final class RibComponents {
         return Math.max(0, common - 1) / (double) Math.min(ofA, ofB);
     }
 
-    /** A clause to end a sentence with that says which ribs that hang together are parted; empty if there are none. */
+    /** A clause that ends a sentence and names ribs that hang together and are parted; empty for none. */
     String parted() {
         return parted;
     }
@@ -282,8 +279,8 @@ final class RibComponents {
         for (Rib fragment : fragments) {
             Optional<Rib> nearest = ribs.stream()
                     .filter(to)
-                    .min(Comparator.comparingDouble(rib -> distance(fragment.centre, rib.voxels)));
-            if (nearest.isPresent() && distance(fragment.centre, nearest.get().voxels) < NEAR_MM) {
+                    .min(Comparator.comparingDouble(rib -> distance(s, fragment.centre, rib.voxels)));
+            if (nearest.isPresent() && distance(s, fragment.centre, nearest.get().voxels) < NEAR_MM) {
                 append(nearest.get(), fragment);
             } else {
                 left.add(fragment);
@@ -292,7 +289,7 @@ final class RibComponents {
         return left;
     }
 
-    private double distance(double[] point, IntList voxels) {
+    static double distance(Segmentation s, double[] point, IntList voxels) {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < voxels.size(); i++) {
             double square = 0;
@@ -310,7 +307,7 @@ final class RibComponents {
      * a substantial part stays: two ribs may touch.
      */
     void relabelBleeding() {
-        Map<Integer, Integer> totals = totals();
+        Map<Integer, Integer> totals = totals(ribs);
         for (Rib rib : ribs) {
             int dominant = rib.dominantSegment();
             for (int i = 0; i < rib.voxels.size(); i++) {
@@ -330,7 +327,8 @@ final class RibComponents {
                 && ribs.stream().anyMatch(rib -> rib != part && rib.segments.getOrDefault(label, 0) > held);
     }
 
-    private Map<Integer, Integer> totals() {
+    /** Voxels of each segment in some ribs. */
+    static Map<Integer, Integer> totals(List<Rib> ribs) {
         TreeMap<Integer, Integer> totals = new TreeMap<>();
         ribs.forEach(rib -> rib.segments.forEach((segment, count) -> totals.merge(segment, count, Integer::sum)));
         return totals;
@@ -338,7 +336,7 @@ final class RibComponents {
 
     /** A segment that makes substantial parts of two ribs, and no mere specks in them, if there is one. */
     Optional<Integer> dividedSegment() {
-        Map<Integer, Integer> totals = totals();
+        Map<Integer, Integer> totals = totals(ribs);
         return totals.keySet().stream()
                 .filter(segment -> ribs.stream()
                                 .filter(rib -> rib.segments.getOrDefault(segment, 0)

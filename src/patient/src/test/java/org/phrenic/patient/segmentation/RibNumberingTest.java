@@ -74,6 +74,38 @@ class RibNumberingTest {
         assertThat(counts(s)).isEqualTo(truth);
     }
 
+    /** Right ribs 5, 6 and 7 touch at their sides, as where a small spine is bent. */
+    @Test
+    void ribsThatTouchKeepTheLabelsThatTellThemApart() {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        for (int number = 5; number < 7; number++) {
+            for (int step = 0; step <= 8; step++) {
+                cage.ball(2.5, 30, 118 - 8 * number - step, 1, CageVoxels.rib(step < 4 ? number : number + 1, true));
+            }
+        }
+        Segmentation s = from(cage, 0);
+        Map<String, Integer> truth = counts(s);
+        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(counts(s)).isEqualTo(truth);
+    }
+
+    /** The front of right rib 6 carries the label of rib 7, and ribs 7 to 11 those of 8 to 12; there is no rib 12. */
+    @Test
+    void aRibOfTwoLabelsThatNoOtherHasIsOneRib() {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        clear(cage, CageVoxels.rib(12, true));
+        Map<String, Integer> truth = counts(from(cage, 0));
+        for (int v = 0; v < cage.labels.length; v++) {
+            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
+            boolean front = v / CageVoxels.COLUMNS % CageVoxels.ROWS < 30;
+            boolean other = label > CageVoxels.rib(6, true) || (label == CageVoxels.rib(6, true) && front);
+            cage.labels[v] = (byte) (other ? label + 1 : label);
+        }
+        Segmentation s = from(cage, 0);
+        assertThat(SegmentationRepair.numberRibs(s)).singleElement().asString().contains("leave out a number");
+        assertThat(counts(s)).isEqualTo(truth);
+    }
+
     /** Right ribs from the second on and the spine carry the number of the one above. Nothing is cut off. */
     @Test
     void aCompleteCageKeepsItsTwelveRibsBesideASlippedSpine() {
