@@ -49,4 +49,10 @@ class BenchFitsCommandTest {
         assertThat(out.resolve("fits.md")).content().contains("anna", "berta\\_expiration.nii.gz");
         assertThat(out.resolve("fits.json")).content().contains("\"not_fitted\": [");
     }
+
+    @Test
+    void helpStatesTheExitCodeOfAPatientWhoIsNotFitted() {
+        assertThat(CommandLineRun.of("bench", "fits", "--help").out())
+                .contains("Exit code 3 if a fit ends without a result or a patient could not be fitted.");
+    }
 }

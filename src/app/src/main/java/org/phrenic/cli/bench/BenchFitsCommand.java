@@ -44,7 +44,7 @@ import picocli.CommandLine.ParameterException;
             "",
             "DIR gets fits.md, .html, .json and the journals: the same command in the same folder goes on.",
             "A patient whose scans cannot be used is named, and the others are fitted.",
-            "Exit code 3 if a fit ends without a result.",
+            "Exit code 3 if a fit ends without a result or a patient could not be fitted.",
             Disclaimer.TEXT
         })
 final class BenchFitsCommand extends ReportingCommand {

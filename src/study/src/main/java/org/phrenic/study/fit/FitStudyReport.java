@@ -32,7 +32,7 @@ public record FitStudyReport(List<PatientFit> patients, List<KnownBreath> known,
         failures = List.copyOf(failures);
     }
 
-    /** Whether every fit has a result. */
+    /** Whether every patient was fitted and every fit has a result. */
     public boolean passes() {
         return failures.isEmpty() && known.stream().allMatch(k -> k.result().isPresent());
     }
