@@ -12,7 +12,7 @@ package org.phrenic.study.error;
  * @param startRmsMm rms distance of the diaphragm's nodes over the first {@value ErrorStudy#START_S} s, mm
  * @param cpuS processor time, s
  * @param wallS elapsed time, s
- * @param realTime simulated time over {@code wallS}
+ * @param realTime simulated time over {@code cpuS} on one thread, over {@code wallS} on several
  * @param paretoOptimal whether no other setting of the scene has both lower cost and lower error, and this error is
  *     resolved
  * @param isDefault whether it is the scenario's own setting

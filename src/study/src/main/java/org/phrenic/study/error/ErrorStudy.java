@@ -159,7 +159,7 @@ public record ErrorStudy(
         double[] d = run.distanceFrom(exact, sheet);
         double[] all = run.distanceFrom(exact);
         boolean own = settings.equals(SolverSettings.of(scenario));
-        double speed = untilS / run.wallS();
+        double speed = untilS / (scenario.threads() == 1 ? run.cpuS() : run.wallS());
         double start = run.until(START_S).distanceFrom(exact.until(START_S), sheet)[0];
         return new ErrorPoint(
                 settings,

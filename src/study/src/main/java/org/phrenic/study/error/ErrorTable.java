@@ -183,7 +183,7 @@ public record ErrorTable(String name, List<Row> rows) {
                 csv.numbers("start_rms_mm")[i],
                 csv.numbers("cpu_s")[i],
                 csv.numbers("wall_s")[i],
-                csv.numbers("real_time")[i],
+                csv.numbers("until_s")[i] / csv.numbers("cpu_s")[i],
                 csv.texts("front").get(i).equals("true"),
                 csv.texts("usual").get(i).equals("true"));
         return new Row(

@@ -61,6 +61,12 @@ class ErrorStudyTest {
                 .containsExactly(SolverSettings.of(SHEET));
     }
 
+    /** As in the table of the whole error, whatever else the machine does. */
+    @Test
+    void speedOnOneThreadIsSimulatedTimeOverProcessorTime() {
+        assertThat(study.points()).allSatisfy(p -> assertThat(p.realTime()).isEqualTo(study.simulatedS() / p.cpuS()));
+    }
+
     @Test
     void aStepThatIsSplitIntoThoseOfAShorterOneIsLeftOutWithTheReason() {
         assertThat(study.skipped())

@@ -134,6 +134,18 @@ class ErrorTableTest {
                 .containsEntry("wall_s", 2.0);
     }
 
+    /** Rows of several measurements stand side by side in one column. */
+    @Test
+    void speedIsThatOverProcessorTimeWhateverAFileStates() throws Exception {
+        Path file = folder.resolve("settings.csv");
+        table(row("quiet", 0.01, 0.01, 1)).write(file);
+        String written = Files.readString(file);
+        Files.writeString(file, written.replace(",2.0,4.0,", ",2.0,2.0,"));
+        assertThat(Files.readString(file)).isNotEqualTo(written);
+        ErrorTable.read(file).write(file);
+        assertThat(Files.readString(file)).isEqualTo(written);
+    }
+
     @Test
     void someSettingsReplaceTheirRowsAndTheFrontIsThatOfAll() {
         ErrorTable old = table(row("quiet", 0.01, 0.01, 1), row("quiet", 0.005, 0.002, 2), row("deep", 0.01, 0.06, 1));
