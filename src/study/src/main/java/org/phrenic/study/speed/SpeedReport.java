@@ -117,7 +117,7 @@ public record SpeedReport(SpeedStudy study) {
     /** Describes how the cost scales with size. */
     public String exponent() {
         return format(
-                "On one thread a step takes nodes to the power of %.3f.",
+                "On one thread the time of a step grows as the number of nodes to the power %.3f.",
                 study.scaling().exponent());
     }
 

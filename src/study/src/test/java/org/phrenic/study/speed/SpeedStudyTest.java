@@ -54,7 +54,10 @@ class SpeedStudyTest {
                 .contains(List.of(
                         "heterogeneous, all forces", "high", "20909", "1", "8.13", "813", "100", "8.1", "58.8"));
         assertThat(MarkdownPage.format(report.document(List.of("Commit 1"))))
-                .contains("| 8.13 | 813 | 100 |", "power of 1.000", "Not for clinical use");
+                .contains(
+                        "| 8.13 | 813 | 100 |",
+                        "grows as the number of nodes to the power 1.000.",
+                        "Not for clinical use");
         assertThat(report.csv())
                 .startsWith("scene,threads,nodes,steps_per_s")
                 .contains("bare sheet,1,10000,100.0,1000.0,,");
