@@ -74,11 +74,11 @@ class RibNumberingTest {
         assertThat(counts(s)).isEqualTo(truth);
     }
 
-    /** Right ribs 5, 6 and 7 touch at their sides, as where a small spine is bent. */
+    /** Right ribs 5 and 6, and 8 and 9, touch at their sides, as where a small spine is bent. */
     @Test
     void ribsThatTouchKeepTheLabelsThatTellThemApart() {
         CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
-        for (int number = 5; number < 7; number++) {
+        for (int number = 5; number < 9; number += 3) {
             for (int step = 0; step <= 8; step++) {
                 cage.ball(2.5, 30, 118 - 8 * number - step, 1, CageVoxels.rib(step < 4 ? number : number + 1, true));
             }
