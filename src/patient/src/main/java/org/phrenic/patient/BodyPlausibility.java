@@ -7,8 +7,9 @@ import org.phrenic.file.Numbers;
 
 /**
  * Size of a scanned body relative to a template, from side to side, from back to front and along the body. Sizes and
- * proportions that people do not have mean a wrong spacing. Three pairs of lungs, two sets of lungs and ribs, a whole
- * thorax and two abdominal scans have 0.85 to 1.28 along each direction, the largest at most 1.33 times the smallest.
+ * proportions that people do not have mean a wrong spacing or unit. Three pairs of lungs, two sets of lungs and ribs, a
+ * whole thorax and two abdominal scans have 0.85 to 1.28 along each direction, the largest at most 1.33 times the
+ * smallest.
  */
 public final class BodyPlausibility {
     /** Limits of the geometric mean. */
@@ -22,11 +23,18 @@ public final class BodyPlausibility {
 
     private final double[] factors;
     private final String template;
+    private final String hint;
 
-    /** @param factors from side to side, from back to front and along the body */
-    public BodyPlausibility(double[] factors, String template) {
+    /**
+     * @param factors from side to side, from back to front and along the body
+     * @param ofVoxels whether the body comes from a volume, whose spacing may be wrong, not from meshes
+     */
+    public BodyPlausibility(double[] factors, String template, boolean ofVoxels) {
         this.factors = factors.clone();
         this.template = template;
+        hint = ofVoxels
+                ? "is the spacing right? see --spacing"
+                : "are units and axes right? a thorax.yaml beside the meshes states them";
     }
 
     /** @throws BadInputException without the file's name, if people are not of that size */
@@ -34,9 +42,8 @@ public final class BodyPlausibility {
         double size = StrictMath.cbrt(factors[0] * factors[1] * factors[2]);
         if (!(size >= MIN_SIZE && size <= MAX_SIZE)) {
             throw new BadInputException(Numbers.format(
-                    "found a body %.3f times as large as %s, expected %.1f to %.1f times; is the spacing right? see"
-                            + " --spacing",
-                    size, template, MIN_SIZE, MAX_SIZE));
+                    "found a body %.3f times as large as %s, expected %.1f to %.1f times; %s",
+                    size, template, MIN_SIZE, MAX_SIZE, hint));
         }
         if (ratio() > MAX_RATIO) {
             throw new BadInputException("found " + sentence());
@@ -57,7 +64,7 @@ public final class BodyPlausibility {
     private String sentence() {
         return Numbers.format(
                 "a body %.2f times as wide, %.2f times as deep and %.2f times as tall as %s, expected more even"
-                        + " proportions; is the spacing right? see --spacing",
-                factors[0], factors[1], factors[2], template);
+                        + " proportions; %s",
+                factors[0], factors[1], factors[2], template, hint);
     }
 }

@@ -197,7 +197,8 @@ public final class BodyCompletion {
             }
         }
         TemplateMap start = placedBy(rough, pairs);
-        BodyPlausibility size = new BodyPlausibility(start.affine().factors(), whole.name());
+        boolean ofVoxels = body.structures().stream().anyMatch(s -> s.scan().isPresent());
+        BodyPlausibility size = new BodyPlausibility(start.affine().factors(), whole.name(), ofVoxels);
         size.require();
         sizeNote = size.note();
         spine.ifPresent(pairs::add);

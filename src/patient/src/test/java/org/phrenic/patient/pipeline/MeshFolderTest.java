@@ -35,6 +35,10 @@ class MeshFolderTest {
     private Path folder;
 
     private static ImportResult imported(Path folder) {
+        return imported(folder, Optional.empty());
+    }
+
+    private static ImportResult imported(Path folder, Optional<ImportRequest.Completion> completion) {
         return ImportPipeline.run(
                 new ImportRequest(
                         folder,
@@ -42,7 +46,7 @@ class MeshFolderTest {
                         Optional.empty(),
                         Optional.empty(),
                         GeometryOverride.NONE,
-                        Optional.empty(),
+                        completion,
                         Optional.empty()),
                 (count, total, structure) -> {});
     }
@@ -182,6 +186,20 @@ class MeshFolderTest {
         result.write(out);
         assertThat(ThoraxFolder.loadPart(out, name -> Optional.empty()).notInScan())
                 .containsExactlyInAnyOrder("rib_07_L", "part of the lungs", raised);
+    }
+
+    /** Two vertebrae in mm are shorter than what is taken for a part of a body in mm, and are read as cm. */
+    @Test
+    void meshesOfNoPersonsSizeAreRefusedWithTheFileThatStatesTheirUnits() {
+        Thorax body = VirtualThorax.ofPreset("adult-female", Resolution.LOW);
+        for (String bone : List.of("vertebra_T07", "vertebra_T08")) {
+            write(bone, body.find(bone).orElseThrow().mesh());
+        }
+        ImportRequest.Completion completion = new ImportRequest.Completion(body, false);
+        assertThatThrownBy(() -> imported(folder, Optional.of(completion)))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageMatching(".*: found a body .* times as large as adult-female, expected 0.5 to 1.7 times;"
+                        + " are units and axes right\\? a thorax.yaml beside the meshes states them");
     }
 
     @Test
