@@ -151,7 +151,7 @@ final class ImportCommand extends ReportingCommand {
                         edgeMm,
                         new GeometryOverride(Optional.ofNullable(axes), Optional.ofNullable(spacing)),
                         template(progress).map(thorax -> new ImportRequest.Completion(thorax, keepLevel)),
-                        Optional.ofNullable(alignTo).map(ThoraxFolder::load)),
+                        Optional.ofNullable(alignTo).map(ThoraxFolder::loadWholeOrPart)),
                 progress);
         result.write(out);
         print(result.report(), () -> text(result));

@@ -73,6 +73,30 @@ class ImportCommandTest {
         OutputsPage.assertHasKeys("What an import leaves", out.resolve("import.json"));
     }
 
+    /** What an import writes without a template has no diaphragm. */
+    @Test
+    void aBodyWithoutADiaphragmIsDescribedAndASecondScanIsAlignedToIt() {
+        Path first = folder.resolve("first");
+        CommandLineRun run = CommandLineRun.of(
+                "import", volume.toString(), "--complete", "none", "--edge", "8", "--out", first.toString());
+        assertThat(run.exitCode()).as(run.err()).isEqualTo(ExitCode.SUCCESS);
+        CommandLineRun info = CommandLineRun.of("info", first.toString());
+        assertThat(info.exitCode()).as(info.err()).isEqualTo(ExitCode.SUCCESS);
+        assertThat(info.out()).containsPattern("lung +2").containsPattern("missing\\R(    .*\\R)*    diaphragm\\R");
+        CommandLineRun second = CommandLineRun.of(
+                "import",
+                volume.toString(),
+                "--align-to",
+                first.toString(),
+                "--edge",
+                "8",
+                "--out",
+                folder.resolve("second").toString(),
+                "--json");
+        assertThat(second.exitCode()).as(second.err()).isEqualTo(ExitCode.SUCCESS);
+        assertThat(second.out()).contains("\"fixed_part\": \"apex and posterior medial surface of the lungs\"");
+    }
+
     @Test
     void aTableSaysWhichLabelsAreLeftOut() throws IOException {
         Path out = folder.resolve("two");

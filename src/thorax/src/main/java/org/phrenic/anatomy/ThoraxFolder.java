@@ -60,11 +60,27 @@ public final class ThoraxFolder {
             StructureKind.DIAPHRAGM,
             StructureKind.LIVER);
 
+    /** How much of a thorax a folder has to hold; any is a whole one with a diaphragm, else a part. */
+    private enum Extent {
+        WHOLE,
+        PART,
+        ANY
+    }
+
     private ThoraxFolder() {}
 
     /** @throws BadInputException if the folder or a file in it cannot be read or has invalid content */
     public static Thorax load(Path folder) {
-        return load(folder, true, name -> Optional.empty());
+        return load(folder, Extent.WHOLE, name -> Optional.empty());
+    }
+
+    /**
+     * Reads a thorax as {@link #load(Path)}, or one without a diaphragm as {@link #loadPart}.
+     *
+     * @throws BadInputException as either
+     */
+    public static Thorax loadWholeOrPart(Path folder) {
+        return load(folder, Extent.ANY, name -> Optional.empty());
     }
 
     /**
@@ -75,10 +91,10 @@ public final class ThoraxFolder {
      * @throws BadInputException as {@link #load(Path)}, or if no file is a structure's
      */
     public static Thorax loadPart(Path folder, Function<String, Optional<String>> synonyms) {
-        return load(folder, false, synonyms);
+        return load(folder, Extent.PART, synonyms);
     }
 
-    private static Thorax load(Path folder, boolean whole, Function<String, Optional<String>> synonyms) {
+    private static Thorax load(Path folder, Extent extent, Function<String, Optional<String>> synonyms) {
         LabelVolumeFiles.refuse(folder, "a folder of meshes");
         if (!Files.isDirectory(folder)) {
             throw new BadInputException(folder + ": no such folder, expected a folder of meshes");
@@ -93,6 +109,8 @@ public final class ThoraxFolder {
         yaml.requireOnly(List.of("name", "axes", "units", "structures", "not_in_scan"));
         List<String> notes = new ArrayList<>();
         List<Found> found = found(folder, yaml, synonyms, notes);
+        boolean hasDiaphragm = found.stream().anyMatch(f -> f.known().kind() == StructureKind.DIAPHRAGM);
+        boolean whole = extent == Extent.WHOLE || (extent == Extent.ANY && hasDiaphragm);
         if (whole) {
             requireDifferentNames(folder, found);
         }
@@ -101,7 +119,7 @@ public final class ThoraxFolder {
             throw new BadInputException(
                     folder + ": no mesh has the name of a structure, expected one such as rib_05_R.stl");
         }
-        if (whole && raw.stream().noneMatch(s -> s.kind() == StructureKind.DIAPHRAGM)) {
+        if (whole && !hasDiaphragm) {
             throw new BadInputException(folder + ": no diaphragm among " + raw.size()
                     + " structures, expected a file diaphragm.ply (or .stl, .obj, .vtk, .vtp)");
         }

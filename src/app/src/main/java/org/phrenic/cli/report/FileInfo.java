@@ -55,7 +55,7 @@ public final class FileInfo {
         String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
         if (Files.isDirectory(file) && !LabelVolumeFiles.isVolume(file)) {
             info.put("kind", "thorax");
-            putThorax(info, ThoraxFolder.load(file));
+            putThorax(info, ThoraxFolder.loadWholeOrPart(file));
             ScanInfo.putImport(info, file);
         } else if (name.endsWith(".yaml") || name.endsWith(".yml")) {
             info.put("kind", "scenario");
@@ -188,6 +188,7 @@ public final class FileInfo {
             }
         }
         for (StructureKind kind : List.of(
+                StructureKind.DIAPHRAGM,
                 StructureKind.STERNUM,
                 StructureKind.COSTAL_CARTILAGE,
                 StructureKind.VERTEBRA,
