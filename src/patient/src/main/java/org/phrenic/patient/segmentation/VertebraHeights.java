@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.mesh.IntList;
@@ -143,13 +144,16 @@ final class VertebraHeights {
                 rib.ends == 0 && !far);
     }
 
-    /** Distance from the median plane and height of each voxel of a rib behind its centre, mm. */
+    /**
+     * Distance from the median plane and height of each voxel of a rib behind its centre, mm, and the ends of the scan
+     * that it lies at, as {@link Segmentation#ends}.
+     */
     static List<double[]> posterior(Segmentation s, IntList voxels, double centreY, double middle) {
         List<double[]> posterior = new ArrayList<>();
         for (int i = 0; i < voxels.size(); i++) {
             double[] p = s.point(voxels.get(i));
             if (p[1] >= centreY) {
-                posterior.add(new double[] {Math.abs(p[0] - middle), p[2]});
+                posterior.add(new double[] {Math.abs(p[0] - middle), p[2], s.ends(voxels.get(i))});
             }
         }
         return posterior;
@@ -160,6 +164,11 @@ final class VertebraHeights {
         return !posterior.isEmpty() && posterior.stream().allMatch(p -> p[0] > HEAD_MM);
     }
 
+    /** Whether the scan ends at the voxels of a rib that are nearest to the spine. */
+    static boolean isEndCut(List<double[]> posterior, int voxels) {
+        return nearest(posterior, voxels).anyMatch(p -> p[2] != 0);
+    }
+
     /**
      * Mean height of the vertebral end of a rib: of the voxels nearest to the spine.
      *
@@ -167,10 +176,12 @@ final class VertebraHeights {
      * @param voxels number of voxels of the rib
      */
     static OptionalDouble endHeight(List<double[]> posterior, int voxels) {
+        return nearest(posterior, voxels).mapToDouble(p -> p[1]).average();
+    }
+
+    private static Stream<double[]> nearest(List<double[]> posterior, int voxels) {
         return posterior.stream()
                 .sorted(Comparator.comparingDouble((double[] p) -> p[0]).thenComparingDouble(p -> p[1]))
-                .limit(Math.max(1, (int) (END_SHARE * voxels)))
-                .mapToDouble(p -> p[1])
-                .average();
+                .limit(Math.max(1, (int) (END_SHARE * voxels)));
     }
 }

@@ -18,9 +18,10 @@ import org.phrenic.patient.segmentation.LungPieces.LungVoxels;
 /**
  * Numbers of vertebrae that are one off those of the ribs, a frequent error of segmentations. It is seen in the lower
  * ribs: how far the vertebral end of a rib lies from the vertebra of its number, in parts of the distance of vertebrae.
- * The ribs are right if all twelve of a side are there, or if the scan cuts off the first ones and the twelfth is as
- * short as a last rib ({@link CutRibCount}). Then the vertebrae are numbered anew, else the ribs. Where the first ribs
- * have the number 2, ribs and vertebrae are numbered one lower.
+ * The ribs are right if all twelve of a side are there, if the scan cuts off the first ones and the twelfth is as short
+ * as a last rib ({@link CutRibCount}), or if the first is as short as a first rib and ends at the top of the lung. Then
+ * the vertebrae are numbered anew, else the ribs. Where the first ribs have the number 2, ribs and vertebrae are
+ * numbered one lower.
  */
 final class VertebraNumbering {
     /** First rib that is looked at. */
@@ -128,7 +129,7 @@ final class VertebraNumbering {
             return Optional.empty();
         }
         String where = slip > 0 ? "above" : "below";
-        if (!ribsAreRight()) {
+        if (!ribsAreRight(sumX / vertebral)) {
             return Optional.of(RibNumbering.renumber(s, "ribs, whose vertebrae lie one " + where + " their numbers"));
         }
         String beyond = shift(-slip, false) ? "; what lies above vertebra_C1 then is left out" : "";
@@ -149,16 +150,17 @@ final class VertebraNumbering {
                         names[segment].kind() == StructureKind.RIB || names[segment].kind() == StructureKind.VERTEBRA);
         boolean hasNeck =
                 s.names().stream().filter(name -> counts[s.find(name)] > 0).anyMatch(name -> NECK.contains(name));
-        return !hasFirst
-                && !hasNeck
-                && Stream.of(Side.RIGHT, Side.LEFT).allMatch(side -> {
-                    int second = rib(2, side);
-                    int third = rib(3, side);
-                    return second > 0
-                            && third > 0
-                            && (ends.get(second) | ends.get(third)) == 0
-                            && isFirst(ribs.get(second), ribs.get(third), middle, side);
-                });
+        return !hasFirst && !hasNeck && Stream.of(Side.RIGHT, Side.LEFT).allMatch(side -> isFirst(2, side, middle));
+    }
+
+    /** Whether the rib of a number is a first one beside that of the next, and the scan cuts nothing off the two. */
+    private boolean isFirst(int number, Side side, double middle) {
+        int rib = rib(number, side);
+        int next = rib(number + 1, side);
+        return rib > 0
+                && next > 0
+                && (ends.get(rib) | ends.get(next)) == 0
+                && isFirst(ribs.get(rib), ribs.get(next), middle, side);
     }
 
     private boolean isFirst(IntList rib, IntList next, double middle, Side side) {
@@ -175,7 +177,7 @@ final class VertebraNumbering {
         VertebraHeights height = new VertebraHeights(s);
         double spacing = (height.at(FIRST) - height.at(RibNumbering.RIBS)) / (RibNumbering.RIBS - FIRST);
         double[] deviation = ribs.entrySet().stream()
-                .filter(rib -> names[rib.getKey()].level() >= FIRST && ends.get(rib.getKey()) == 0)
+                .filter(rib -> names[rib.getKey()].level() >= FIRST)
                 .flatMapToDouble(rib -> {
                     int number = names[rib.getKey()].level();
                     OptionalDouble end = vertebralEnd(rib.getValue(), middle);
@@ -196,7 +198,7 @@ final class VertebraNumbering {
 
     /**
      * Height of the end of a rib toward the spine, mm, continued to the usual distance from the median plane; empty if
-     * it is far from it.
+     * it is far from it or the scan ends there.
      */
     private OptionalDouble vertebralEnd(IntList voxels, double middle) {
         double y = 0;
@@ -205,16 +207,17 @@ final class VertebraNumbering {
         }
         List<double[]> posterior = VertebraHeights.posterior(s, voxels, y, middle);
         posterior.forEach(p -> p[1] += FALL * Math.max(0, p[0] - USUAL_END_MM));
-        return VertebraHeights.isFarFromSpine(posterior)
+        return VertebraHeights.isFarFromSpine(posterior) || VertebraHeights.isEndCut(posterior, voxels.size())
                 ? OptionalDouble.empty()
                 : VertebraHeights.endHeight(posterior, voxels.size());
     }
 
-    private boolean ribsAreRight() {
+    private boolean ribsAreRight(double middle) {
         boolean cutAbove = ends.values().stream().anyMatch(at -> (at & s.endsToward(true)) != 0);
         return Stream.of(Side.RIGHT, Side.LEFT)
                 .anyMatch(side -> IntStream.rangeClosed(1, RibNumbering.RIBS).allMatch(n -> rib(n, side) > 0)
-                        || (cutAbove && showsTwelfth(side)));
+                        || (cutAbove && showsTwelfth(side))
+                        || isFirst(1, side, middle));
     }
 
     /** Segment of a rib; 0 if it is not there or no more than a speck. */

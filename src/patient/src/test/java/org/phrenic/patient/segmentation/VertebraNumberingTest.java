@@ -16,6 +16,8 @@ import org.phrenic.patient.label.LabelTable;
 class VertebraNumberingTest {
     /** The slices below end with the heads of rib 8. */
     private static final int ABDOMEN = 58;
+    /** The slices from here on show the heads of ribs 1 to 9 and all of ribs 1 to 7. */
+    private static final int CHEST = 48;
 
     /** Column of the median plane. */
     private static final double MIDDLE = 44.5;
@@ -193,6 +195,39 @@ class VertebraNumberingTest {
         assertThat(SegmentationRepair.numberRibs(above)).singleElement().satisfies(note -> assertThat(note)
                 .contains("one above the ribs", "vertebra_L01 is vertebra_T12 now"));
         assertThat(counts(above)).isEqualTo(truth(CageVoxels.SLICES, "vertebra_T12"));
+    }
+
+    /** Slices of a chest whose lower end cuts all ribs but the first seven, with lungs up to the first ribs. */
+    private static Segmentation chest(IntUnaryOperator relabel) {
+        CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
+        cage.shorten(1, 34);
+        for (int k = 48; k < 108; k++) {
+            cage.ball(MIDDLE - 20, 30, k, 8, RIGHT_LUNG);
+            cage.ball(MIDDLE + 20, 30, k, 8, LEFT_LUNG);
+        }
+        byte[] labels =
+                Arrays.copyOfRange(cage.labels, CHEST * CageVoxels.COLUMNS * CageVoxels.ROWS, cage.labels.length);
+        for (int v = 0; v < labels.length; v++) {
+            labels[v] = (byte) relabel.applyAsInt(labels[v] & LabelGrid.MAX_BYTE_LABEL);
+        }
+        Map<Integer, String> table = new TreeMap<>(CageVoxels.table(false).structures());
+        table.put(RIGHT_LUNG, "lung_R");
+        table.put(LEFT_LUNG, "lung_L");
+        return new Segmentation(CageVoxels.volume(labels), new LabelTable(table), "scan");
+    }
+
+    @Test
+    void vertebraeOneOffTheRibsOfAChestFromTheFirstOnAreNumberedAnew() {
+        Segmentation right = chest(label -> label);
+        TreeMap<String, Integer> truth = counts(right);
+        assertThat(truth).containsKeys("rib_09_R", "vertebra_T09").doesNotContainKeys("rib_11_R", "vertebra_T11");
+        assertThat(VertebraNumbering.check(right)).isEmpty();
+        Segmentation above = chest(vertebraeMoved(1));
+        assertThat(SegmentationRepair.numberRibs(above))
+                .singleElement()
+                .asString()
+                .startsWith("the vertebrae lie one above the ribs of their numbers");
+        assertThat(counts(above)).isEqualTo(truth);
     }
 
     @Test
