@@ -205,7 +205,12 @@ public final class BodyCompletion {
         BoneFit bones = new BoneFit(start, plane, rest, shared, pairs);
         TemplateMap map = bones.fit();
         ribs.addAll(bones.ribs());
-        template.addAll(rest.parallelStream().map(s -> placed(s, map)).toList());
+        Optional<AffineTransform3D> sternum = unseenSternum(map);
+        template.addAll(rest.parallelStream()
+                .map(s -> s.kind() == StructureKind.STERNUM && sternum.isPresent()
+                        ? sternum.get().apply(s)
+                        : placed(s, map))
+                .toList());
     }
 
     /** Places the template by landmarks and surfaces, and by {@link #organs}, whose surfaces are added. */
@@ -243,12 +248,19 @@ public final class BodyCompletion {
     }
 
     private static Structure placed(Structure s, TemplateMap map) {
-        Structure moved = map.apply(s);
-        return KEEPING_SHAPE.contains(s.kind())
-                ? AffineTransform3D.similarity(
-                                s.mesh().positions(), moved.mesh().positions())
-                        .apply(s)
-                : moved;
+        return KEEPING_SHAPE.contains(s.kind()) ? similarity(s.mesh(), map).apply(s) : map.apply(s);
+    }
+
+    private static AffineTransform3D similarity(TriangleMesh mesh, TemplateMap map) {
+        return AffineTransform3D.similarity(mesh.positions(), map.apply(mesh).positions());
+    }
+
+    /** The similarity that places all parts of a sternum of which the scan shows nothing. */
+    private Optional<AffineTransform3D> unseenSternum(TemplateMap map) {
+        return shared.stream().anyMatch(s -> s.kind() == StructureKind.STERNUM)
+                ? Optional.empty()
+                : PatientBody.merged(rest.stream().filter(s -> s.kind() == StructureKind.STERNUM))
+                        .map(mesh -> similarity(mesh, map));
     }
 
     /** Mean x of the spine and the sternum of a template, mm. */

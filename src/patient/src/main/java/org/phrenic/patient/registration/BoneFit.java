@@ -150,8 +150,8 @@ final class BoneFit {
     }
 
     /**
-     * The lower end of a sternum that the scan does not show, with its place at the upper end of the scan, if it would
-     * lie below that.
+     * Points of a sternum that the scan does not show, moved as a whole so that its lower end lies at the upper end of
+     * the scan, if it would lie below that.
      */
     private PointPairs unseenSternum(TemplateMap map) {
         PointPairs pairs = new PointPairs();
@@ -163,7 +163,17 @@ final class BoneFit {
             map.apply(placed);
             double depth = belowSternum.get().depth(placed);
             if (depth > 0) {
+                int n = sternum.get().vertexCount();
                 pairs.add(end, belowSternum.get().moved(placed, depth), STERNUM_SIGMA_MM);
+                for (int i = 0; i < STERNUM_POINTS; i++) {
+                    int v = (int) ((long) i * n / STERNUM_POINTS);
+                    double[] point = {
+                        sternum.get().x(v), sternum.get().y(v), sternum.get().z(v)
+                    };
+                    double[] moved = point.clone();
+                    map.apply(moved);
+                    pairs.add(point, belowSternum.get().moved(moved, depth), STERNUM_SIGMA_MM);
+                }
             }
         }
         return pairs;

@@ -2,6 +2,7 @@ package org.phrenic.patient.registration;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -175,10 +176,15 @@ class CutBonesTest {
                         .bounds()[2]
                 + 45;
         PatientBody body = completed(scan(top, s -> isRibOrVertebra(s) || s.kind() == StructureKind.COSTAL_CARTILAGE));
-        double end = PatientBody.merged(body.thorax().structuresOf(StructureKind.STERNUM).stream())
-                .orElseThrow()
-                .bounds()[2];
-        assertThat(end).isGreaterThan(top - 20);
+        double[] placed = sternum(body.thorax()).bounds();
+        double[] own = sternum(WOMAN).bounds();
+        assertThat(placed[2]).isGreaterThan(top - 20);
+        assertThat(placed[5] - placed[2]).isCloseTo(own[5] - own[2], withinPercentage(15));
+        double[] middle =
+                body.thorax().find("sternum_body").orElseThrow().mesh().bounds();
+        double[] process =
+                body.thorax().find("sternum_xiphoid").orElseThrow().mesh().bounds();
+        assertThat(process[5]).isLessThan(middle[2] + 5);
     }
 
     /**
