@@ -15,11 +15,15 @@ import org.phrenic.anatomy.OrganNames;
  * through one of them is not noticed.
  */
 public final class AbsentObstacles {
+    private static final String RIGHT_LUNG = "right lung";
+    private static final String LEFT_LUNG = "left lung";
+
     /** Names of structures by what they are, in lower case. */
     private static final Map<String, Predicate<String>> USUAL = new LinkedHashMap<>();
 
     static {
-        usual("lungs", "lungs?(_.*)?");
+        usual(RIGHT_LUNG, "lungs?|lung_r(_.*)?");
+        usual(LEFT_LUNG, "lungs?|lung_l(_.*)?");
         usual("heart", "heart.*");
         usual("aorta", "(vessel_)?aorta.*");
         usual("inferior vena cava", "(vessel_)?inferior_vena_cava.*");
@@ -37,13 +41,18 @@ public final class AbsentObstacles {
         USUAL.put(what, Pattern.compile(names).asMatchPredicate());
     }
 
-    /** What a body lacks. */
+    /** What a body lacks; lungs if it lacks both. */
     public static List<String> of(Collection<String> structures) {
         List<String> names =
                 structures.stream().map(name -> name.toLowerCase(Locale.ROOT)).toList();
-        return USUAL.entrySet().stream()
+        List<String> absent = USUAL.entrySet().stream()
                 .filter(usual -> names.stream().noneMatch(usual.getValue()))
                 .map(Map.Entry::getKey)
+                .toList();
+        boolean both = absent.contains(RIGHT_LUNG) && absent.contains(LEFT_LUNG);
+        return absent.stream()
+                .filter(what -> !(both && what.equals(LEFT_LUNG)))
+                .map(what -> both && what.equals(RIGHT_LUNG) ? "lungs" : what)
                 .toList();
     }
 

@@ -30,11 +30,13 @@ class AbsentObstaclesTest {
     @Test
     void whatAScanDoesNotLabelIsNamed() {
         assertThat(AbsentObstacles.sentence(List.of("rib_08_R", "lung_R", "liver", "colon", "kidney_L")))
-                .contains("not in this body and so not avoided: heart, aorta, inferior vena cava, portal vein,"
-                        + " gall bladder, right kidney, stomach, duodenum");
+                .contains(
+                        "not in this body and so not avoided: left lung, heart, aorta, inferior vena cava, portal vein,"
+                                + " gall bladder, right kidney, stomach, duodenum");
         assertThat(AbsentObstacles.of(List.of("organ_kidney_L"))).contains("right kidney");
         assertThat(AbsentObstacles.of(List.of(
                         "LUNG_L",
+                        "lung_R_upper",
                         "heart",
                         "aorta",
                         "inferior_vena_cava",
@@ -44,5 +46,16 @@ class AbsentObstaclesTest {
                         "stomach",
                         "organ_bowel")))
                 .isEmpty();
+    }
+
+    /** The right lung lies in the way of most needles to the liver. */
+    @Test
+    void aLungOfTheOtherSideAloneIsNone() {
+        assertThat(AbsentObstacles.of(List.of("lung_L_lower", "lung_L_upper")))
+                .contains("right lung")
+                .doesNotContain("lungs", "left lung");
+        assertThat(AbsentObstacles.of(List.of("liver")))
+                .startsWith("lungs", "heart")
+                .doesNotContain("right lung", "left lung");
     }
 }
