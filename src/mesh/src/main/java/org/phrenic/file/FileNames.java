@@ -76,9 +76,13 @@ public final class FileNames {
         return name == null || name.toString().isEmpty() ? "body" : name.toString();
     }
 
-    /** Name of a file without its folder and without what follows the last dot. */
+    /**
+     * Name of a file without its folder and without what follows the last dot; whole where nothing stands before it.
+     */
     public static String withoutExtension(Path file) {
-        return String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "");
+        String name = String.valueOf(file.getFileName());
+        String stem = name.replaceFirst("\\.[^.]*$", "");
+        return stem.isBlank() ? name : stem;
     }
 
     /** Whether a file can have a name, with or without an extension, on Linux, macOS and Windows. */

@@ -49,6 +49,13 @@ class FileNamesTest {
     }
 
     @Test
+    void aNameOfNoMoreThanAnExtensionStaysWhole() {
+        assertThat(FileNames.withoutExtension(Path.of("a", "deep.v2.yaml"))).isEqualTo("deep.v2");
+        assertThat(FileNames.withoutExtension(Path.of("a", ".yaml"))).isEqualTo(".yaml");
+        assertThat(FileNames.withoutExtension(Path.of(" .yaml"))).isEqualTo(" .yaml");
+    }
+
+    @Test
     void theOrderOfFilesIsThatOfTheirNamesOnEverySystem() {
         assertThat(FileNames.sorted(Stream.of("b.ply", "a.ply", "C.ply").map(Path::of)))
                 .containsExactly(Path.of("C.ply"), Path.of("a.ply"), Path.of("b.ply"));
