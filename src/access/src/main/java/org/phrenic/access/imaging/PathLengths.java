@@ -2,8 +2,13 @@ package org.phrenic.access.imaging;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
+import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
+import org.phrenic.mesh.query.TriangleTree;
 
 /**
  * Weighted lengths of the rays of a {@link CArm} inside closed surfaces: {@code sum_s w_s L_s} for every pixel.
@@ -28,42 +33,100 @@ final class PathLengths {
         sums = new double[arm.columns() * arm.rows()];
     }
 
-    /** A surface as the source sees it. */
-    private record Projected(TriangleMesh mesh, double[] columns, double[] rows, double[] depths) {}
+    /**
+     * A surface as the source sees it.
+     *
+     * @param triangles those that rays of the detector may meet
+     * @param depths distances before the plane of the source, in units of that of the detector
+     */
+    private record Projected(TriangleMesh mesh, int[] triangles, double[] columns, double[] rows, double[] depths) {}
 
     /**
      * Adds the lengths inside a surface.
      *
-     * @param mesh closed, oriented outward, LPS, mm; in front of the source
+     * @param mesh closed, oriented outward, LPS, mm; what rays of the detector meet lies in front of the source
      * @param weight factor of the lengths, such as an attenuation coefficient
+     * @throws BadInputException if the source is inside the surface, or a triangle behind it may be met
      */
     void add(TriangleMesh mesh, double weight) {
+        Projected seen = project(mesh);
+        int band = (arm.rows() + threads - 1) / threads;
+        IntStream bands = IntStream.range(0, threads);
+        (threads > 1 ? bands.parallel() : bands).forEach(i -> {
+            Band rows = new Band(i * band, Math.min(arm.rows(), (i + 1) * band));
+            for (int t = 0; t < seen.triangles.length; t += 3) {
+                rows.add(seen, t, weight);
+            }
+        });
+    }
+
+    private Projected project(TriangleMesh mesh) {
         int n = mesh.vertexCount();
-        Projected seen = new Projected(mesh, new double[n], new double[n], new double[n]);
+        double[] columns = new double[n];
+        double[] rows = new double[n];
+        double[] depths = new double[n];
         double[] axis = arm.axis();
         double[] right = arm.right();
         double[] up = arm.up();
+        boolean inFront = true;
         for (int v = 0; v < n; v++) {
             double x = mesh.x(v) - source[0];
             double y = mesh.y(v) - source[1];
             double z = mesh.z(v) - source[2];
             double depth = x * axis[0] + y * axis[1] + z * axis[2];
-            if (!(depth > 0)) {
-                throw new IllegalArgumentException("C-arm: the source is inside or beyond the body");
-            }
-            seen.depths[v] = depth / arm.sourceDetectorMm();
+            inFront &= depth > 0;
+            depths[v] = depth / arm.sourceDetectorMm();
             double scale = arm.sourceDetectorMm() / depth / arm.pixelMm();
-            seen.columns[v] = (arm.columns() - 1) / 2.0 + scale * (x * right[0] + y * right[1] + z * right[2]);
-            seen.rows[v] = (arm.rows() - 1) / 2.0 - scale * (x * up[0] + y * up[1] + z * up[2]);
+            columns[v] = (arm.columns() - 1) / 2.0 + scale * (x * right[0] + y * right[1] + z * right[2]);
+            rows[v] = (arm.rows() - 1) / 2.0 - scale * (x * up[0] + y * up[1] + z * up[2]);
         }
-        int band = (arm.rows() + threads - 1) / threads;
-        IntStream bands = IntStream.range(0, threads);
-        (threads > 1 ? bands.parallel() : bands).forEach(i -> {
-            Band rows = new Band(i * band, Math.min(arm.rows(), (i + 1) * band));
-            for (int t = 0; t < mesh.triangles().length; t += 3) {
-                rows.add(seen, t, weight);
+        int[] triangles = inFront ? mesh.triangles() : met(mesh, depths);
+        return new Projected(mesh, triangles, columns, rows, depths);
+    }
+
+    /** Triangles of a surface that reaches behind the source, without those that no ray of the detector meets. */
+    private int[] met(TriangleMesh mesh, double[] depths) {
+        if (new TriangleTree(mesh).isInside(source[0], source[1], source[2])) {
+            throw refusal();
+        }
+        IntList met = new IntList();
+        int[] t = mesh.triangles();
+        for (int i = 0; i < t.length; i += 3) {
+            boolean inFront = depths[t[i]] > 0 && depths[t[i + 1]] > 0 && depths[t[i + 2]] > 0;
+            boolean behind = depths[t[i]] <= 0 && depths[t[i + 1]] <= 0 && depths[t[i + 2]] <= 0;
+            if (inFront) {
+                met.add(t[i]);
+                met.add(t[i + 1]);
+                met.add(t[i + 2]);
+            } else if (!behind && !isBeside(mesh, t[i], t[i + 1], t[i + 2])) {
+                throw refusal();
             }
-        });
+        }
+        return met.toArray();
+    }
+
+    private BadInputException refusal() {
+        return new BadInputException(Numbers.format(
+                "C-arm at %.3f/%.3f (LAO/cranial): found the source inside the body or beside it, expected it outside",
+                arm.leftObliqueDeg(), arm.cranialDeg()));
+    }
+
+    /** Whether a triangle lies beyond one of the four planes through the source and the borders of the detector. */
+    private boolean isBeside(TriangleMesh mesh, int... corners) {
+        double width = 0.5 * arm.pixelMm() * arm.columns() / arm.sourceDetectorMm();
+        double height = 0.5 * arm.pixelMm() * arm.rows() / arm.sourceDetectorMm();
+        double[] aside = Vectors.addScaled(new double[3], arm.axis(), -width);
+        double[] above = Vectors.addScaled(new double[3], arm.axis(), -height);
+        return Stream.of(
+                        Vectors.addScaled(aside, arm.right(), 1),
+                        Vectors.addScaled(aside, arm.right(), -1),
+                        Vectors.addScaled(above, arm.up(), 1),
+                        Vectors.addScaled(above, arm.up(), -1))
+                .anyMatch(outward -> IntStream.of(corners)
+                        .allMatch(v -> Vectors.dot(
+                                        outward,
+                                        Vectors.of(mesh.x(v) - source[0], mesh.y(v) - source[1], mesh.z(v) - source[2]))
+                                > 0));
     }
 
     /** Rows of the image that one thread computes. */
@@ -80,7 +143,7 @@ final class PathLengths {
         }
 
         void add(Projected seen, int triangle, double weight) {
-            int[] t = seen.mesh.triangles();
+            int[] t = seen.triangles;
             int a = t[triangle];
             int b = t[triangle + 1];
             int c = t[triangle + 2];

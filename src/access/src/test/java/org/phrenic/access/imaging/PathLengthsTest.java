@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.Shapes;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.Vectors;
@@ -184,6 +185,37 @@ class PathLengthsTest {
 
     @Test
     void sourceInsideTheBodyIsRefused() {
-        assertThatThrownBy(() -> lengths(Shapes.sphere(750, 2), arm(0, 0), 1)).hasMessageContaining("source");
+        assertThatThrownBy(() -> lengths(Shapes.sphere(750, 2), arm(0, 0), 1))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("0.000/0.000 (LAO/cranial): found the source inside");
+    }
+
+    /** A body of 2.4 m along z, whose feet lie behind the plane of the source and far below the picture. */
+    @Test
+    void whatLiesBehindTheSourceAndOutOfThePictureIsLeftOut() {
+        CArm arm = arm(0, 45);
+        double[] p = Shapes.sphere(60, 5).positions().clone();
+        for (int i = 2; i < p.length; i += 3) {
+            p[i] *= 20;
+        }
+        TriangleMesh body = Shapes.sphere(60, 5).withPositions(p);
+        assertThat(arm.project(0, 0, -1200)[2]).isNegative();
+        double[] lengths = lengths(body, arm, 2);
+        int inside = 0;
+        for (int row = 0; row < arm.rows(); row += 3) {
+            for (int column = 0; column < arm.columns(); column += 3) {
+                double expected = brute(body, arm.source(), Vectors.normalize(arm.ray(column, row)));
+                assertThat(lengths[row * arm.columns() + column]).isCloseTo(expected, within(1e-6));
+                inside += expected > 50 ? 1 : 0;
+            }
+        }
+        assertThat(inside).isGreaterThan(200);
+    }
+
+    /** A plate beside the source that reaches into the picture. */
+    @Test
+    void aTriangleThatTheDetectorSeesMayNotReachBehindTheSource() {
+        TriangleMesh plate = moved(Shapes.box(1000, 2000, 10), -500, -1000, 10);
+        assertThatThrownBy(() -> lengths(plate, arm(0, 0), 1)).isInstanceOf(BadInputException.class);
     }
 }
