@@ -1,6 +1,9 @@
 package org.phrenic.access;
 
+import java.util.Arrays;
+import java.util.Optional;
 import java.util.Random;
+import java.util.stream.DoubleStream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.TriangleMesh;
@@ -27,6 +30,9 @@ public record TargetLesion(double[] restMm, double diameterMm) {
     private static final double SD_MM = 14;
     private static final double SMALLEST_RANDOM_MM = 8;
     private static final double LARGEST_RANDOM_MM = 50;
+
+    /** Diameters that are tried where a liver has no room for a greater one, mm. */
+    private static final double[] SMALLER_MM = {15, 10, 8, SMALLEST_MM};
 
     private static final double RAY_MM = 400;
     private static final int MAX_DRAWS = 100_000;
@@ -90,6 +96,26 @@ public record TargetLesion(double[] restMm, double diameterMm) {
             double drawn = MEAN_MM + SD_MM * random.nextGaussian();
             diameter = drawn >= SMALLEST_RANDOM_MM && drawn <= LARGEST_RANDOM_MM ? drawn : Double.NaN;
         }
+        double size = diameter;
+        return drawn(scene, random, size).orElseThrow(() -> noRoom(size));
+    }
+
+    /**
+     * Creates a random target that lies completely inside the liver, as large as asked for or, where that has no room,
+     * as one of the usual smaller diameters.
+     *
+     * @throws BadInputException if the liver has no room for the smallest
+     */
+    public static TargetLesion randomUpTo(MovingAnatomy scene, long seed, double greatestMm) {
+        return DoubleStream.concat(
+                        DoubleStream.of(greatestMm), Arrays.stream(SMALLER_MM).filter(mm -> mm < greatestMm))
+                .mapToObj(mm -> drawn(scene, SeededRandom.of(seed), mm))
+                .flatMap(Optional::stream)
+                .findFirst()
+                .orElseThrow(() -> noRoom(SMALLEST_MM));
+    }
+
+    private static Optional<TargetLesion> drawn(MovingAnatomy scene, Random random, double diameter) {
         TriangleTree tree = new TriangleTree(scene.liver().surface().rest());
         double[] box = scene.liver().surface().rest().bounds();
         TriangleTree.Hit hit = new TriangleTree.Hit();
@@ -100,11 +126,15 @@ public record TargetLesion(double[] restMm, double diameterMm) {
             }
             tree.closest(p[0], p[1], p[2], hit);
             if (hit.distanceSquared > 0.25 * diameter * diameter && tree.isInside(p[0], p[1], p[2])) {
-                return at(scene, p, diameter);
+                return Optional.of(at(scene, p, diameter));
             }
         }
-        throw new BadInputException("target: found no room for a sphere of " + diameter
-                + " mm within the liver, expected a smaller diameter");
+        return Optional.empty();
+    }
+
+    private static BadInputException noRoom(double diameter) {
+        return new BadInputException("target: found no room for a sphere of " + diameter
+                + " mm within the liver, expected a " + (diameter > SMALLEST_MM ? "smaller diameter" : "larger liver"));
     }
 
     /** Radius, mm. */

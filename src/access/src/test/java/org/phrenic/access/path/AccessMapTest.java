@@ -387,5 +387,8 @@ class AccessMapTest {
         // 57 % of what is drawn between 8 and 50 mm is larger than the mean, 23 mm: of 20 at least 5 and at most 17 in
         // 99.7 % of cases.
         assertThat(larger).isBetween(5, 17);
+        assertThat(TargetLesion.randomUpTo(scene, 3, 20).restMm())
+                .as("with room, that of this size")
+                .isEqualTo(TargetLesion.random(scene, 3, 20).restMm());
     }
 }

@@ -8,6 +8,7 @@ import javax.swing.SwingUtilities;
 import org.phrenic.access.BreathCycle;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.CycleRecorder;
+import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.ScannedLesion;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.path.TargetAccess;
@@ -208,8 +209,15 @@ final class RehearsalPreparation {
         double size = diameterMm;
         computeMap(() -> exercise.isPresent()
                 ? exercise.get().target(body.planningScene())
-                : present.or(() -> body.lesions().stream().findFirst().map(ScannedLesion::target))
-                        .orElseGet(() -> TargetLesion.random(body.planningScene(), SEED, size)));
+                : present.orElseGet(() -> practiceTarget(body.planningScene(), body.lesions(), size)));
+    }
+
+    /** The largest lesion, or a target at random that is as large as wished if the liver has room for it. */
+    static TargetLesion practiceTarget(MovingAnatomy scene, List<ScannedLesion> lesions, double diameterMm) {
+        return lesions.stream()
+                .findFirst()
+                .map(ScannedLesion::target)
+                .orElseGet(() -> TargetLesion.randomUpTo(scene, SEED, diameterMm));
     }
 
     private void computeMap(Callable<TargetLesion> target) {

@@ -1,6 +1,7 @@
 package org.phrenic.ui.access;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.Optional;
@@ -63,6 +64,23 @@ class RehearsalPreparationTest {
             assertThat(appearance.chosenStyle().clip()).as("for tuning").isPresent();
             assertThat(rehearsal.study()).isEmpty();
         });
+    }
+
+    /** Practice begins also where a liver is cut so that a target of the usual size has no room. */
+    @Test
+    void aTargetForPracticeIsAsLargeAsTheLiverAllows() {
+        assertThat(practiceDiameter(190)).isEqualTo(20);
+        assertThat(practiceDiameter(18)).isEqualTo(15);
+        assertThat(practiceDiameter(6)).isEqualTo(5);
+        assertThatThrownBy(() -> practiceDiameter(4)).hasMessageContaining("expected a larger liver");
+    }
+
+    private static double practiceDiameter(double liverMm) {
+        List<Surface> surfaces = List.of(
+                UltrasoundUpdaterTest.box("skin", StructureKind.SKIN, 0, 200, Surface.Motion.STILL),
+                UltrasoundUpdaterTest.box("liver", StructureKind.LIVER, 5, liverMm, Surface.Motion.DEFORMING));
+        return RehearsalPreparation.practiceTarget(new MovingAnatomy(surfaces), List.of(), 20)
+                .diameterMm();
     }
 
     /** A breath is recorded flat out until another body is asked for. */
