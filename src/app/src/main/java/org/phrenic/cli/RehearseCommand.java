@@ -105,14 +105,18 @@ final class RehearseCommand extends ReportingCommand {
         StringBuilder text = new StringBuilder(table.text());
         List<Goals.GoalResult> goals = rehearsal.plan().goals().evaluate(rehearsal.record());
         if (!goals.isEmpty()) {
-            TextTable asked = new TextTable(Column.list("goal | # asked | # reached | "));
-            for (Goals.GoalResult g : goals) {
-                String value = QuantityKey.format(g.value());
-                asked.row(g.goal(), QuantityKey.format(g.limit()), value, g.reached() ? "yes" : "NO");
-            }
-            text.append('\n').append(asked.text());
+            text.append('\n').append(text(goals));
         }
         text.append('\n').append(rehearsal.goalsReached() ? "done" : "not done");
         return withDisclaimer(text.toString());
+    }
+
+    static String text(List<Goals.GoalResult> goals) {
+        TextTable asked = new TextTable(Column.list("goal | # asked | # reached | "));
+        for (Goals.GoalResult g : goals) {
+            String reached = g.reachedText(QuantityKey::format);
+            asked.row(g.goal(), QuantityKey.format(g.limit()), reached, g.reached() ? "yes" : "NO");
+        }
+        return asked.text();
     }
 }

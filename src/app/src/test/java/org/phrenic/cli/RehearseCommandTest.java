@@ -12,6 +12,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.phrenic.access.plan.Goals;
 import org.phrenic.access.plan.RehearsalPlan;
 
 /**
@@ -66,6 +67,14 @@ class RehearseCommandTest {
         assertThat(Files.readString(folder.resolve("one/report.html")))
                 .contains("Not for clinical use", "not validated", "The path over a breath")
                 .containsPattern("Date: 20[0-9-]{8} [0-9:]{5}");
+    }
+
+    @Test
+    void aGoalThatIsMissedSaysWhy() {
+        List<Goals.GoalResult> missed = List.of(
+                new Goals.GoalResult("no_go_s_at_most", 0, 0, true, false),
+                new Goals.GoalResult("lateral_mm_at_most", 5, Double.POSITIVE_INFINITY, false, false));
+        assertThat(RehearseCommand.text(missed)).contains("0, and touched by a core", "no sample");
     }
 
     /** Its page shows the pictures by their names alone, whosever they are. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.DoubleFunction;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
@@ -22,6 +23,7 @@ import org.phrenic.document.YamlMap;
  */
 public record Goals(boolean hit, Map<String, Double> limits) {
     private static final String HIT = "hit";
+    private static final String NO_SAMPLE = "no sample";
 
     /**
      * What a goal limits.
@@ -62,9 +64,9 @@ public record Goals(boolean hit, Map<String, Double> limits) {
      * @param byCore whether the throw of a core touched what nothing may touch
      */
     public record GoalResult(String goal, double limit, double value, boolean byCore, boolean reached) {
-        /** What is to be said beside the value, such as ", and touched by a core"; mostly empty. */
-        public String remark() {
-            return byCore ? ", and touched by a core" : "";
+        /** What was reached, such as "0", "no sample" or "0, and touched by a core". */
+        public String reachedText(DoubleFunction<String> number) {
+            return Double.isFinite(value) ? number.apply(value) + (byCore ? ", and touched by a core" : "") : NO_SAMPLE;
         }
 
         /** Display name, such as "seconds in lung, at most". */
@@ -81,7 +83,7 @@ public record Goals(boolean hit, Map<String, Double> limits) {
             OrderedValues map = new OrderedValues()
                     .with("goal", goal)
                     .with("limit", limit)
-                    .with("value", Double.isFinite(value) ? (Object) value : "no sample");
+                    .with("value", Double.isFinite(value) ? (Object) value : NO_SAMPLE);
             if (byCore) {
                 map.put("touched_by_core", true);
             }

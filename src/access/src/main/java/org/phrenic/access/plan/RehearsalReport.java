@@ -230,7 +230,7 @@ public final class RehearsalReport {
                         .map(r -> List.of(
                                 r.label(),
                                 number(r.limit()),
-                                Double.isFinite(r.value()) ? number(r.value()) + r.remark() : "no sample",
+                                r.reachedText(RehearsalReport::number),
                                 r.reached() ? "yes" : "NO"))
                         .toList());
     }

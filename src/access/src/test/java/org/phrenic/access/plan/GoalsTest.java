@@ -59,7 +59,7 @@ class GoalsTest {
             Goals.GoalResult none = result(goal, 0, record);
             assertThat(none.reached()).as(goal).isFalse();
             assertThat(none.value()).isZero();
-            assertThat(none.remark()).contains("core");
+            assertThat(none.reachedText(String::valueOf)).contains("core");
             assertThat(none.toMap()).containsEntry("touched_by_core", true);
             assertThat(result(goal, 1, record).reached())
                     .as("the throw takes no time")

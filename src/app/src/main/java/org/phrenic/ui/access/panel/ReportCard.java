@@ -88,8 +88,8 @@ public final class ReportCard extends JPanel {
     private static List<String> goals(EndedAttempt attempt) {
         List<String> lines = new ArrayList<>();
         for (Goals.GoalResult o : attempt.plan().goals().evaluate(attempt.record())) {
-            String value = Double.isFinite(o.value()) ? number(o.value()) + o.remark() : "no sample";
-            String measure = o.measure() + ": " + value + " (at most " + number(o.limit()) + ")";
+            String measure =
+                    o.measure() + ": " + o.reachedText(ReportCard::number) + " (at most " + number(o.limit()) + ")";
             lines.add((o.reached() ? "\u2713 " : "\u2717 ") + (o.goal().equals("hit") ? "target hit" : measure));
         }
         return lines;
