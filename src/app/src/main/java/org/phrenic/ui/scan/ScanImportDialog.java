@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.DefaultCellEditor;
@@ -24,6 +25,7 @@ import net.miginfocom.swing.MigLayout;
 import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.file.ExistingPath;
+import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.patient.label.GeometryOverride;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.ui.widget.Controls;
@@ -49,6 +51,10 @@ final class ScanImportDialog {
             "the virtual woman", RunSettings.VIRTUAL_WOMAN,
             "nothing: keep what the scan has", "none");
     private static final Dimension SIZE = new Dimension(620, 560);
+    /** The ending of a volume, with the number of a phase if there is one, behind a name. */
+    private static final Pattern ENDING = Pattern.compile(
+            "(?<=.)(\\.se[gq])?\\.(" + String.join("|", LabelVolumeFiles.READABLE) + ")(#\\d+)?$",
+            Pattern.CASE_INSENSITIVE);
 
     private final Path file;
     private final ScanLabels labels;
@@ -118,7 +124,7 @@ final class ScanImportDialog {
         Path place = file.toAbsolutePath();
         // The root of a disc has no name and lies in no folder.
         String name = place.getNameCount() > 0 ? place.getFileName().toString() : "scan";
-        String stem = name.substring(0, name.indexOf('.') > 0 ? name.indexOf('.') : name.length());
+        String stem = ENDING.matcher(name).replaceFirst("");
         Path beside = place.getNameCount() > 0 ? place.getParent() : place;
         Path parent = Files.isWritable(beside) ? beside : Path.of(System.getProperty("user.home"));
         return IntStream.iterate(1, n -> n + 1)

@@ -14,6 +14,7 @@ import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.virtual.VirtualThorax;
@@ -36,6 +37,22 @@ class ScanImportDialogTest {
         assertThat(ScanImportDialog.proposedFolder(scan)).isEqualTo(folder.resolve("case-body"));
         Files.createDirectory(folder.resolve("case-body"));
         assertThat(ScanImportDialog.proposedFolder(scan)).isEqualTo(folder.resolve("case-body-2"));
+    }
+
+    /** The name of a DICOM file is often its number, which has dots. */
+    @ParameterizedTest
+    @CsvSource({
+        "1.2.276.0.7230010.3.dcm, 1.2.276.0.7230010.3",
+        "1.2.276.0.7230010.3, 1.2.276.0.7230010.3",
+        "case.v2.NII.GZ, case.v2",
+        "case.seg.nrrd, case",
+        "case.nii.gz#2, case",
+        ".nii, .nii",
+        "masks.d, masks.d"
+    })
+    void theFolderIsCalledAsTheScanWithoutItsEnding(String scan, String stem, @TempDir Path folder) {
+        assertThat(ScanImportDialog.proposedFolder(folder.resolve(scan)).getFileName())
+                .hasToString(stem + "-body");
     }
 
     @Test
