@@ -63,6 +63,7 @@ final class UltrasoundCommand extends ReportingCommand {
     private Path out;
 
     private final List<OrderedValues> written = new ArrayList<>();
+    private List<String> leftOut = List.of();
 
     @Override
     public Integer call() {
@@ -75,8 +76,9 @@ final class UltrasoundCommand extends ReportingCommand {
             double[] times = timeOptions.times(player.durationS());
             ProbeOnSkin place = probeOptions.place(player.surfaces());
             Ultrasound ultrasound = new Ultrasound(player.surfaces(), probeOptions.probe(), scenario.threads());
-            for (String name : ultrasound.leftOut()) {
-                progress.note(name + " is open or the pleura, and is not in the images.");
+            leftOut = ultrasound.leftOut();
+            if (!leftOut.isEmpty()) {
+                progress.note("Not in the images, as they are open: " + String.join(", ", leftOut) + ".");
             }
             AtomicFile.delete(out.resolve(REPORT));
             for (double time : times) {
@@ -122,7 +124,7 @@ final class UltrasoundCommand extends ReportingCommand {
     }
 
     private OrderedValues report(Scenario scenario) {
-        return new OrderedValues()
+        OrderedValues report = new OrderedValues()
                 .with("scenario", scenario.name())
                 .with("anatomy", scenario.anatomy())
                 .with("frequency_mhz", probeOptions.probe().frequencyMhz())
@@ -132,8 +134,11 @@ final class UltrasoundCommand extends ReportingCommand {
                 .with("gain_db", probeOptions.settings().gainDb())
                 .with("depth_gain_db_per_cm_mhz", probeOptions.settings().depthGainDbPerCmMhz())
                 .with("dynamic_range_db", probeOptions.settings().dynamicRangeDb())
-                .with("images", written)
-                .with("notice", Disclaimer.TEXT);
+                .with("images", written);
+        if (!leftOut.isEmpty()) {
+            report.put("left_out", leftOut);
+        }
+        return report.with("notice", Disclaimer.TEXT);
     }
 
     private String table() {

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -17,7 +18,13 @@ import org.phrenic.access.ultrasound.CurvilinearProbe;
 import org.phrenic.access.ultrasound.ProbePose;
 import org.phrenic.access.ultrasound.SonatedNeedle;
 import org.phrenic.access.ultrasound.UltrasoundSettings;
+import org.phrenic.anatomy.MeshBudget;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.cli.option.ProbeOptions;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.io.MeshFiles;
 import picocli.CommandLine;
 
 @Execution(ExecutionMode.CONCURRENT)
@@ -43,6 +50,7 @@ class UltrasoundCommandTest {
         assertThat(one.exitCode()).as(one.err()).isZero();
         assertThat(two.exitCode()).as(two.err()).isZero();
         assertThat(one.out()).contains("ultrasound_0002.png", "Not for clinical use");
+        assertThat(one.err()).doesNotContain("pleura");
         for (String name : List.of("ultrasound_0001.png", "ultrasound_0002.png", "ultrasound.json")) {
             assertThat(Files.readAllBytes(folder.resolve("one").resolve(name)))
                     .isEqualTo(Files.readAllBytes(folder.resolve("two").resolve(name)));
@@ -51,6 +59,24 @@ class UltrasoundCommandTest {
                 .isNotEqualTo(Files.readAllBytes(folder.resolve("one/ultrasound_0002.png")));
         assertThat(Files.readString(folder.resolve("one/ultrasound.json")))
                 .contains("\"face_mm\"", "\"needle_in_beam_mm\"", "\"tip_in_beam\"", "Not for clinical use");
+    }
+
+    /** As a vessel that a scan cuts off on all sides; the pleura, which no image shows, is passed over. */
+    @Test
+    void aStructureThatIsTooOpenIsNamed() throws IOException {
+        Path body = Files.createDirectory(folder.resolve("body"));
+        Thorax man = VirtualThorax.ofPreset("adult-male", new MeshBudget(2000));
+        for (Structure s : man.structures()) {
+            MeshFiles.write(body.resolve(s.name() + ".ply"), s.mesh());
+        }
+        TriangleMesh liver = man.find("liver").orElseThrow().mesh();
+        MeshFiles.write(
+                body.resolve("vessel_open.ply"),
+                new TriangleMesh(liver.positions(), Arrays.copyOf(liver.triangles(), 300)));
+        CommandLineRun run = ultrasound("open", "--anatomy", body.toString());
+        assertThat(run.exitCode()).as(run.err()).isZero();
+        assertThat(run.err()).contains("Not in the images, as they are open: vessel_open.");
+        assertThat(Files.readString(folder.resolve("open/ultrasound.json"))).contains("\"left_out\": [");
     }
 
     @Test

@@ -78,8 +78,8 @@ public final class RadiographRenderer implements AutoCloseable {
         bounds = Surface.bounds(player.surfaces());
         this.energyKev = energyKev;
         if (!fluoroscope.leftOut().isEmpty()) {
-            progress.note("Not in the radiographs, as they are open or the pleura: "
-                    + String.join(", ", fluoroscope.leftOut()) + ".");
+            progress.note(
+                    "Not in the radiographs, as they are open: " + String.join(", ", fluoroscope.leftOut()) + ".");
         }
     }
 

@@ -60,7 +60,10 @@ public final class Fluoroscope {
         this.threads = threads;
         for (int i = 0; i < surfaces.size(); i++) {
             Surface surface = surfaces.get(i);
-            if (surface.kind() != StructureKind.PLEURA && MeshMeasure.hasInside(surface.rest())) {
+            if (surface.kind() == StructureKind.PLEURA) {
+                continue;
+            }
+            if (MeshMeasure.hasInside(surface.rest())) {
                 CappedSurface capped = new CappedSurface(surface.rest());
                 double volume =
                         MeshMeasure.signedVolume(capped.at(surface.rest().positions()));
@@ -80,7 +83,7 @@ public final class Fluoroscope {
         }
     }
 
-    /** Names of surfaces without an inside. */
+    /** Names of surfaces without an inside, but for the pleura. */
     public List<String> leftOut() {
         return List.copyOf(leftOut);
     }

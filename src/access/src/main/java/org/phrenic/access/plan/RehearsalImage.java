@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.MovingStructure;
 import org.phrenic.access.attempt.NeedleSnapshot;
@@ -24,9 +25,15 @@ import org.phrenic.simulation.observe.Surface;
  * @param timeS simulated time, s
  * @param probe how the probe was held
  * @param needle empty if it was not on or in the body
+ * @param leftOut names of the structures that are too open to be seen
  */
 public record RehearsalImage(
-        String file, double timeS, ProbeHold probe, BModeImage image, Optional<SonatedNeedle> needle) {
+        String file,
+        double timeS,
+        ProbeHold probe,
+        BModeImage image,
+        Optional<SonatedNeedle> needle,
+        List<String> leftOut) {
     /** Takes the images that the steps of a plan asked for, in their order. */
     public static List<RehearsalImage> of(Rehearsal rehearsal) {
         List<PlanStep.Image> steps = rehearsal.plan().steps().stream()
@@ -60,9 +67,19 @@ public record RehearsalImage(
                     moment.target());
             BModeImage image = what.take(ultrasound, moment.frame());
             String file = Numbers.format("ultrasound_%04d.png", images.size() + 1);
-            images.add(new RehearsalImage(file, moment.frame().timeS(), probe, image, needle));
+            images.add(new RehearsalImage(file, moment.frame().timeS(), probe, image, needle, ultrasound.leftOut()));
         }
         return images;
+    }
+
+    /** The caption of images, with what is left out of them. */
+    static String caption(List<RehearsalImage> images) {
+        String leftOut = images.stream()
+                .flatMap(image -> image.leftOut.stream())
+                .distinct()
+                .collect(Collectors.joining(", "));
+        return "Ultrasound, the probe's marker on the left."
+                + (leftOut.isEmpty() ? "" : " Not in the images, as they are open: " + leftOut + ".");
     }
 
     /** Checks that the probes of all steps are on the skin. */
@@ -93,6 +110,9 @@ public record RehearsalImage(
                 .with("axial", image.pose().axial())
                 .with("lateral", image.pose().lateral())
                 .with("mm_per_pixel", image.mmPerPixel());
+        if (!leftOut.isEmpty()) {
+            map.put("left_out", leftOut);
+        }
         needle.ifPresent(n -> map.with("needle_in_beam_mm", n.lengthInBeamMm(image.probe(), image.pose(), depth))
                 .with("tip_in_beam", n.isTipInBeam(image.probe(), image.pose(), depth)));
         return map;

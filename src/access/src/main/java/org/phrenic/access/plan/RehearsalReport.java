@@ -166,7 +166,7 @@ public final class RehearsalReport {
         figure(document, "The needle (blue) and the target (yellow) at the sample.", needlePictures);
         figure(
                 document,
-                "Ultrasound, the probe's marker on the left.",
+                RehearsalImage.caption(images),
                 images.stream()
                         .map(i -> new Picture(i.file(), "Ultrasound image " + i.file(), ""))
                         .toList());

@@ -72,7 +72,7 @@ public final class Ultrasound {
         for (Surface surface : surfaces) {
             SonatedSurface sonated = new SonatedSurface(this.surfaces.size(), surface);
             this.surfaces.add(sonated);
-            if (!sonated.isSeen()) {
+            if (!sonated.isSeen() && surface.kind() != StructureKind.PLEURA) {
                 leftOut.add(surface.name());
             }
         }
@@ -100,7 +100,10 @@ public final class Ultrasound {
         return table;
     }
 
-    /** Names of surfaces that are so open that they have no inside and are not seen. The diaphragm always is. */
+    /**
+     * Names of surfaces that are so open that they have no inside and are not seen. The diaphragm always is; the
+     * pleura, which is never, is not among them.
+     */
     public List<String> leftOut() {
         return List.copyOf(leftOut);
     }

@@ -171,6 +171,7 @@ class FluoroscopeTest {
         int[] face = Arrays.copyOf(box.triangles(), 6);
         List<Surface> surfaces = List.of(
                 surface("liver", StructureKind.LIVER, new TriangleMesh(box.positions(), face)),
+                surface("pleura_R", StructureKind.PLEURA, new TriangleMesh(box.positions(), face)),
                 surface("lung_R", StructureKind.LUNG, box));
         assertThat(new Fluoroscope(surfaces, 1).leftOut()).containsExactly("liver");
     }

@@ -13,18 +13,26 @@ import org.phrenic.access.MovingAnatomy;
 import org.phrenic.access.Needle;
 import org.phrenic.access.TargetLesion;
 import org.phrenic.access.attempt.NeedleInsertion;
+import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.attempt.TargetingError;
 import org.phrenic.access.path.TargetAccess;
+import org.phrenic.access.ultrasound.ProbePose;
+import org.phrenic.access.ultrasound.UltrasoundSettings;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.StructureKind;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.document.report.HtmlPage;
 import org.phrenic.engine.parallel.Workers;
+import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.simulation.observe.Surface;
 
 class RehearsalReportTest {
     private static final double AT_ONCE = 1e6;
+    private static final double[] ENTRY = {0, 0, -20};
 
     /** The tip 3 mm beyond the middle of the target and 4 mm beside it. */
     @Test
@@ -39,7 +47,16 @@ class RehearsalReportTest {
     }
 
     private static String report(Scenario scenario, Needle tube, double... depthsMm) {
-        BoxAnatomy body = new BoxAnatomy();
+        return page(report(new BoxAnatomy(), scenario, tube, false, depthsMm));
+    }
+
+    private static String page(RehearsalReport report) {
+        return HtmlPage.format(report.document(List.of(), List.of(), "today"));
+    }
+
+    /** @param imaged whether the plan takes an ultrasound image */
+    private static RehearsalReport report(
+            BoxAnatomy body, Scenario scenario, Needle tube, boolean imaged, double... depthsMm) {
         MovingAnatomy scene = new MovingAnatomy(body.surfaces);
         scene.update(body.still(0));
         TargetLesion target = TargetLesion.at(scene, new double[] {90, 0, -20}, 20);
@@ -49,23 +66,41 @@ class RehearsalReportTest {
             TargetAccess access = TargetAccess.of(scene, breath, target, plan.needle(), plan.avoided(), workers);
             NeedleInsertion needle = new NeedleInsertion(scene, target, plan.needle(), plan.avoided());
             needle.update(body.still(0), RespiratoryPhase.PAUSE);
-            needle.place(new double[] {0, 0, -20}, needle.targetNow());
+            needle.place(ENTRY, needle.targetNow());
             for (int i = 0; i < depthsMm.length; i++) {
                 needle.advance(depthsMm[i], AT_ONCE);
                 needle.update(body.still(1 + i), RespiratoryPhase.PAUSE);
                 needle.sample();
             }
+            NeedleSnapshot moment = new NeedleSnapshot(
+                    "ultrasound_1", body.still(0), RespiratoryPhase.PAUSE, false, ENTRY, ENTRY, target.restMm(), 10);
+            ProbeHold hold = ProbeHold.at(ENTRY, ProbePose.Angles.ZERO, UltrasoundSettings.DEFAULT);
             Rehearsal rehearsal = new Rehearsal(
-                    plan,
+                    imaged ? plan.withSteps(target, List.of(new PlanStep.Image("image", hold)), 1) : plan,
                     body.surfaces,
                     access,
                     Optional.empty(),
                     needle.record(),
                     new HeldProbe(scene).use(),
-                    List.of(),
+                    imaged ? List.of(moment) : List.of(),
                     "");
-            return HtmlPage.format(new RehearsalReport(rehearsal).document(List.of(), List.of(), "today"));
+            return new RehearsalReport(rehearsal);
         }
+    }
+
+    /** As a vessel that a scan cuts off on all sides. */
+    @Test
+    void imagesNameTheStructuresThatAreTooOpenToBeSeen() {
+        RehearsalReport whole = report(new BoxAnatomy(), Scenario.defaults(), Needle.standard(), true);
+        assertThat(whole.values().toString()).contains("mm_per_pixel").doesNotContain("left_out");
+        assertThat(page(whole)).contains("marker on the left").doesNotContain("Not in the images");
+        BoxAnatomy body = new BoxAnatomy();
+        TriangleMesh sheet = new TriangleMesh(new double[] {60, 0, 0, 70, 0, 0, 60, 10, 0}, new int[] {0, 1, 2});
+        body.surfaces.add(new Surface(
+                "vessel_open", StructureKind.VESSEL, 0, Side.MIDLINE, sheet, Surface.Motion.STILL, new boolean[0]));
+        RehearsalReport cut = report(body, Scenario.defaults(), Needle.standard(), true);
+        assertThat(cut.values().toString()).contains("left_out=[vessel_open]");
+        assertThat(page(cut)).contains("Not in the images, as they are open: vessel_open.");
     }
 
     @Test

@@ -171,7 +171,9 @@ class UltrasoundTest {
                 .map(i -> t[i])
                 .toArray();
         Surface half = surface("spleen", new TriangleMesh(ball.positions(), upper));
-        List<Surface> surfaces = List.of(holed, half);
+        Surface pleura = new Surface(
+                "pleura_R", StructureKind.PLEURA, 0, Side.RIGHT, half.rest(), Surface.Motion.STILL, new boolean[0]);
+        List<Surface> surfaces = List.of(holed, half, pleura);
         Ultrasound ultrasound = new Ultrasound(surfaces, CurvilinearProbe.abdominal(), 1);
         assertThat(ultrasound.leftOut()).containsExactly("spleen");
         ProbePose pose = ProbePose.onSkin(new double[] {-60, 0, 0}, new double[] {-1, 0, 0}, ProbePose.Angles.ZERO, 0);
