@@ -34,6 +34,8 @@ final class BoneFit {
     private static final double VERTEBRA_SIGMA_MM = 1;
     private static final int STERNUM_POINTS = 50;
     private static final double STERNUM_SIGMA_MM = 2;
+    /** The part of a sternum below its body. */
+    private static final String XIPHOID = "sternum_xiphoid";
     /** Height of the lower end of a sternum, mm. */
     private static final double STERNUM_END_MM = 10;
     /** Vertices nearer to the end of a scan than this lie at the cut, mm. */
@@ -150,30 +152,24 @@ final class BoneFit {
     }
 
     /**
-     * Points of a sternum that the scan does not show, moved as a whole so that its lower end lies at the upper end of
-     * the scan, if it would lie below that.
+     * Points of a sternum that the scan does not show, moved as a whole so that its body ends at the upper end of the
+     * scan, if that would end below it; a xiphoid process of cartilage has no label.
      */
     private PointPairs unseenSternum(TemplateMap map) {
         PointPairs pairs = new PointPairs();
-        Optional<TriangleMesh> sternum =
-                PatientBody.merged(template.stream().filter(s -> s.kind() == StructureKind.STERNUM));
-        if (belowSternum.isPresent() && sternum.isPresent()) {
-            double[] end = lowerEnd(sternum.get());
-            double[] placed = end.clone();
-            map.apply(placed);
-            double depth = belowSternum.get().depth(placed);
-            if (depth > 0) {
-                int n = sternum.get().vertexCount();
-                pairs.add(end, belowSternum.get().moved(placed, depth), STERNUM_SIGMA_MM);
-                for (int i = 0; i < STERNUM_POINTS; i++) {
-                    int v = (int) ((long) i * n / STERNUM_POINTS);
-                    double[] point = {
-                        sternum.get().x(v), sternum.get().y(v), sternum.get().z(v)
-                    };
-                    double[] moved = point.clone();
-                    map.apply(moved);
-                    pairs.add(point, belowSternum.get().moved(moved, depth), STERNUM_SIGMA_MM);
-                }
+        Optional<TriangleMesh> bone = PatientBody.merged(template.stream()
+                .filter(s -> s.kind() == StructureKind.STERNUM && !s.name().equals(XIPHOID)));
+        if (belowSternum.isPresent() && bone.isPresent()) {
+            double[] end = lowerEnd(bone.get());
+            map.apply(end);
+            double depth = belowSternum.get().depth(end);
+            int n = bone.get().vertexCount();
+            for (int i = 0; i < STERNUM_POINTS && depth > 0; i++) {
+                int v = (int) ((long) i * n / STERNUM_POINTS);
+                double[] point = {bone.get().x(v), bone.get().y(v), bone.get().z(v)};
+                double[] placed = point.clone();
+                map.apply(placed);
+                pairs.add(point, belowSternum.get().moved(placed, depth), STERNUM_SIGMA_MM);
             }
         }
         return pairs;
@@ -200,14 +196,20 @@ final class BoneFit {
     }
 
     TemplateMap fit() {
-        PointPairs spine = spine(start);
-        TemplateMap map = spine.count() == 0 ? start : start.through(spine, SCALES, MIRROR, plane);
-        PointPairs sternum = unseenSternum(map);
+        PointPairs known = spine(start);
+        int ofSpine = known.count();
+        TemplateMap map = fit(known);
+        known.addAll(unseenSternum(map));
+        return known.count() == ofSpine ? map : fit(known);
+    }
+
+    /** @param known points whose places are known, which keep them in all rounds */
+    private TemplateMap fit(PointPairs known) {
+        TemplateMap map = known.count() == 0 ? start : start.through(known, SCALES, MIRROR, plane);
         for (int round = 0; round < SLIDING_ROUNDS + COURSE_ROUNDS; round++) {
             PointPairs pairs = new PointPairs();
-            pairs.addAll(spine);
+            pairs.addAll(known);
             pairs.addAll(sternumEnds);
-            pairs.addAll(sternum);
             Vertebrae placedVertebrae = new Vertebrae(map);
             for (RibFit rib : ribs) {
                 rib.place(map);
