@@ -7,11 +7,14 @@ import org.phrenic.mesh.IntList;
 
 /**
  * Joins the pieces of a bone: from the largest piece a search spreads through background, and each piece within reach
- * is joined by a straight bridge of voxels.
+ * is joined by a bridge of voxels: a straight one, or where another structure is in its way one along the path by which
+ * the search went round that. A path leads across faces of voxels, so that what a bridge joins is one piece.
  */
 final class PieceJoiner {
     /** Half the thickness of a bridge, mm; at least half a voxel. */
     private static final double BRIDGE_MM = 2;
+    /** Error of a distance by the rounding of spacings in files, mm. */
+    private static final double ROUNDING_MM = 0.001;
 
     private static final int BLOCKED = -1;
 
@@ -20,10 +23,13 @@ final class PieceJoiner {
     private final double reachMm;
     private final int[] low;
     private final int[] size;
+    private final double[] spacing = new double[3];
     /** Piece of each cell of the box, from 1; 0 is background, {@link #BLOCKED} another structure. */
     private final int[] pieces;
     /** Cell of the joined pieces from which the search reached a cell. */
     private final int[] origin;
+    /** Cell before a cell on the path from its origin. */
+    private final int[] previous;
 
     private final IntList queue = new IntList();
     private final boolean[] joined;
@@ -32,7 +38,7 @@ final class PieceJoiner {
      * Prepares the pieces of a segment.
      *
      * @param components the pieces as lists of voxels, the largest first
-     * @param reachMm largest gap that is bridged, mm
+     * @param reachMm largest gap that is bridged, between faces of voxels, mm
      */
     PieceJoiner(Segmentation s, int segment, List<int[]> components, double reachMm) {
         this.s = s;
@@ -43,12 +49,14 @@ final class PieceJoiner {
         low = new int[3];
         size = new int[3];
         for (int axis = 0; axis < 3; axis++) {
+            spacing[axis] = s.grid().spacing(axis);
             // A margin of two voxels lets the search pass around a corner of the bone.
             low[axis] = Math.max(0, box[axis] - 2);
             size[axis] = Math.min(all[axis] - 1, box[3 + axis] + 2) - low[axis] + 1;
         }
         pieces = new int[size[0] * size[1] * size[2]];
         origin = new int[pieces.length];
+        previous = new int[pieces.length];
         Arrays.fill(origin, BLOCKED);
         for (int cell = 0; cell < pieces.length; cell++) {
             pieces[cell] = s.voxels[voxel(cell)] == 0 ? 0 : BLOCKED;
@@ -63,11 +71,13 @@ final class PieceJoiner {
         search(components);
     }
 
+    private int[] index(int cell) {
+        return new int[] {cell % size[0], cell / size[0] % size[1], cell / size[0] / size[1]};
+    }
+
     private int voxel(int cell) {
-        int i = low[0] + cell % size[0];
-        int j = low[1] + cell / size[0] % size[1];
-        int k = low[2] + cell / size[0] / size[1];
-        return i + s.columns * (j + s.rows * k);
+        int[] at = index(cell);
+        return low[0] + at[0] + s.columns * (low[1] + at[1] + s.rows * (low[2] + at[2]));
     }
 
     private int cell(int voxel) {
@@ -82,6 +92,7 @@ final class PieceJoiner {
         for (int v : voxels) {
             int cell = cell(v);
             origin[cell] = cell;
+            previous[cell] = cell;
             queue.add(cell);
         }
     }
@@ -89,13 +100,11 @@ final class PieceJoiner {
     private void search(List<int[]> components) {
         for (int at = 0; at < queue.size(); at++) {
             int cell = queue.get(at);
-            int i = cell % size[0];
-            int j = cell / size[0] % size[1];
-            int k = cell / size[0] / size[1];
+            int[] from = index(cell);
             for (int neighbour = 0; neighbour < 27; neighbour++) {
-                int x = i + neighbour % 3 - 1;
-                int y = j + neighbour / 3 % 3 - 1;
-                int z = k + neighbour / 9 - 1;
+                int x = from[0] + neighbour % 3 - 1;
+                int y = from[1] + neighbour / 3 % 3 - 1;
+                int z = from[2] + neighbour / 9 - 1;
                 if (x >= 0 && x < size[0] && y >= 0 && y < size[1] && z >= 0 && z < size[2]) {
                     reach(cell, x + size[0] * (y + size[1] * z), components);
                 }
@@ -104,46 +113,94 @@ final class PieceJoiner {
     }
 
     private void reach(int from, int cell, List<int[]> components) {
-        if (origin[cell] != BLOCKED || pieces[cell] == BLOCKED || distance(origin[from], cell) > reachMm) {
+        if (origin[cell] != BLOCKED
+                || pieces[cell] == BLOCKED
+                || gap(origin[from], cell) > reachMm + ROUNDING_MM
+                || !leads(from, cell, new IntList())) {
             return;
         }
         if (pieces[cell] == 0) {
             origin[cell] = origin[from];
+            previous[cell] = from;
             queue.add(cell);
         } else if (!joined[pieces[cell]]) {
-            bridge(origin[from], cell);
+            bridge(from, cell);
             start(components.get(pieces[cell] - 1), pieces[cell]);
         }
     }
 
-    /** Distance between two cells, mm. */
-    private double distance(int a, int b) {
+    /** Distance between the faces of two cells, mm. */
+    private double gap(int a, int b) {
+        int[] one = index(a);
+        int[] other = index(b);
         double square = 0;
-        for (int row = 0; row < 3; row++) {
-            double d = s.coordinate(voxel(a), row) - s.coordinate(voxel(b), row);
+        for (int axis = 0; axis < 3; axis++) {
+            double d = spacing[axis] * Math.max(0, Math.abs(other[axis] - one[axis]) - 1);
             square += d * d;
         }
         return Math.sqrt(square);
     }
 
-    /** Fills the background within half a bridge's thickness of the line between two cells. */
-    private void bridge(int a, int b) {
-        int[] first = {a % size[0], a / size[0] % size[1], a / size[0] / size[1]};
-        int[] last = {b % size[0], b / size[0] % size[1], b / size[0] / size[1]};
-        int steps = 0;
+    /**
+     * Whether a way across faces leads from a cell to one of the 26 about it past other structures.
+     *
+     * @param way receives its cells
+     */
+    private boolean leads(int from, int to, IntList way) {
+        if (from == to) {
+            return true;
+        }
+        int[] at = index(from);
+        int[] last = index(to);
+        int stride = 1;
+        for (int axis = 0; axis < 3; axis++) {
+            int next = from + stride * (last[axis] - at[axis]);
+            if (next != from && pieces[next] != BLOCKED && leads(next, to, way)) {
+                way.add(next);
+                return true;
+            }
+            stride *= size[axis];
+        }
+        return false;
+    }
+
+    /** Fills the background within half a bridge's thickness of the line from the origin of a cell to another. */
+    private void bridge(int from, int to) {
+        IntList way = new IntList();
+        if (!isStraight(index(origin[from]), index(to), way)) {
+            way = new IntList();
+            leads(from, to, way);
+            for (int cell = from; cell != previous[cell]; cell = previous[cell]) {
+                leads(previous[cell], cell, way);
+            }
+        }
         int[] half = new int[3];
+        Arrays.setAll(half, axis -> (int) Math.round(BRIDGE_MM / spacing[axis]));
+        for (int i = 0; i < way.size(); i++) {
+            fillAbout(index(way.get(i)), half);
+        }
+    }
+
+    /** Whether the line between two cells meets no other structure; collects its cells. */
+    private boolean isStraight(int[] first, int[] last, IntList way) {
+        int steps = 1;
         for (int axis = 0; axis < 3; axis++) {
             steps = Math.max(steps, 2 * Math.abs(last[axis] - first[axis]));
-            half[axis] = (int) Math.round(BRIDGE_MM / s.grid().spacing(axis));
         }
-        for (int step = 0; step <= steps; step++) {
+        int before = first[0] + size[0] * (first[1] + size[1] * first[2]);
+        way.add(before);
+        for (int step = 1; step <= steps; step++) {
             int[] at = new int[3];
             for (int axis = 0; axis < 3; axis++) {
-                at[axis] =
-                        (int) Math.round(first[axis] + (double) step / Math.max(1, steps) * (last[axis] - first[axis]));
+                at[axis] = (int) Math.round(first[axis] + (double) step / steps * (last[axis] - first[axis]));
             }
-            fillAbout(at, half);
+            int cell = at[0] + size[0] * (at[1] + size[1] * at[2]);
+            if (!leads(before, cell, way)) {
+                return false;
+            }
+            before = cell;
         }
+        return true;
     }
 
     private void fillAbout(int[] at, int[] half) {

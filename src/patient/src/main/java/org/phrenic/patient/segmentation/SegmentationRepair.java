@@ -27,9 +27,12 @@ public final class SegmentationRepair {
     /** Number of voxels below which a piece of any structure is a speck. */
     static final int SPECK_VOXELS = 10;
 
-    /** Largest gap that is bridged between the pieces of a rib, and of another bone, mm. */
-    private static final double RIB_GAP_MM = 20;
-
+    /**
+     * Largest gap that is bridged between the pieces of a rib, or of a sternum, whose halves may stand apart after it
+     * was split, mm.
+     */
+    private static final double LONG_GAP_MM = 20;
+    /** The same of another bone, mm. */
     private static final double BONE_GAP_MM = 10;
     /** Share of filled bone voxels from which a note is made. */
     private static final double NOTED_FILL = 0.02;
@@ -184,8 +187,10 @@ public final class SegmentationRepair {
 
     private void joinBone(int segment, List<int[]> components, List<String> joined) {
         String name = s.names().get(segment - 1);
-        boolean rib = kind(name).filter(k -> k == StructureKind.RIB).isPresent();
-        PieceJoiner joiner = new PieceJoiner(s, segment, components, rib ? RIB_GAP_MM : BONE_GAP_MM);
+        boolean far = kind(name)
+                .filter(k -> k == StructureKind.RIB || k == StructureKind.STERNUM)
+                .isPresent();
+        PieceJoiner joiner = new PieceJoiner(s, segment, components, far ? LONG_GAP_MM : BONE_GAP_MM);
         List<Integer> unreached = joiner.unreached();
         if (unreached.size() + 1 < components.size()) {
             joined.add(name + " (" + (components.size() - unreached.size()) + ")");
