@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Side;
@@ -52,6 +53,10 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     public static final String TOTALSEGMENTATOR = "totalsegmentator";
 
     /** A few segments are kept free for parts that are told apart. */
+    /** Words of the names of what fills the space between organs, beside those of skin and muscles. */
+    private static final Pattern BETWEEN_ORGANS =
+            Pattern.compile("(.*_)?(fat|adipose|muscles?|tissues?|subcutaneous|cavity)(_.*)?");
+
     private static final int MAX_STRUCTURES = LabelGrid.MAX_BYTE_LABEL - 50;
 
     public LabelTable {
@@ -234,6 +239,21 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     /** Whether a structure is several bones under one name, which are no pieces of each other. */
     public static boolean isSeveralBones(String structure) {
         return structure.equals(ALL_BONES) || structure.equals(SPINE);
+    }
+
+    /**
+     * Whether a structure fills the space between organs and has no shape by itself: skin, muscle, fat and other
+     * tissue. It is told by its name.
+     */
+    public static boolean fillsBetweenOrgans(String structure) {
+        return StructureName.parse(structure)
+                .map(StructureName::kind)
+                .filter(kind -> switch (kind) {
+                    case SKIN, MUSCLE -> true;
+                    case OTHER -> BETWEEN_ORGANS.matcher(structure).matches();
+                    default -> false;
+                })
+                .isPresent();
     }
 
     /** Whether a name can stand in the table: a structure, several under one label, or that a label is ignored. */

@@ -7,7 +7,7 @@ import org.phrenic.mesh.IntList;
 /**
  * Morphological closing of bones and cartilages: a dilation by a box followed by an erosion by the same box. It fills
  * pits, dropped voxels and gaps of up to about 3 mm, along directions of larger spacing than 1.5 mm those of up to two
- * voxels, and keeps thin bones. Only background is filled.
+ * voxels, and keeps thin bones. Only background is filled, and what fills the space between organs like it.
  */
 final class BoneClosing {
     /** Distance from the middle voxel of the box to its last along each grid direction, mm; at least one voxel. */
@@ -17,8 +17,12 @@ final class BoneClosing {
 
     private BoneClosing() {}
 
-    /** Closes segments; returns the number of voxels filled. A voxel goes to the first segment that fills it. */
-    static int close(Segmentation segmentation, List<Integer> segments) {
+    /**
+     * Closes segments; returns the number of voxels filled. A voxel goes to the first segment that fills it.
+     *
+     * @param free by segment number, whether its voxels may be filled
+     */
+    static int close(Segmentation segmentation, List<Integer> segments, boolean[] free) {
         int[] reach = IntStream.range(0, 3)
                 .map(direction -> {
                     double spacing = segmentation.grid().spacing(direction);
@@ -27,12 +31,12 @@ final class BoneClosing {
                 .toArray();
         int[][] boxes = segmentation.boxes();
         List<int[]> added = segments.parallelStream()
-                .map(segment -> addedVoxels(segmentation, segment, boxes[segment], reach))
+                .map(segment -> addedVoxels(segmentation, segment, boxes[segment], reach, free))
                 .toList();
         int filled = 0;
         for (int i = 0; i < added.size(); i++) {
             for (int voxel : added.get(i)) {
-                if (segmentation.voxels[voxel] == 0) {
+                if (free[segmentation.segmentAt(voxel)]) {
                     segmentation.voxels[voxel] = (byte) (int) segments.get(i);
                     filled++;
                 }
@@ -41,8 +45,8 @@ final class BoneClosing {
         return filled;
     }
 
-    /** Background voxels in the closing of a segment. */
-    private static int[] addedVoxels(Segmentation s, int segment, int[] box, int[] reach) {
+    /** Free voxels in the closing of a segment. */
+    private static int[] addedVoxels(Segmentation s, int segment, int[] box, int[] reach, boolean[] free) {
         if (box[5] < 0) {
             return new int[0];
         }
@@ -71,7 +75,7 @@ final class BoneClosing {
                 int voxel = s.columns * (j + s.rows * k);
                 int cell = reach[0] - box[0] + size[0] * (j - box[1] + reach[1] + size[1] * (k - box[2] + reach[2]));
                 for (int i = box[0]; i <= box[3]; i++) {
-                    if (mask[cell + i] == 1 && s.voxels[voxel + i] == 0) {
+                    if (mask[cell + i] == 1 && free[s.segmentAt(voxel + i)]) {
                         added.add(voxel + i);
                     }
                 }

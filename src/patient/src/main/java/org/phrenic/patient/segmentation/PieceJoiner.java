@@ -13,17 +13,19 @@ import org.phrenic.mesh.IntList;
 final class PieceJoiner {
     /** Half the thickness of a bridge, mm; at least half a voxel. */
     private static final double BRIDGE_MM = 2;
-    /** Error of a distance by the rounding of spacings in files, mm. */
+    /** Rounding of distances, as spacings in files are rounded, mm. */
     private static final double ROUNDING_MM = 0.001;
 
     private static final int BLOCKED = -1;
 
     private final Segmentation s;
     private final byte segment;
+    /** By segment number, whether bridges may take its voxels. */
+    private final boolean[] free;
+
     private final double reachMm;
     private final int[] low;
     private final int[] size;
-    private final double[] spacing = new double[3];
     /** Piece of each cell of the box, from 1; 0 is background, {@link #BLOCKED} another structure. */
     private final int[] pieces;
     /** Cell of the joined pieces from which the search reached a cell. */
@@ -38,18 +40,19 @@ final class PieceJoiner {
      * Prepares the pieces of a segment.
      *
      * @param components the pieces as lists of voxels, the largest first
-     * @param reachMm largest gap that is bridged, between faces of voxels, mm
+     * @param reachMm largest distance that is bridged, from voxel to voxel, mm
+     * @param free by segment number, whether it counts as background
      */
-    PieceJoiner(Segmentation s, int segment, List<int[]> components, double reachMm) {
+    PieceJoiner(Segmentation s, int segment, List<int[]> components, double reachMm, boolean[] free) {
         this.s = s;
         this.segment = (byte) segment;
+        this.free = free;
         this.reachMm = reachMm;
         int[] box = s.box(segment);
         int[] all = {s.columns, s.rows, s.slices};
         low = new int[3];
         size = new int[3];
         for (int axis = 0; axis < 3; axis++) {
-            spacing[axis] = s.grid().spacing(axis);
             // A margin of two voxels lets the search pass around a corner of the bone.
             low[axis] = Math.max(0, box[axis] - 2);
             size[axis] = Math.min(all[axis] - 1, box[3 + axis] + 2) - low[axis] + 1;
@@ -59,7 +62,7 @@ final class PieceJoiner {
         previous = new int[pieces.length];
         Arrays.fill(origin, BLOCKED);
         for (int cell = 0; cell < pieces.length; cell++) {
-            pieces[cell] = s.voxels[voxel(cell)] == 0 ? 0 : BLOCKED;
+            pieces[cell] = free[s.segmentAt(voxel(cell))] ? 0 : BLOCKED;
         }
         joined = new boolean[components.size() + 1];
         for (int piece = 1; piece < joined.length; piece++) {
@@ -115,7 +118,7 @@ final class PieceJoiner {
     private void reach(int from, int cell, List<int[]> components) {
         if (origin[cell] != BLOCKED
                 || pieces[cell] == BLOCKED
-                || gap(origin[from], cell) > reachMm + ROUNDING_MM
+                || distance(origin[from], cell) > reachMm + ROUNDING_MM
                 || !leads(from, cell, new IntList())) {
             return;
         }
@@ -129,13 +132,11 @@ final class PieceJoiner {
         }
     }
 
-    /** Distance between the faces of two cells, mm. */
-    private double gap(int a, int b) {
-        int[] one = index(a);
-        int[] other = index(b);
+    /** Distance between two cells, mm. */
+    private double distance(int a, int b) {
         double square = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            double d = spacing[axis] * Math.max(0, Math.abs(other[axis] - one[axis]) - 1);
+        for (int row = 0; row < 3; row++) {
+            double d = s.coordinate(voxel(a), row) - s.coordinate(voxel(b), row);
             square += d * d;
         }
         return Math.sqrt(square);
@@ -175,7 +176,7 @@ final class PieceJoiner {
             }
         }
         int[] half = new int[3];
-        Arrays.setAll(half, axis -> (int) Math.round(BRIDGE_MM / spacing[axis]));
+        Arrays.setAll(half, axis -> (int) Math.round(BRIDGE_MM / s.grid().spacing(axis)));
         for (int i = 0; i < way.size(); i++) {
             fillAbout(index(way.get(i)), half);
         }
@@ -208,7 +209,7 @@ final class PieceJoiner {
             for (int y = Math.max(0, at[1] - half[1]); y <= Math.min(size[1] - 1, at[1] + half[1]); y++) {
                 for (int x = Math.max(0, at[0] - half[0]); x <= Math.min(size[0] - 1, at[0] + half[0]); x++) {
                     int voxel = voxel(x + size[0] * (y + size[1] * z));
-                    if (s.voxels[voxel] == 0) {
+                    if (free[s.segmentAt(voxel)]) {
                         s.voxels[voxel] = segment;
                     }
                 }

@@ -38,6 +38,9 @@ public final class SegmentationRepair {
     private static final double NOTED_FILL = 0.02;
 
     private final Segmentation s;
+    /** By segment number, whether bones may take its voxels: background, and what fills the space like it. */
+    private final boolean[] free;
+
     private final List<String> notes = new ArrayList<>();
     private int specks;
     private int speckSegments;
@@ -45,6 +48,9 @@ public final class SegmentationRepair {
 
     private SegmentationRepair(Segmentation s) {
         this.s = s;
+        free = new boolean[s.names().size() + 1];
+        free[0] = true;
+        s.names().stream().filter(LabelTable::fillsBetweenOrgans).forEach(name -> free[s.find(name)] = true);
     }
 
     /**
@@ -100,7 +106,7 @@ public final class SegmentationRepair {
                 .map(s::find)
                 .toList();
         int before = bones.stream().mapToInt(bone -> counts[bone]).sum();
-        int filled = BoneClosing.close(s, bones) + HoleFilling.fill(s);
+        int filled = BoneClosing.close(s, bones, free) + HoleFilling.fill(s);
         if (before > 0 && filled > NOTED_FILL * before) {
             notes.add(String.format(
                     Locale.ROOT, "holes and pits are filled, %.1f ml", s.grid().volumeMl(filled)));
@@ -190,7 +196,7 @@ public final class SegmentationRepair {
         boolean far = kind(name)
                 .filter(k -> k == StructureKind.RIB || k == StructureKind.STERNUM)
                 .isPresent();
-        PieceJoiner joiner = new PieceJoiner(s, segment, components, far ? LONG_GAP_MM : BONE_GAP_MM);
+        PieceJoiner joiner = new PieceJoiner(s, segment, components, far ? LONG_GAP_MM : BONE_GAP_MM, free);
         List<Integer> unreached = joiner.unreached();
         if (unreached.size() + 1 < components.size()) {
             joined.add(name + " (" + (components.size() - unreached.size()) + ")");
