@@ -279,7 +279,7 @@ public final class BodyCompletion {
         for (PatientStructure s : body.structures()) {
             Optional<DistanceSummary> off =
                     PatientBody.merged(template, s.structure()).map(mesh -> SurfacePair.distanceToScan(s, mesh));
-            if (off.isEmpty() || body.firstCut(s.structure()).isEmpty() || keepsCut(s.structure(), continued)) {
+            if (off.isEmpty() || partOf(s.structure()).isEmpty() || keepsCut(s.structure(), continued)) {
                 all.add(extended(off.map(s::withDistanceToScan).orElse(s), extended));
             }
         }
@@ -287,7 +287,7 @@ public final class BodyCompletion {
         int added = 0;
         for (Structure structure : template) {
             if (kept.stream().noneMatch(s -> s.structure().isSameAs(structure))) {
-                Optional<PatientStructure> cut = body.firstCut(structure);
+                Optional<PatientStructure> cut = partOf(structure);
                 all.add(new PatientStructure(
                         structure,
                         continued.contains(structure.name())
@@ -316,7 +316,25 @@ public final class BodyCompletion {
         if (!extended.isEmpty()) {
             notes.add("ribs that end short of the spine, given neck and head: " + String.join(", ", extended));
         }
+        List<String> lacking = ribs.stream()
+                .filter(RibFit::lacksBack)
+                .map(fit -> fit.shared().organ().structure().name())
+                .toList();
+        if (!lacking.isEmpty()) {
+            notes.add(Numbers.format(
+                    "ribs that end more than %.0f mm short of the spine, taken from %s: %s",
+                    RibFit.LONGEST_NECK_MM, templateName, String.join(", ", lacking)));
+        }
         return new PatientBody(body.name(), all, ExpectedStructures.missing(all), body.notes()).withNotes(notes);
+    }
+
+    /** What the scan shows of a structure that it truncates, or of a rib of which it lacks the back; else empty. */
+    private Optional<PatientStructure> partOf(Structure s) {
+        return body.firstCut(s).or(() -> ribs.stream()
+                .filter(RibFit::lacksBack)
+                .map(fit -> fit.shared().organ())
+                .filter(rib -> rib.structure().isSameAs(s))
+                .findFirst());
     }
 
     /**
@@ -331,7 +349,7 @@ public final class BodyCompletion {
     private PatientStructure extended(PatientStructure s, List<String> names) {
         Optional<RibFit> rib = ribs.stream()
                 .filter(fit -> fit.shared().organ().structure().isSameAs(s.structure()))
-                .filter(fit -> fit.missingMm() > 0)
+                .filter(fit -> fit.missingMm() > 0 && !fit.lacksBack())
                 .findFirst();
         rib.ifPresent(
                 fit -> names.add(Numbers.format("%s by %.0f mm", s.structure().name(), fit.missingMm())));

@@ -19,6 +19,9 @@ final class RibFit {
 
     private static final double END_SIGMA_MM = 3;
     private static final double COURSE_SIGMA_MM = 1.5;
+    /** Longest neck that is grown onto a rib, mm: the line of a rib's end does not tell how its angle bends. */
+    static final double LONGEST_NECK_MM = 60;
+
     private final SharedStructure shared;
     private final RibCourse rest;
     private final RibCourse scan;
@@ -114,6 +117,11 @@ final class RibFit {
         neck.ifPresent(n -> missingMm = n.gapMm() > limitMm ? n.lengthMm() : 0);
     }
 
+    /** Whether the scan lacks so much of the rib at the spine that its course is the template's. */
+    boolean lacksBack() {
+        return missingMm > LONGEST_NECK_MM;
+    }
+
     /** Index of the point nearest to another. */
     private static int nearest(double[] points, double[] p) {
         int best = 0;
@@ -135,7 +143,7 @@ final class RibFit {
     PointPairs pairs() {
         PointPairs pairs = new PointPairs();
         int n = Math.max(2, (int) Math.round(scan.lengthMm() / STEP_MM));
-        boolean bothEnds = !anteriorCut && !Double.isNaN(missingMm);
+        boolean bothEnds = !anteriorCut && missingMm <= LONGEST_NECK_MM;
         double whole = scan.lengthMm() + missingMm;
         for (int i = 0; i <= n; i++) {
             double path = scan.lengthMm() * i / n;

@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.SharedThorax;
@@ -63,9 +65,13 @@ class RibNeckTest {
     }
 
     private static PatientBody completed(Thorax patient, double mm) {
+        return completed(patient, rib -> mm > 0 ? shortened(rib, mm) : rib);
+    }
+
+    private static PatientBody completed(Thorax patient, UnaryOperator<Structure> seenAs) {
         List<PatientStructure> seen = new ArrayList<>();
         List<Structure> shown = new ArrayList<>();
-        ribs(patient).forEach(rib -> shown.add(mm > 0 ? shortened(rib, mm) : rib));
+        ribs(patient).forEach(rib -> shown.add(seenAs.apply(rib)));
         patient.structuresOf(StructureKind.VERTEBRA).stream()
                 .filter(s -> s.level() > 1 && s.level() < 10)
                 .forEach(shown::add);
@@ -98,6 +104,22 @@ class RibNeckTest {
     @Test
     void ribsOfTheScannedManGetTheirHeadsBack() {
         assertThat(offHeads(SharedThorax.male(), 20, 9)).isLessThan(4.5);
+    }
+
+    /** Of right rib 5 the scan lacks the head and the angle: no straight neck of 110 mm is grown onto it. */
+    @Test
+    void aRibThatLacksItsBackTakesTheTemplatesCourse() {
+        PatientBody body = completed(FEMALE, rib -> rib.name().equals("rib_05_R") ? shortened(rib, 100) : rib);
+        PatientStructure found = body.structure("rib_05_R").orElseThrow();
+        assertThat(found.source()).isEqualTo(PatientStructure.Source.VIRTUAL);
+        assertThat(body.notes())
+                .contains("ribs that end more than 60 mm short of the spine, taken from adult-male: rib_05_R")
+                .noneMatch(note -> note.contains("given neck and head"));
+        Structure truth = FEMALE.find("rib_05_R").orElseThrow();
+        assertThat(Vectors.distance(head(found.structure()), head(truth))).isLessThan(7);
+        double[] off = new TriangleTree(truth.mesh())
+                .distances(found.structure().mesh().positions());
+        assertThat(Arrays.stream(off).max().orElseThrow()).as("off the rib, mm").isLessThan(8);
     }
 
     @Test
