@@ -73,7 +73,7 @@ record LayeredSegments(VolumeFrames frames, List<Segment> segments) {
         VoxelDecoder stored =
                 new VoxelDecoder(sizes, volume.voxels().type(), volume.voxels().order());
         stored.checkMemory(volume.file(), 2);
-        return stored.decode(volume.file(), volume.in(), volume.affine());
+        return stored.decode(volume.file(), volume.in(), volume.affine(), volume.notes());
     }
 
     /**

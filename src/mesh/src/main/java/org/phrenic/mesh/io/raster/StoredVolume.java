@@ -50,7 +50,7 @@ public record StoredVolume(
      * @throws BadInputException if the data ends too early or a value is no label
      */
     public LabelGrid labels() {
-        return layers.isPresent() ? layers.get().merged(this) : voxels.decode(file, in, affine);
+        return layers.isPresent() ? layers.get().merged(this) : voxels.decode(file, in, affine, notes);
     }
 
     /**

@@ -7,6 +7,8 @@ import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
 import java.util.zip.ZipException;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.ScalarType;
@@ -23,8 +25,10 @@ import org.phrenic.mesh.voxel.LabelGrid;
  */
 public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double slope, double intercept) {
     private static final int CHUNK = 1 << 15;
-    /** Greatest error of a label whose slope is a rounded number, such as 1/255 in single precision. */
-    private static final double SCALING_ERROR = 1e-3;
+    /** Greatest distance of a value from the label that it is, as after a rounded slope or a resampling. */
+    private static final double ROUNDING = 0.01;
+    /** Absolute value below which a number is shown, and taken for a background, as a whole one. */
+    private static final double MAX_WHOLE = 1e15;
 
     /** Greatest compression ratio of deflate. */
     private static final long MAX_RATIO = 1032;
@@ -96,12 +100,14 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
     }
 
     /**
-     * Reads all voxels.
+     * Reads all voxels. A negative value of the first voxel is background if that is all corners and the most frequent
+     * label.
      *
      * @param in uncompressed data, positioned at the first voxel
      * @param affine voxel positions, see {@link LabelGrid}
+     * @param notes gets a note about a negative background
      */
-    public LabelGrid decode(String file, InputStream in, double[] affine) {
+    public LabelGrid decode(String file, InputStream in, double[] affine, List<String> notes) {
         int count = (int) voxels();
         byte[] small = new byte[Math.min(count, INITIAL_CAPACITY)];
         short[] large = new short[0];
@@ -109,6 +115,7 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
         ByteBuffer buffer = ByteBuffer.wrap(chunk).order(order);
         boolean plain = type == ScalarType.UINT8 && slope == 1 && intercept == 0;
         int done = 0;
+        double background = Double.NaN;
         try {
             while (done < count) {
                 int now = Math.min(CHUNK, count - done);
@@ -121,11 +128,13 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
                     now = in.readNBytes(small, done, now);
                 } else {
                     now = in.readNBytes(chunk, 0, now * type.size()) / type.size();
-                    if (large.length == 0 && !takeBytes(file, buffer, now, small, done)) {
+                    background = done == 0 ? negative(value(buffer, 0)) : background;
+                    Chunk values = new Chunk(file, buffer, now, done, background);
+                    if (large.length == 0 && !takeBytes(values, small)) {
                         large = widened(small, done);
                     }
                     if (large.length > 0) {
-                        takeShorts(file, buffer, now, large, done);
+                        takeShorts(values, large);
                     }
                 }
                 done += now;
@@ -148,50 +157,95 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
         } catch (IOException failure) {
             throw new BadInputException(file + ": reading failed: " + failure.getMessage(), failure);
         }
-        return large.length > 0
+        LabelGrid grid = large.length > 0
                 ? LabelGrid.of(sizes[0], sizes[1], sizes[2], large, affine)
                 : LabelGrid.of(sizes[0], sizes[1], sizes[2], small, affine);
+        if (background < 0) {
+            if (!isBackground(grid)) {
+                throw noLabel(file, 0, background);
+            }
+            notes.add("the value " + (long) background
+                    + " is background, as the most frequent one and that of the corners");
+        }
+        return grid;
+    }
+
+    /** A whole negative number; NaN for all else. */
+    private static double negative(double value) {
+        return value < 0 && isWhole(value) ? value : Double.NaN;
+    }
+
+    private static boolean isWhole(double value) {
+        return value == Math.rint(value) && Math.abs(value) < MAX_WHOLE;
+    }
+
+    /** Whether label 0 is that of the corners and the most frequent one. */
+    private static boolean isBackground(LabelGrid grid) {
+        int[] counts = grid.counts();
+        int last = grid.voxelCount() - 1;
+        int column = grid.columns() - 1;
+        int slice = grid.columns() * (grid.rows() - 1);
+        return Arrays.stream(counts).max().orElse(0) == counts[0]
+                && IntStream.of(0, column, slice, slice + column)
+                        .allMatch(v -> grid.label(v) == 0 && grid.label(last - v) == 0);
     }
 
     private static int room(int before, int count) {
         return (int) Math.min(count, 2L * before);
     }
 
+    /**
+     * Stored values that were read at once.
+     *
+     * @param first index of the voxel of the first value
+     * @param background value that is label 0, NaN for none
+     */
+    private record Chunk(String file, ByteBuffer from, int count, int first, double background) {}
+
     /** Decodes to bytes; returns false as soon as a label does not fit into a byte. */
-    private boolean takeBytes(String file, ByteBuffer from, int count, byte[] to, int first) {
-        for (int n = 0; n < count; n++) {
-            int label = label(file, from, n, first);
+    private boolean takeBytes(Chunk values, byte[] to) {
+        for (int n = 0; n < values.count(); n++) {
+            int label = label(values, n);
             if (label > LabelGrid.MAX_BYTE_LABEL) {
                 return false;
             }
-            to[first + n] = (byte) label;
+            to[values.first() + n] = (byte) label;
         }
         return true;
     }
 
-    private void takeShorts(String file, ByteBuffer from, int count, short[] to, int first) {
-        for (int n = 0; n < count; n++) {
-            to[first + n] = (short) label(file, from, n, first);
+    private void takeShorts(Chunk values, short[] to) {
+        for (int n = 0; n < values.count(); n++) {
+            to[values.first() + n] = (short) label(values, n);
         }
     }
 
-    private int label(String file, ByteBuffer from, int n, int first) {
+    private int label(Chunk values, int n) {
+        double value = value(values.from(), n);
+        if (value == values.background()) {
+            return 0;
+        }
+        int label = (int) value;
+        if (label != value || label < 0 || label > LabelGrid.MAX_LABEL) {
+            throw noLabel(values.file(), values.first() + n, value);
+        }
+        return label;
+    }
+
+    /** A value, which is whole if it is nearly so. */
+    private double value(ByteBuffer from, int n) {
         double value = type.isInteger()
                 ? slope * type.readLong(from, n * type.size()) + intercept
                 : slope * type.readDouble(from, n * type.size()) + intercept;
-        int label = (int) value;
-        if (label != value && slope != 1 && Math.abs(value - Math.rint(value)) < SCALING_ERROR) {
-            value = Math.rint(value);
-            label = (int) value;
-        }
-        if (label != value || label < 0 || label > LabelGrid.MAX_LABEL) {
-            boolean whole = value == Math.rint(value) && Math.abs(value) < 1e15;
-            String found = whole ? Long.toString((long) value) : Double.toString(value);
-            throw new NoLabelException(file + ": " + place(first + n) + ": found " + found
-                    + ", expected a label, a whole number from 0 to " + LabelGrid.MAX_LABEL
-                    + "; images have to be segmented first");
-        }
-        return label;
+        double whole = Math.rint(value);
+        return Math.abs(value - whole) < ROUNDING ? whole : value;
+    }
+
+    private NoLabelException noLabel(String file, int voxel, double value) {
+        String found = isWhole(value) ? Long.toString((long) value) : Double.toString(value);
+        return new NoLabelException(file + ": " + place(voxel) + ": found " + found
+                + ", expected a label, a whole number from 0 to " + LabelGrid.MAX_LABEL
+                + "; images have to be segmented first");
     }
 
     /** A voxel in a message, by its index. */

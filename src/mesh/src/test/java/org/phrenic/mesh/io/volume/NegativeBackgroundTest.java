@@ -1,0 +1,93 @@
+package org.phrenic.mesh.io.volume;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/** Label volumes whose background is a negative number, and labels with the noise of a resampling. */
+class NegativeBackgroundTest {
+    private static final int LIVER = 6;
+
+    @TempDir
+    private Path folder;
+
+    private LabelVolume read(double... values) {
+        String text = Arrays.stream(values).mapToObj(Double::toString).collect(Collectors.joining(" "));
+        String header = VolumeSamples.nrrd("double", "ascii").replace("endian: little\n", "");
+        return LabelVolumeFiles.read(VolumeSamples.write(
+                folder, "labels.nrrd", VolumeSamples.join(header + "\n", text.getBytes(StandardCharsets.US_ASCII))));
+    }
+
+    /** A volume of one value but for two voxels in its middle. */
+    private static double[] volume(double background, double first, double second) {
+        double[] values = new double[VolumeSamples.VOXELS];
+        Arrays.fill(values, background);
+        values[LIVER] = first;
+        values[LIVER - 1] = second;
+        return values;
+    }
+
+    private void assertRefused(String found, double... values) {
+        assertThatThrownBy(() -> read(values))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found " + found + ", expected a label");
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {-1, -1000, -32768})
+    void oneNegativeValueOfMostVoxelsAndTheCornersIsBackground(double background) {
+        for (double label : new double[] {5, 300}) {
+            LabelVolume volume = read(volume(background, label, 0));
+            LabelGrid grid = volume.grid();
+            assertThat(grid.label(LIVER)).isEqualTo((int) label);
+            assertThat(grid.counts()[0]).isEqualTo(VolumeSamples.VOXELS - 1);
+            assertThat(volume.notes())
+                    .containsExactly("the value " + (int) background
+                            + " is background, as the most frequent one and that of the corners");
+        }
+        assertThat(read(volume(0, 5, 0)).notes()).isEmpty();
+    }
+
+    @Test
+    void anotherNegativeValueIsNone() {
+        assertRefused("-2", volume(-1, 5, -2));
+        assertRefused("-1", volume(0, 5, -1));
+        assertRefused("-1.5", volume(-1.5, 5, 6));
+        assertRefused("-1.0E300", volume(-1e300, 5, 6));
+    }
+
+    @Test
+    void aNegativeValueThatOtherCornersOrMoreVoxelsLackIsNone() {
+        for (int corner : new int[] {3, 8, 11, 12, 15, 20, 23}) {
+            double[] values = volume(-1, 5, 5);
+            values[corner] = 5;
+            assertRefused("-1", values);
+        }
+        double[] rare = volume(5, 5, 5);
+        for (int corner : new int[] {0, 3, 8, 11, 12, 15, 20, 23}) {
+            rare[corner] = -1;
+        }
+        assertRefused("-1", rare);
+    }
+
+    @Test
+    void aValueNearAWholeNumberIsThatLabel() {
+        LabelGrid grid = read(volume(-0.0001, 5.0001, 4.995)).grid();
+        assertThat(grid.label(LIVER)).isEqualTo(5);
+        assertThat(grid.label(LIVER - 1)).isEqualTo(5);
+        assertThat(grid.label(0)).isZero();
+        assertThat(read(volume(-999.9999, 5, 5)).grid().label(0)).isZero();
+        assertRefused("5.02", volume(0, 5.02, 5));
+        assertRefused("4.98", volume(0, 5, 4.98));
+    }
+}
