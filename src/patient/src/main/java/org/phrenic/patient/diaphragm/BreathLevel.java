@@ -84,6 +84,9 @@ public record BreathLevel(
     /** Level from which on a flat face of a lung that is cut off is no dome: a vertebra below full inspiration. */
     private static final double LOWEST_DOME = 13;
 
+    /** Share up to which domes stand high: below those of the bodies of {@code bench bodies} at rest, -0.21 or more. */
+    private static final double HIGH = -0.3;
+
     /** Steps of a stated level in a vertebra. */
     private static final double TENTHS = 10;
 
@@ -160,6 +163,14 @@ public record BreathLevel(
     /** Whether the scan is one at inspiration beyond the differences between people. */
     public boolean isInspired() {
         return share >= mark.clearlyInspired;
+    }
+
+    /**
+     * Whether the domes stand above their usual level at end-expiration beyond the differences between people. Lower
+     * borders of lungs do not tell it, as fluid lifts them.
+     */
+    public boolean standsHigh() {
+        return share <= HIGH && mark != Mark.LOWER_BORDERS;
     }
 
     /**

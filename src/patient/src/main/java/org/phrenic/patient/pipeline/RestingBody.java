@@ -51,18 +51,20 @@ public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean
         return new RestingBody(BodyCompletion.complete(rest, template), level, true, raised.domesMm());
     }
 
-    /** The same with its diaphragm and skin. A body left at inspiration gets a note. */
+    /** The same with its diaphragm and skin. A body left at inspiration gets a note, and one whose domes stand high. */
     RestingBody with(PatientBody whole) {
-        return new RestingBody(
-                isInspired() && !moved
-                        ? whole.withNotes(List.of("the scan is one at inspiration, "
-                                + level.orElseThrow().stated()
-                                + ", and is left as it is: it breathes less than from"
-                                + " end-expiration"))
-                        : whole,
-                level,
-                moved,
-                raisedMm);
+        String note = "";
+        if (isInspired() && !moved) {
+            note = "the scan is one at inspiration, "
+                    + level.orElseThrow().stated()
+                    + ", and is left as it is: it breathes less than from end-expiration";
+        } else if (level.filter(BreathLevel::standsHigh).isPresent()) {
+            note = "the scan is one with high domes, "
+                    + level.orElseThrow().stated()
+                    + ", and is left as it is: they stand so in pregnancy, obesity, ascites or a paresis, or the"
+                    + " vertebrae are numbered one too low";
+        }
+        return new RestingBody(note.isEmpty() ? whole : whole.withNotes(List.of(note)), level, moved, raisedMm);
     }
 
     /** What a view of the body states, such as "end-expiration (domes raised by 41 mm)". */

@@ -25,9 +25,13 @@ class BreathLevelTest {
 
     /** Lungs, ribs and vertebrae of the virtual man, with a left lung so many times as tall. */
     private static Optional<BreathLevel> level(double leftLung) {
-        List<PatientStructure> shown = MAN.structures().stream()
+        return level(MAN, 1, leftLung);
+    }
+
+    private static Optional<BreathLevel> level(Thorax person, double rightLung, double leftLung) {
+        List<PatientStructure> shown = person.structures().stream()
                 .filter(s -> SHOWN.contains(s.kind()))
-                .map(s -> s.kind() == StructureKind.LUNG && s.side() == Side.LEFT ? tall(s, leftLung) : s)
+                .map(s -> s.kind() == StructureKind.LUNG ? tall(s, s.side() == Side.LEFT ? leftLung : rightLung) : s)
                 .map(s -> new PatientStructure(s, PatientStructure.Source.SCAN, Optional.empty(), Optional.empty()))
                 .toList();
         PatientBody body = new PatientBody("patient", shown, List.of(), List.of());
@@ -57,6 +61,24 @@ class BreathLevelTest {
         assertThat(level(0.9).orElseThrow().left())
                 .as("less than two centimetres")
                 .isBetween(whole.left() - 1, whole.left());
+    }
+
+    @Test
+    void domesStandHighBeyondTheDifferencesBetweenPeople() {
+        for (String preset : List.of("adult-male", "adult-female")) {
+            Thorax person = VirtualThorax.ofPreset(preset, Resolution.LOW);
+            assertThat(level(person, 1, 1).orElseThrow().standsHigh())
+                    .as(preset)
+                    .isFalse();
+            BreathLevel high = level(person, 0.8, 0.8).orElseThrow();
+            assertThat(high.standsHigh()).as(preset + " " + high.share()).isTrue();
+            assertThat(high.isInspired()).isFalse();
+        }
+        assertThat(new BreathLevel(BreathLevel.Mark.ORGANS, 7, 8, -1, -0.29, -20).standsHigh())
+                .isFalse();
+        assertThat(new BreathLevel(BreathLevel.Mark.LOWER_BORDERS, 10, 10, -1, -0.5, -20).standsHigh())
+                .as("fluid lifts lower borders")
+                .isFalse();
     }
 
     /** There is no T13: the vertebra below T12 is L1. */
