@@ -2,13 +2,14 @@ package org.phrenic.patient.segmentation;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import org.phrenic.mesh.IntList;
 
 /**
  * Joins the pieces of a bone: from the largest piece a search spreads through background, and each piece within reach
- * is joined by a bridge of voxels: a straight one, or where another structure is in its way one along the path by which
- * the search went round that. A path leads across faces of voxels, so that what a bridge joins is one piece.
+ * is joined by a bridge of voxels: a straight one, or where another structure cuts that through one along the path by
+ * which the search went round it. A path leads across faces of voxels, so that what a bridge joins is one piece.
  */
 final class PieceJoiner {
     /** Half the thickness of a bridge, mm; at least half a voxel. */
@@ -165,56 +166,79 @@ final class PieceJoiner {
         return false;
     }
 
-    /** Fills the background within half a bridge's thickness of the line from the origin of a cell to another. */
+    /** Fills what is free about the line from the origin of a cell to another, or about the path if that leads on. */
     private void bridge(int from, int to) {
-        IntList way = new IntList();
-        if (!isStraight(index(origin[from]), index(to), way)) {
-            way = new IntList();
-            leads(from, to, way);
+        BitSet bridge = about(line(origin[from], to));
+        if (!connects(bridge, origin[from], to)) {
+            IntList path = new IntList();
+            leads(from, to, path);
             for (int cell = from; cell != previous[cell]; cell = previous[cell]) {
-                leads(previous[cell], cell, way);
+                leads(previous[cell], cell, path);
             }
+            bridge = about(path);
         }
-        int[] half = new int[3];
-        Arrays.setAll(half, axis -> (int) Math.round(BRIDGE_MM / s.grid().spacing(axis)));
-        for (int i = 0; i < way.size(); i++) {
-            fillAbout(index(way.get(i)), half);
-        }
+        bridge.stream().map(this::voxel).filter(v -> free[s.segmentAt(v)]).forEach(v -> s.voxels[v] = segment);
     }
 
-    /** Whether the line between two cells meets no other structure; collects its cells. */
-    private boolean isStraight(int[] first, int[] last, IntList way) {
+    private IntList line(int from, int to) {
+        int[] first = index(from);
+        int[] last = index(to);
         int steps = 1;
         for (int axis = 0; axis < 3; axis++) {
             steps = Math.max(steps, 2 * Math.abs(last[axis] - first[axis]));
         }
-        int before = first[0] + size[0] * (first[1] + size[1] * first[2]);
-        way.add(before);
-        for (int step = 1; step <= steps; step++) {
+        IntList line = new IntList();
+        for (int step = 0; step <= steps; step++) {
             int[] at = new int[3];
             for (int axis = 0; axis < 3; axis++) {
                 at[axis] = (int) Math.round(first[axis] + (double) step / steps * (last[axis] - first[axis]));
             }
-            int cell = at[0] + size[0] * (at[1] + size[1] * at[2]);
-            if (!leads(before, cell, way)) {
-                return false;
-            }
-            before = cell;
+            line.add(at[0] + size[0] * (at[1] + size[1] * at[2]));
         }
-        return true;
+        return line;
     }
 
-    private void fillAbout(int[] at, int[] half) {
-        for (int z = Math.max(0, at[2] - half[2]); z <= Math.min(size[2] - 1, at[2] + half[2]); z++) {
-            for (int y = Math.max(0, at[1] - half[1]); y <= Math.min(size[1] - 1, at[1] + half[1]); y++) {
-                for (int x = Math.max(0, at[0] - half[0]); x <= Math.min(size[0] - 1, at[0] + half[0]); x++) {
-                    int voxel = voxel(x + size[0] * (y + size[1] * z));
-                    if (free[s.segmentAt(voxel)]) {
-                        s.voxels[voxel] = segment;
+    /** The cells of no other structure within half a bridge's thickness of some cells. */
+    private BitSet about(IntList cells) {
+        int[] half = new int[3];
+        Arrays.setAll(half, axis -> (int) Math.round(BRIDGE_MM / s.grid().spacing(axis)));
+        BitSet about = new BitSet();
+        for (int n = 0; n < cells.size(); n++) {
+            int[] at = index(cells.get(n));
+            for (int z = Math.max(0, at[2] - half[2]); z <= Math.min(size[2] - 1, at[2] + half[2]); z++) {
+                for (int y = Math.max(0, at[1] - half[1]); y <= Math.min(size[1] - 1, at[1] + half[1]); y++) {
+                    for (int x = Math.max(0, at[0] - half[0]); x <= Math.min(size[0] - 1, at[0] + half[0]); x++) {
+                        int cell = x + size[0] * (y + size[1] * z);
+                        about.set(cell, pieces[cell] != BLOCKED);
                     }
                 }
             }
         }
+        return about;
+    }
+
+    /** Whether some cells lead from one of them to another across faces. */
+    private boolean connects(BitSet cells, int from, int to) {
+        BitSet left = (BitSet) cells.clone();
+        IntList reached = new IntList();
+        reached.add(from);
+        left.clear(from);
+        for (int n = 0; n < reached.size(); n++) {
+            int[] at = index(reached.get(n));
+            int stride = 1;
+            for (int axis = 0; axis < 3; axis++) {
+                for (int side = -1; side <= 1; side += 2) {
+                    int next = reached.get(n) + side * stride;
+                    boolean inside = at[axis] + side >= 0 && at[axis] + side < size[axis];
+                    if (inside && left.get(next)) {
+                        left.clear(next);
+                        reached.add(next);
+                    }
+                }
+                stride *= size[axis];
+            }
+        }
+        return cells.get(to) && !left.get(to);
     }
 
     /** Indices, in the list given, of the pieces that no bridge reached. */
