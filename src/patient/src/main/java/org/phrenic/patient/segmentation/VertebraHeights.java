@@ -28,8 +28,16 @@ final class VertebraHeights {
     /** Greatest distance of a vertebral end from the median plane, mm. */
     private static final double HEAD_MM = 60;
 
+    /** Least height of two vertebrae under one label over that of their neighbours; one has at most 1.25 of these. */
+    private static final double DOUBLE = 1.6;
+
     /** By level, mm; NaN if the volume shows none. */
     private final double[] vertebraZ = new double[LAST + 1];
+    /**
+     * Vertical extent of the anterior half, that of an even distribution with the same variance, mm; 0 for none and
+     * where the scan ends above or below in it.
+     */
+    private final double[] extent = new double[LAST + 1];
     /** Level of the highest vertebra that the volume shows, {@link #NONE} if there is none. */
     private final int highest;
 
@@ -54,7 +62,9 @@ final class VertebraHeights {
     }
 
     private void readShown(Segmentation s) {
-        double[][] sums = new double[LabelGrid.MAX_BYTE_LABEL + 1][3];
+        double[][] sums = new double[LabelGrid.MAX_BYTE_LABEL + 1][4];
+        boolean[] cut = new boolean[sums.length];
+        int ends = s.endsToward(true) | s.endsToward(false);
         int[] levels = new int[sums.length];
         for (String name : s.names()) {
             StructureName.parse(name)
@@ -72,7 +82,10 @@ final class VertebraHeights {
                         sum[1]++;
                     } else if (y < sum[0]) {
                         sum[1]++;
-                        sum[2] += s.coordinate(v, 2);
+                        double z = s.coordinate(v, 2);
+                        sum[2] += z;
+                        sum[3] += z * z;
+                        cut[segment] |= (s.ends(v) & ends) != 0;
                     }
                 }
             }
@@ -81,7 +94,10 @@ final class VertebraHeights {
                     sums[segment][0] /= sums[segment][1];
                     sums[segment][1] = 0;
                 } else if (sums[segment][1] > 0) {
-                    vertebraZ[levels[segment]] = sums[segment][2] / sums[segment][1];
+                    double mean = sums[segment][2] / sums[segment][1];
+                    vertebraZ[levels[segment]] = mean;
+                    double variance = sums[segment][3] / sums[segment][1] - mean * mean;
+                    extent[levels[segment]] = cut[segment] ? 0 : Math.sqrt(12 * Math.max(0, variance));
                 }
             }
         }
@@ -95,6 +111,53 @@ final class VertebraHeights {
     /** Height of the vertebra of a level, mm; NaN if the volume shows none at all. */
     double at(int level) {
         return vertebraZ[level];
+    }
+
+    /** Whether a vertebra between two others is as tall as two of them. */
+    boolean isDouble(int level) {
+        double least = Math.min(extent[level - 1], extent[level + 1]);
+        return least > 0 && extent[level] > DOUBLE * Math.max(extent[level - 1], extent[level + 1]);
+    }
+
+    /**
+     * The voxels of a vertebra above, or below, the plane across the spine through the middle of its anterior half.
+     *
+     * @param above a vertebra above it, a segment
+     * @param below one below it
+     */
+    static IntList half(Segmentation s, int vertebra, int above, int below, boolean upper) {
+        double[] top = mean(s, above, Double.POSITIVE_INFINITY);
+        double[] bottom = mean(s, below, Double.POSITIVE_INFINITY);
+        double[] middle = mean(s, vertebra, mean(s, vertebra, Double.POSITIVE_INFINITY)[1]);
+        IntList half = new IntList();
+        for (int v = 0; v < s.voxels.length; v++) {
+            if (s.segmentAt(v) == vertebra) {
+                double[] p = s.point(v);
+                double along = 0;
+                for (int axis = 0; axis < 3; axis++) {
+                    along += (top[axis] - bottom[axis]) * (p[axis] - middle[axis]);
+                }
+                if (along > 0 == upper) {
+                    half.add(v);
+                }
+            }
+        }
+        return half;
+    }
+
+    /** Mean of the voxels of a segment before a coronal plane. */
+    private static double[] mean(Segmentation s, int segment, double before) {
+        double[] mean = new double[3];
+        int count = 0;
+        for (int v = 0; v < s.voxels.length; v++) {
+            if (s.segmentAt(v) == segment && s.coordinate(v, 1) < before) {
+                count++;
+                for (int axis = 0; axis < 3; axis++) {
+                    mean[axis] += (s.coordinate(v, axis) - mean[axis]) / count;
+                }
+            }
+        }
+        return mean;
     }
 
     /** Whether the volume shows a vertebra. */

@@ -7,12 +7,14 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.mesh.IntList;
+import org.phrenic.patient.label.SpineNames;
 import org.phrenic.patient.segmentation.LungPieces.LungVoxels;
 
 /**
@@ -21,16 +23,22 @@ import org.phrenic.patient.segmentation.LungPieces.LungVoxels;
  * The ribs are right if all twelve of a side are there, if the scan cuts off the first ones and the twelfth is as short
  * as a last rib ({@link CutRibCount}), or if the first is as short as a first rib and ends at the top of the lung. Then
  * the vertebrae are numbered anew, else the ribs. Where the first ribs have the number 2, ribs and vertebrae are
- * numbered one lower.
+ * numbered one lower. Two vertebrae under one label are seen by their height: the numbers on one side of them are one
+ * off, and they are parted.
  */
 final class VertebraNumbering {
-    /** First rib that is looked at. */
+    /** First rib that is looked at, but for those above two vertebrae under one label. */
     private static final int FIRST = 7;
+
+    private static final int FIRST_ABOVE = 2;
     /**
      * Height of the vertebra above the vertebral end of ribs 7 to 12, in distances of vertebrae: means of two trunks,
      * the scanned man and the virtual woman, each within 0.25 of it.
      */
     private static final double[] USUAL = {-0.47, -0.42, -0.33, -0.25, 0.05, 0.5};
+
+    /** The same of ribs 2 to 6 in these and a trunk at inspiration, each within 0.55. */
+    private static final double USUAL_ABOVE = -0.5;
 
     /**
      * Distance from the median plane to which ends of ribs are continued, mm: about that of the transverse processes.
@@ -56,22 +64,7 @@ final class VertebraNumbering {
     /** Least voxels of a rib over those of the median rib; the shortest ribs 12 have 0.03. */
     private static final double LEAST_SHARE = 0.02;
 
-    private static final String SACRAL = "vertebra_S1";
-
-    private static final List<String> SPINE = IntStream.range(0, 24)
-            .mapToObj(i -> String.format(
-                    Locale.ROOT,
-                    i < 7 ? "vertebra_C%d" : i < 19 ? "vertebra_T%02d" : "vertebra_L%02d",
-                    i < 7 ? i + 1 : i < 19 ? i - 6 : i - 18))
-            .toList();
-    /** The disc below each of these. */
-    private static final List<String> DISCS = IntStream.range(0, SPINE.size())
-            .mapToObj(i -> "disc_" + shortName(SPINE.get(i)) + "_"
-                    + shortName(i + 1 < SPINE.size() ? SPINE.get(i + 1) : SACRAL))
-            .toList();
-
-    private static final List<String> NECK =
-            Stream.concat(SPINE.stream().limit(7), DISCS.stream().limit(7)).toList();
+    private static final String LEFT_OUT = "; what lies above vertebra_C1 then is left out";
 
     private static final StructureName NONE = new StructureName(StructureKind.OTHER, 0, Side.MIDLINE);
 
@@ -119,10 +112,14 @@ final class VertebraNumbering {
             return Optional.empty();
         }
         if (beginsWithSecond(sumX / vertebral)) {
-            shift(-1, true);
+            shift(-1, true, place -> true);
             return Optional.of(
                     "the highest ribs have the number 2, but are as short as the first ones and end at the top"
                             + " of the lungs: ribs and vertebrae are numbered one lower");
+        }
+        Optional<String> parted = partDouble(sumX / vertebral);
+        if (parted.isPresent()) {
+            return parted;
         }
         int slip = slip(sumX / vertebral);
         if (slip == 0) {
@@ -132,7 +129,7 @@ final class VertebraNumbering {
         if (!ribsAreRight(sumX / vertebral)) {
             return Optional.of(RibNumbering.renumber(s, "ribs, whose vertebrae lie one " + where + " their numbers"));
         }
-        String beyond = shift(-slip, false) ? "; what lies above vertebra_C1 then is left out" : "";
+        String beyond = shift(-slip, false, place -> true) ? LEFT_OUT : "";
         return Optional.of("the vertebrae lie one " + where + " the ribs of their numbers: they are numbered anew, "
                 + (slip > 0 ? "vertebra_L01 is vertebra_T12" : "vertebra_T12 is vertebra_L01") + " now" + beyond);
     }
@@ -149,7 +146,7 @@ final class VertebraNumbering {
                 .anyMatch(segment ->
                         names[segment].kind() == StructureKind.RIB || names[segment].kind() == StructureKind.VERTEBRA);
         boolean hasNeck =
-                s.names().stream().filter(name -> counts[s.find(name)] > 0).anyMatch(name -> NECK.contains(name));
+                s.names().stream().filter(name -> counts[s.find(name)] > 0).anyMatch(SpineNames::isOfNeck);
         return !hasFirst && !hasNeck && Stream.of(Side.RIGHT, Side.LEFT).allMatch(side -> isFirst(2, side, middle));
     }
 
@@ -172,23 +169,77 @@ final class VertebraNumbering {
                         CutRibCount.length(s, rib), CutRibCount.length(s, next), end.getAsDouble(), lung.get());
     }
 
-    /** 1 if the vertebrae lie one above the ribs of their numbers, -1 if one below, otherwise 0. */
-    private int slip(double middle) {
+    /**
+     * Numbers anew what lies above or below two vertebrae under one label, if it is one off its ribs, and parts them.
+     *
+     * @return a note if it does
+     */
+    private Optional<String> partDouble(double middle) {
         VertebraHeights height = new VertebraHeights(s);
+        for (int level = FIRST_ABOVE + 1; level <= StructureName.FIRST_LUMBAR; level++) {
+            if (height.isDouble(level)) {
+                long above = off(deviations(height, middle, FIRST_ABOVE, level - 1));
+                long below = off(deviations(height, middle, level + 1, RibNumbering.RIBS));
+                if ((above == 1 && below == 0) || (above == 0 && below == -1)) {
+                    return Optional.of(part(SpineNames.place(level), above == 1));
+                }
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** By how many numbers so many ribs are off; 0 for less than two. */
+    private static long off(double[] deviations) {
+        return deviations.length < 2 ? 0 : Math.round(median(deviations));
+    }
+
+    /**
+     * @param place of the vertebra
+     * @param upper whether what lies above it is numbered anew, else what lies below
+     */
+    private String part(int place, boolean upper) {
+        String name = SpineNames.at(place);
+        String other = SpineNames.at(upper ? place - 2 : place + 2);
+        IntList half = VertebraHeights.half(
+                s, s.find(name), s.find(SpineNames.at(place - 2)), s.find(SpineNames.at(place + 2)), upper);
+        boolean leftOut = shift(upper ? -1 : 1, false, at -> upper ? at < place : at > place);
+        s.write(half, s.segment(other));
+        s.setLabels(other, s.labels(name));
+        String where = upper ? "above" : "below";
+        return name + " is as tall as two vertebrae, and those " + where + " it lie one " + where
+                + " the ribs of their numbers: they are numbered anew, and it is parted at half its height into " + name
+                + " and " + other + (leftOut ? LEFT_OUT : "");
+    }
+
+    private static double median(double[] sorted) {
+        return sorted[sorted.length / 2];
+    }
+
+    /**
+     * How far the ribs of these numbers deviate from the vertebrae of theirs, in distances of vertebrae, in ascending
+     * order.
+     */
+    private double[] deviations(VertebraHeights height, double middle, int from, int to) {
         double spacing = (height.at(FIRST) - height.at(RibNumbering.RIBS)) / (RibNumbering.RIBS - FIRST);
-        double[] deviation = ribs.entrySet().stream()
-                .filter(rib -> names[rib.getKey()].level() >= FIRST)
+        return ribs.entrySet().stream()
+                .filter(rib -> names[rib.getKey()].level() >= from && names[rib.getKey()].level() <= to)
                 .flatMapToDouble(rib -> {
                     int number = names[rib.getKey()].level();
+                    double usual = number < FIRST ? USUAL_ABOVE : USUAL[number - FIRST];
                     OptionalDouble end = vertebralEnd(rib.getValue(), middle);
-                    return end.stream().map(z -> (height.at(number) - z) / spacing - USUAL[number - FIRST]);
+                    return end.stream().map(z -> (height.at(number) - z) / spacing - usual);
                 })
                 .sorted()
                 .toArray();
+    }
+
+    /** 1 if the vertebrae lie one above the ribs of their numbers, -1 if one below, otherwise 0. */
+    private int slip(double middle) {
+        double[] deviation = deviations(new VertebraHeights(s), middle, FIRST, RibNumbering.RIBS);
         if (deviation.length < LEAST_RIBS) {
             return 0;
         }
-        double median = deviation[deviation.length / 2];
+        double median = median(deviation);
         long near = Arrays.stream(deviation)
                 .filter(d -> Math.abs(d - median) < SCATTER)
                 .count();
@@ -245,9 +296,10 @@ final class VertebraNumbering {
      *
      * @param all whether ribs, their cartilages and the first sacral vertebra go with them; cartilages of which there
      *     is a first one stay
+     * @param moved which vertebrae and discs, by their place from the top
      * @return whether a vertebra or disc becomes background
      */
-    private boolean shift(int down, boolean all) {
+    private boolean shift(int down, boolean all, IntPredicate moved) {
         boolean leftOut = false;
         int[] counts = s.counts();
         boolean cartilagesStay = IntStream.range(1, names.length)
@@ -259,13 +311,15 @@ final class VertebraNumbering {
             segment[i] = (byte) i;
         }
         for (String name : List.copyOf(s.names())) {
-            boolean ofSpine = SPINE.contains(name) || DISCS.contains(name);
-            String now = all ? allShifted(name, down, cartilagesStay) : shifted(name, down);
-            if (ofSpine && Math.max(SPINE.indexOf(name), DISCS.indexOf(name)) + down < 0) {
+            int place = SpineNames.place(name);
+            boolean ofSpine = place >= 0;
+            boolean moves = !ofSpine || moved.test(place);
+            String now = !moves ? name : all ? allShifted(name, down, cartilagesStay) : SpineNames.below(name, down);
+            if (ofSpine && moves && place + 2 * down < 0) {
                 segment[s.find(name)] = 0;
                 leftOut = true;
             } else if (ofSpine || !now.equals(name)) {
-                boolean joins = now.equals(SACRAL) && s.find(now) > 0;
+                boolean joins = now.equals(SpineNames.SACRAL) && s.find(now) > 0;
                 labels.computeIfAbsent(now, n -> new ArrayList<>(joins ? s.labels(n) : List.of()))
                         .addAll(s.labels(name));
                 segment[s.find(name)] = (byte) s.segment(now);
@@ -278,11 +332,6 @@ final class VertebraNumbering {
         return leftOut;
     }
 
-    /** The name of a vertebra in that of a disc, such as T9. */
-    private static String shortName(String vertebra) {
-        return vertebra.substring(vertebra.indexOf('_') + 1).replaceFirst("(?<=[TL])0", "");
-    }
-
     private static String allShifted(String name, int down, boolean cartilagesStay) {
         StructureName parsed = StructureName.parse(name).orElse(NONE);
         boolean cartilage = parsed.kind() == StructureKind.COSTAL_CARTILAGE && !cartilagesStay;
@@ -290,18 +339,8 @@ final class VertebraNumbering {
             int level = Math.max(1, parsed.level() + down);
             return name.replaceFirst("\\d+", String.format(Locale.ROOT, "%02d", level));
         }
-        return name.equals(SACRAL) && down < 0 ? SPINE.get(SPINE.size() + down) : shifted(name, down);
-    }
-
-    /** The name of the vertebra or disc so many below; the last disc keeps its name, as does all else. */
-    private static String shifted(String name, int down) {
-        int vertebra = SPINE.indexOf(name);
-        int disc = DISCS.indexOf(name);
-        int to = Math.max(0, Math.max(vertebra, disc) + down);
-        boolean last = to >= SPINE.size();
-        if (vertebra >= 0) {
-            return last ? SACRAL : SPINE.get(to);
-        }
-        return disc < 0 || last ? name : DISCS.get(to);
+        return name.equals(SpineNames.SACRAL) && down < 0
+                ? SpineNames.at(SpineNames.place(StructureName.FIRST_LUMBAR + 5 + down))
+                : SpineNames.below(name, down);
     }
 }

@@ -197,6 +197,60 @@ class VertebraNumberingTest {
         assertThat(counts(above)).isEqualTo(truth(CageVoxels.SLICES, "vertebra_T12"));
     }
 
+    /** Two vertebrae under the label of the lower one, those above one too low, or of the upper one and the mirror. */
+    private static IntUnaryOperator doubled(int number, boolean above) {
+        int kept = CageVoxels.vertebra(number);
+        return label -> {
+            boolean isThoracic = label >= T12 && label <= T1;
+            boolean moves = isThoracic && (above ? label > kept : label < kept);
+            return moves ? label + (above ? -1 : 1) : label;
+        };
+    }
+
+    @Test
+    void twoVertebraeUnderOneLabelArePartedAndThoseBeyondThemNumberedAnew() {
+        for (int number = 4; number < 11; number++) {
+            Segmentation lower = scan(cage(), CageVoxels.SLICES, doubled(number, true));
+            String name = String.format(Locale.ROOT, "vertebra_T%02d", number);
+            String before = String.format(Locale.ROOT, "vertebra_T%02d", number - 1);
+            assertThat(SegmentationRepair.numberRibs(lower))
+                    .containsExactly(name + " is as tall as two vertebrae, and those above it lie one above the ribs of"
+                            + " their numbers: they are numbered anew, and it is parted at half its height into " + name
+                            + " and " + before);
+            assertThat(counts(lower)).isEqualTo(truth(CageVoxels.SLICES));
+            assertThat(lower.labels(before)).containsExactly(CageVoxels.vertebra(number));
+            Segmentation upper = scan(cage(), CageVoxels.SLICES, doubled(number - 1, false));
+            assertThat(SegmentationRepair.numberRibs(upper))
+                    .singleElement()
+                    .asString()
+                    .startsWith(before + " is as tall as two vertebrae, and those below it lie one below")
+                    .endsWith("into " + before + " and " + name);
+            assertThat(counts(upper)).isEqualTo(truth(CageVoxels.SLICES));
+        }
+    }
+
+    @Test
+    void aTallVertebraAmongRightNumbersIsOne() {
+        CageVoxels cage = cage();
+        int slice = CageVoxels.COLUMNS * CageVoxels.ROWS;
+        for (int v = 0; v < cage.labels.length; v++) {
+            int number = CageVoxels.vertebra(0) - cage.labels[v];
+            if ((number == 7 || number == 9) && v / slice - (123 - 8 * number) != -1 && v / slice != 123 - 8 * number) {
+                cage.labels[v] = 0;
+            }
+        }
+        Segmentation s = scan(cage, CageVoxels.SLICES, label -> label);
+        assertThat(new VertebraHeights(s).isDouble(8)).isTrue();
+        byte[] fromT9 = Arrays.copyOfRange(cage.labels, (123 - 8 * 9 - 1) * slice, cage.labels.length);
+        assertThat(new VertebraHeights(new Segmentation(CageVoxels.volume(fromT9), CageVoxels.table(false), "scan"))
+                        .isDouble(8))
+                .as("beside a vertebra that the scan cuts off")
+                .isFalse();
+        TreeMap<String, Integer> before = counts(s);
+        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(counts(s)).isEqualTo(before);
+    }
+
     /** Slices of a chest whose lower end cuts all ribs but the first seven, with lungs up to the first ribs. */
     private static Segmentation chest(IntUnaryOperator relabel) {
         CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
