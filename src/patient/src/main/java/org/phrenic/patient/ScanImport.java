@@ -243,7 +243,7 @@ public final class ScanImport {
                         meshed));
     }
 
-    /** Adds notes about truncated structures, structures in several pieces, and implausible lungs. */
+    /** Adds notes about truncated structures, structures in several pieces, and implausible ribs and lungs. */
     private void note(List<PatientStructure> structures) {
         List<String> cut = new ArrayList<>();
         for (PatientStructure structure : structures) {
@@ -262,6 +262,7 @@ public final class ScanImport {
             notes.add("cut off by the end of the scan, at the side in brackets, and closed flat there: "
                     + String.join(", ", cut));
         }
+        RibPlausibility.check(structures).ifPresent(notes::add);
         notes.addAll(LungPlausibility.check(structures));
     }
 
