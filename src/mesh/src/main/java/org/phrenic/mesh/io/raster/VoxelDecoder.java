@@ -161,13 +161,17 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
                 ? LabelGrid.of(sizes[0], sizes[1], sizes[2], large, affine)
                 : LabelGrid.of(sizes[0], sizes[1], sizes[2], small, affine);
         if (background < 0) {
-            if (!isBackground(grid)) {
-                throw noLabel(file, 0, background);
-            }
-            notes.add("the value " + (long) background
-                    + " is background, as the most frequent one and that of the corners");
+            notes.add(backgroundNote(file, grid, background));
         }
         return grid;
+    }
+
+    /** @throws NoLabelException if a value that was read as label 0 is no background */
+    private String backgroundNote(String file, LabelGrid grid, double background) {
+        if (!isBackground(grid)) {
+            throw noLabel(file, 0, background);
+        }
+        return "the value " + (long) background + " is background, as the most frequent one and that of the corners";
     }
 
     /** A whole negative number; NaN for all else. */
