@@ -67,7 +67,24 @@ public final class FluoroscopyDock extends AccessPanel {
 
     private void switchBeam() {
         rehearsal.pictures().setXrayOn(beam.isSelected());
+        showHint();
         resume();
+    }
+
+    private boolean takesPictures() {
+        return rehearsal.stage() == RehearsalStage.READY || rehearsal.stage() == RehearsalStage.PLAYING;
+    }
+
+    /** Says what to do, or to wait for, for a picture. */
+    private void showHint() {
+        if (!beam.isSelected()) {
+            view.hint = "Press X-ray on for pictures.";
+        } else if (takesPictures()) {
+            view.hint = "A picture comes with the next step.";
+        } else {
+            view.hint = "Pictures come once the free paths are computed.";
+        }
+        view.repaint();
     }
 
     /** No picture would come of a simulation that is paused. */
@@ -93,13 +110,18 @@ public final class FluoroscopyDock extends AccessPanel {
         return view.shot;
     }
 
+    /** What is said instead of a picture. */
+    String hint() {
+        return view.hint;
+    }
+
     @Override
     public void onState() {
-        if (rehearsal.stage() != RehearsalStage.READY && rehearsal.stage() != RehearsalStage.PLAYING) {
+        if (!takesPictures()) {
             view.shot = Optional.empty();
         }
         view.outlined = rehearsal.pictures().aids() != Aids.PICTURES;
-        view.repaint();
+        showHint();
     }
 
     @Override
@@ -124,6 +146,7 @@ public final class FluoroscopyDock extends AccessPanel {
         private static final int MARGIN = 8;
 
         private transient Optional<FluoroscopyShot> shot = Optional.empty();
+        private String hint = "";
         private boolean outlined = true;
 
         View() {
@@ -153,10 +176,7 @@ public final class FluoroscopyDock extends AccessPanel {
             g.fillRect(0, 0, getWidth(), getHeight());
             g.setColor(TEXT);
             if (shot.isEmpty()) {
-                g.drawString(
-                        "Press X-ray on for pictures.",
-                        MARGIN + 4,
-                        2 * g.getFontMetrics().getHeight());
+                g.drawString(hint, MARGIN + 4, 2 * g.getFontMetrics().getHeight());
                 return;
             }
             CArm arm = shot.get().arm();

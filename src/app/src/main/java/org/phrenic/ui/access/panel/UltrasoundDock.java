@@ -195,7 +195,7 @@ public final class UltrasoundDock extends AccessPanel {
         setEnabled(isReady() && held, lift, beside, turnLeft, turnRight);
         settings.forEach(setting -> setEnabled(!isPlayed(), setting.row.slider));
         view.setOutlined(rehearsal.pictures().aids() != Aids.PICTURES);
-        if (!held && isReady()) {
+        if (!isPlayed() && !(held && isReady())) {
             view.show(Optional.empty(), hint());
         }
         showProbe();
@@ -207,9 +207,14 @@ public final class UltrasoundDock extends AccessPanel {
         view.show(Optional.empty(), hint());
     }
 
-    /** What to do for an image; nothing where the probe is held or a plan holds it. */
+    /** What to do, or to wait for, for an image; nothing where the probe is held. */
     private String hint() {
-        return isPlayed() || probe.hold().isPresent() ? "" : NO_PROBE;
+        return switch (rehearsal.stage()) {
+            case READY -> probe.hold().isPresent() ? "" : NO_PROBE;
+            case PLAYING -> "Images come when the steps that are shown\nput a probe on the skin.";
+            case LOADING, RECORDING_BREATH, MAPPING -> "Images come once the free paths\nare computed.";
+            case CLOSED, UNAVAILABLE -> "";
+        };
     }
 
     private boolean isPlayed() {

@@ -71,6 +71,11 @@ public final class UltrasoundView extends PaintedComponent {
         return shot;
     }
 
+    /** What is said instead of an image. */
+    String hint() {
+        return hint;
+    }
+
     @Override
     public Dimension getPreferredSize() {
         return new Dimension(320, 320);
