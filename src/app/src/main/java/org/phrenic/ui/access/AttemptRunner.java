@@ -211,8 +211,7 @@ final class AttemptRunner implements Session.Listener, AutoCloseable {
 
     /** Forgets the needle; a sample whose needle is still in the body gives no report, and that is said. */
     void detach() {
-        boolean unfinished =
-                isUnderWay() && state().filter(needle -> needle.samples() > 0).isPresent();
+        boolean unfinished = isSampleUnreported();
         rehearsal = null;
         if (unfinished) {
             session.note("The attempt has ended without a report: the needle was not out after its sample.");
@@ -222,6 +221,11 @@ final class AttemptRunner implements Session.Listener, AutoCloseable {
     /** Whether a needle moved by hand is in the body. */
     boolean isUnderWay() {
         return !isPlayed && state().filter(NeedleState::placed).isPresent();
+    }
+
+    /** Whether a sample is taken whose needle is still in the body, so that there is no report yet. */
+    boolean isSampleUnreported() {
+        return isUnderWay() && state().filter(needle -> needle.samples() > 0).isPresent();
     }
 
     /** The needle in the run; empty if there is none. */

@@ -43,6 +43,20 @@ public final class NeedleController {
         });
     }
 
+    /** Whether the report of a sample waits for the needle to be out. */
+    public boolean isSampleUnreported() {
+        return rehearsal.attempt.isSampleUnreported();
+    }
+
+    /** Does what would end an attempt, unless its needle is in the body: then it says what to do first. */
+    public void unlessInBody(String name, Runnable what) {
+        if (rehearsal.isAttemptUnderWay()) {
+            session.note(name + " would end this attempt: take the needle out first (O).");
+        } else {
+            what.run();
+        }
+    }
+
     private void resume() {
         if (!session.live().isPlaying()) {
             session.live().play();

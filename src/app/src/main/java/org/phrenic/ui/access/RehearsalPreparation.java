@@ -50,6 +50,9 @@ final class RehearsalPreparation {
     /** The target that comes again with a scene that stays. */
     private Optional<TargetLesion> keptTarget = Optional.empty();
 
+    /** The exercise that was left with its breath, and that comes again with it. */
+    private Optional<RehearsalPlan> left = Optional.empty();
+
     private double diameterMm = DEFAULT_DIAMETER_MM;
 
     RehearsalPreparation(Session session, BackgroundWorker worker, RehearsalController rehearsal) {
@@ -119,8 +122,18 @@ final class RehearsalPreparation {
         boolean used = recording || rehearsal.stage.canStartAttempt() || rehearsal.stage == RehearsalStage.MAPPING;
         boolean held = recording && session.scenario().hold();
         if (used && (held || !breatheAlike(recorded, session.scenario()))) {
+            boolean exercised = rehearsal.exercise.isPresent();
             recordBreath();
+            if (exercised && rehearsal.exercise.isEmpty()) {
+                session.note("The exercise has another breath: practice on its target; Undo goes back to it.");
+            }
         }
+    }
+
+    /** With other breathing than the exercise's its target stays, for practice, until that breathing comes again. */
+    void followBreathing(Scenario present) {
+        left = rehearsal.exercise.or(() -> left);
+        rehearsal.exercise = left.filter(exercise -> breatheAlike(exercise.scenario(), present));
     }
 
     private void recordBreath() {
@@ -128,9 +141,7 @@ final class RehearsalPreparation {
         cycle = List.of();
         rehearsal.entrySelection().clear();
         rehearsal.recordedFraction = 0;
-        // With other breathing than the exercise's the target stays, for practice.
-        rehearsal.exercise =
-                rehearsal.exercise.filter(exercise -> breatheAlike(exercise.scenario(), session.scenario()));
+        followBreathing(session.scenario());
         // The needle does not move the body, so a steady breath need not be simulated again, if no exercise asks for
         // it.
         repeatSteadyBreath(rehearsal
@@ -243,6 +254,7 @@ final class RehearsalPreparation {
     private void onFailure(String sentence) {
         boolean mapping = rehearsal.stage == RehearsalStage.MAPPING;
         if (mapping && rehearsal.exercise.isPresent()) {
+            left = Optional.empty();
             rehearsal.exercise = Optional.empty();
             clearTarget();
             computeMap();
@@ -257,6 +269,7 @@ final class RehearsalPreparation {
     }
 
     void startPractice() {
+        left = Optional.empty();
         if (rehearsal.exercise.isPresent()) {
             rehearsal.exercise = Optional.empty();
             former = Optional.empty();

@@ -104,6 +104,11 @@ public final class ScanImporter {
         running = Optional.empty();
     }
 
+    /** Whether a scan is read or imported. */
+    public boolean isRunning() {
+        return running.isPresent();
+    }
+
     private boolean isRunning(CancellableProgress progress) {
         return running.filter(progress::equals).isPresent();
     }

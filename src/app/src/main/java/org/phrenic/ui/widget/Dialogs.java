@@ -82,6 +82,21 @@ public final class Dialogs {
                 == JOptionPane.YES_OPTION;
     }
 
+    /** Asks whether to do what loses something; true if its button is pressed, beside which Cancel is the default. */
+    public static boolean confirmRisk(Component parent, String title, String question, String does) {
+        String[] answers = {does, "Cancel"};
+        int answer = JOptionPane.showOptionDialog(
+                parent,
+                question,
+                title,
+                JOptionPane.DEFAULT_OPTION,
+                JOptionPane.WARNING_MESSAGE,
+                null,
+                answers,
+                answers[1]);
+        return answer == 0;
+    }
+
     /** A table of text that cannot be edited. */
     public static JTable table(String name, String[][] rows, String... columns) {
         JTable table = new JTable(new DefaultTableModel(rows, columns) {

@@ -157,8 +157,10 @@ public final class DockManager {
                 && BreathDock.isBreathOf(scenario, preset);
         if (goesOn) {
             rehearsalController.needle().hold(Optional.empty());
-        } else {
+        } else if (BreathDock.isBreathOf(scenario, preset)) {
             breath.selectPreset(preset);
+        } else {
+            rehearsalController.needle().unlessInBody("Another breath", () -> breath.selectPreset(preset));
         }
     }
 

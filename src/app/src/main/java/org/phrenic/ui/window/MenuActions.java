@@ -78,9 +78,9 @@ final class MenuActions {
                 "Copy the command line that repeats this run without a window",
                 "menu C",
                 () -> new CopyCommandAction(session).actionPerformed(null));
-        quit = action("Quit", "Close the window", "menu Q", window::close);
-        undo = action("Undo", "Undo the last change", "menu Z", session.edits()::undo);
-        redo = action("Redo", "Redo the change undone last", "menu shift Z", session.edits()::redo);
+        quit = action("Quit", "Close the window", "menu Q", window::quit);
+        undo = action("Undo", "Undo the last change", "menu Z", () -> edit("Undo", session.edits()::undo));
+        redo = action("Redo", "Redo the change undone last", "menu shift Z", () -> edit("Redo", session.edits()::redo));
         play = action("Play or pause", "Start or pause breathing", "SPACE", session::togglePlay)
                 .withIcon(Icons.PAUSE);
         step = action("One step", "Pause and go on by one time step", "S", session::stepOnce)
@@ -101,7 +101,7 @@ final class MenuActions {
         addDock(DockLayout.Place.BOTTOM, "Plots and timeline", "menu 3");
         help = List.of(
                 action("Keys", "All keys, and what the mouse does", "F1", this::showKeys),
-                action("Log", "Messages since the window opened", "menu shift L", this::showLog),
+                action("Log", "Messages since the window opened", "menu shift L", () -> window.log().showDialog(window.frame())),
                 action("About Phrenic", "Version, citation, licences", null, this::showAbout));
     }
 
@@ -262,10 +262,6 @@ final class MenuActions {
         keys.toFront();
     }
 
-    private void showLog() {
-        window.log().showDialog(window.frame());
-    }
-
     private void showAbout() {
         if (about == null || !about.isVisible()) {
             about = HelpDialogs.about(window.frame(), window.view().graphicsInfo());
@@ -276,6 +272,10 @@ final class MenuActions {
 
     private void selectPreset(String preset) {
         window.docks().selectPreset(preset);
+    }
+
+    private void edit(String name, Runnable undoOrRedo) {
+        rehearsal().needle().unlessInBody(name, undoOrRedo);
     }
 
     private void restart() {

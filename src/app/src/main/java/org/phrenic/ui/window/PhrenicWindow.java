@@ -58,7 +58,7 @@ public final class PhrenicWindow {
         this.session = session;
         Theme.install(preferences.isDark());
         SwingUtilities.updateComponentTreeUI(frame);
-        quit = new QuitAfterWrites(session::note, this::end);
+        quit = new QuitAfterWrites(session::note, this::mayLose, this::end);
         banner = new MessageBanner();
         statusBar = new StatusBar();
         log = new LogDialog();
@@ -84,7 +84,7 @@ public final class PhrenicWindow {
         frame.addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosing(WindowEvent e) {
-                close();
+                quit();
             }
         });
         frame.setJMenuBar(new MainMenuBar(commands, preferences, session.edits(), files::open, this::showWorkspace));
@@ -159,9 +159,19 @@ public final class PhrenicWindow {
         toolBar.refresh(session);
     }
 
+    /** Closes the window; where that loses something, it is asked first. */
+    void quit() {
+        quit.quit();
+    }
+
     /** Closes the window once what is being written is whole; asked again meanwhile, at once. */
     public void close() {
-        quit.quit();
+        quit.close();
+    }
+
+    private boolean mayLose() {
+        boolean sampled = docks.rehearsalController().needle().isSampleUnreported();
+        return files.mayLose(sampled, title.isChanged(session.scenario()));
     }
 
     /** Saves the preferences, disposes of the window and ends all threads. */

@@ -33,9 +33,16 @@ final class ScenarioTitle {
 
     /** {@code quiet - Phrenic}, or {@code quiet* - Phrenic}. */
     String text(Scenario present) {
-        List<Scenario> known = unchanged.getOrDefault(statedName(present), List.of(present));
-        boolean same = known.stream().anyMatch(one -> lasting(present).equals(lasting(one)));
-        return known.get(0).name() + (same ? "" : "*") + " - Phrenic";
+        return known(present).get(0).name() + (isChanged(present) ? "*" : "") + " - Phrenic";
+    }
+
+    /** Whether the values are others than those of the scenario of their name. */
+    boolean isChanged(Scenario present) {
+        return known(present).stream().noneMatch(one -> lasting(present).equals(lasting(one)));
+    }
+
+    private List<Scenario> known(Scenario present) {
+        return unchanged.getOrDefault(statedName(present), List.of(present));
     }
 
     private static String statedName(Scenario scenario) {

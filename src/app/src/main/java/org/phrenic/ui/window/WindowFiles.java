@@ -3,6 +3,8 @@ package org.phrenic.ui.window;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -22,6 +24,7 @@ import org.phrenic.ui.session.FileWrites;
 import org.phrenic.ui.session.Session;
 import org.phrenic.ui.session.WindowPreferences;
 import org.phrenic.ui.view.SceneViewport;
+import org.phrenic.ui.widget.Dialogs;
 import org.phrenic.ui.widget.FileDialogs;
 
 /** Files that the window reads and writes: chosen in dialogs, read and written off the event dispatch thread. */
@@ -117,6 +120,34 @@ public final class WindowFiles {
     void chooseAndImport() {
         FileDialogs.openFileOrFolder(frame, "Import a label volume or a folder of masks")
                 .ifPresent(scans::begin);
+    }
+
+    /**
+     * Asks whether to close a window, where that loses something.
+     *
+     * @param sampled whether a sample waits for its needle to come out
+     * @param changed whether values are not saved
+     */
+    boolean mayLose(boolean sampled, boolean changed) {
+        Optional<String> question = lossQuestion(scans.isRunning(), sampled, changed);
+        return question.filter(asked -> !Dialogs.confirmRisk(frame, "Quit", asked, "Close"))
+                .isEmpty();
+    }
+
+    /** What is asked before a window is closed; empty where nothing is lost. */
+    static Optional<String> lossQuestion(boolean importing, boolean sampled, boolean changed) {
+        List<String> lost = new ArrayList<>();
+        if (importing) {
+            lost.add("the import that is under way");
+        }
+        if (sampled) {
+            lost.add("the attempt, whose needle is not out after its sample");
+        }
+        if (changed) {
+            lost.add("changed values that are not saved");
+        }
+        return Optional.of("Closing now loses " + String.join(", and ", lost) + ". Close?")
+                .filter(asked -> !lost.isEmpty());
     }
 
     /** The imports of scans. */

@@ -66,6 +66,22 @@ class RehearsalPreparationTest {
         });
     }
 
+    /** A key beside those of the needle takes another breath. */
+    @Test
+    void anExerciseIsLeftWithItsBreathAndComesAgainWithIt() {
+        RehearsalPlan exercise = RehearsalPlan.exercises().get(0).with(LOW);
+        IdleRehearsal.with((session, appearance, view, rehearsal) -> {
+            rehearsal.exercise = Optional.of(exercise);
+            rehearsal.preparation.followBreathing(exercise.scenario().with("depth=1.5"));
+            assertThat(rehearsal.exercise()).isEmpty();
+            rehearsal.preparation.followBreathing(exercise.scenario().with("hold=true"));
+            assertThat(rehearsal.exercise()).contains(exercise);
+            rehearsal.preparation.startPractice();
+            rehearsal.preparation.followBreathing(exercise.scenario());
+            assertThat(rehearsal.exercise()).as("left for practice").isEmpty();
+        });
+    }
+
     /** Practice begins also where a liver is cut so that a target of the usual size has no room. */
     @Test
     void aTargetForPracticeIsAsLargeAsTheLiverAllows() {

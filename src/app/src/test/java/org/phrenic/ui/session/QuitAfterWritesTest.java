@@ -11,7 +11,15 @@ import org.junit.jupiter.api.Test;
 class QuitAfterWritesTest {
     private final List<String> said = new ArrayList<>();
     private final List<String> ends = new ArrayList<>();
-    private final QuitAfterWrites quit = new QuitAfterWrites(said::add, () -> ends.add("end"));
+    private boolean mayLose = true;
+    private int asked;
+    private final QuitAfterWrites quit = new QuitAfterWrites(
+            said::add,
+            () -> {
+                asked++;
+                return mayLose;
+            },
+            () -> ends.add("end"));
 
     private void quit() {
         EventThread.run(quit::quit);
@@ -33,6 +41,25 @@ class QuitAfterWritesTest {
         quit();
         assertThat(ends).hasSize(1);
         assertThat(said).isEmpty();
+    }
+
+    @Test
+    void whoIsAskedAboutALossMayStay() {
+        mayLose = false;
+        quit();
+        assertThat(ends).isEmpty();
+        mayLose = true;
+        quit();
+        assertThat(ends).hasSize(1);
+        assertThat(asked).isEqualTo(2);
+    }
+
+    @Test
+    void whoIsNotAskedLosesIt() {
+        mayLose = false;
+        EventThread.run(quit::close);
+        assertThat(ends).hasSize(1);
+        assertThat(asked).isZero();
     }
 
     @Test
@@ -82,6 +109,7 @@ class QuitAfterWritesTest {
         quit();
         quit();
         assertThat(ends).hasSize(1);
+        assertThat(asked).isEqualTo(1);
         may.countDown();
         EventThread.until("the report", () -> done.size() == 1);
         EventThread.run(() -> assertThat(ends).hasSize(1));

@@ -49,6 +49,16 @@ class WindowFilesTest {
         }
     }
 
+    @Test
+    void whatClosingLosesIsAskedAboutByName() {
+        assertThat(WindowFiles.lossQuestion(false, false, false)).isEmpty();
+        assertThat(WindowFiles.lossQuestion(true, false, true))
+                .hasValue("Closing now loses the import that is under way, and changed values that are not saved."
+                        + " Close?");
+        assertThat(WindowFiles.lossQuestion(false, true, false).orElseThrow())
+                .contains("the attempt, whose needle is not out after its sample");
+    }
+
     /** Each that is listed pushes out another one, which is of use. */
     @Test
     void whatIsRefusedIsNotListedAsOpened() throws IOException {

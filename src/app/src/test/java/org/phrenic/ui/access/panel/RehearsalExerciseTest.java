@@ -178,6 +178,38 @@ class RehearsalExerciseTest {
         clinic.ready();
     }
 
+    /** Their keys lie beside those of the needle, and what they do takes the exercise with its needle away. */
+    @Test
+    void anotherBreathWaitsForTheNeedleAndItsUndoingGoesBackToTheExercise() throws Exception {
+        openPlan("Breathed", "steps: []\n");
+        clinic.begin();
+        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(8));
+        clinic.until("in", () -> clinic.isAt(8));
+        String preset = clinic.window().session().scenario().preset();
+        for (String name : new String[] {"Undo", "Deep"}) {
+            clinic.window().command(name);
+            assertThat(WindowHarness.onEdt(
+                            () -> clinic.window().window().banner().message()))
+                    .as(name)
+                    .contains("would end this attempt: take the needle out first (O)");
+        }
+        assertThat(WindowHarness.onEdt(() -> clinic.window().session().scenario().preset()))
+                .isEqualTo(preset);
+        assertThat(clinic.state()).matches(NeedleState::placed);
+        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(0));
+        clinic.until("out", () -> !clinic.state().placed());
+
+        WindowHarness.doOnEdt(() -> clinic.window().session().change("Depth", Assignment.parse("depth=1.3")));
+        clinic.until("practice", () -> rehearsal().exercise().isEmpty());
+        assertThat(WindowHarness.onEdt(() -> clinic.window().window().banner().message()))
+                .contains("Undo goes back to it");
+        clinic.window().command("Undo");
+        clinic.until("the exercise", () -> rehearsal().exercise().isPresent());
+        clinic.ready();
+        assertThat(WindowHarness.onEdt(() -> rehearsal().plan().orElseThrow().title()))
+                .isEqualTo("Breathed");
+    }
+
     private Rehearsal sampleAt(double depthMm) throws InterruptedException {
         WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(depthMm));
         clinic.until("in", () -> clinic.isAt(depthMm));
