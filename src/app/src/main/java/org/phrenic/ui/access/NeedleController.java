@@ -57,6 +57,11 @@ public final class NeedleController {
         }
     }
 
+    /** Gives the keys of needle and probe to the view. */
+    public void takeKeys() {
+        view.requestFocusInWindow();
+    }
+
     private void resume() {
         if (!session.live().isPlaying()) {
             session.live().play();
@@ -101,8 +106,14 @@ public final class NeedleController {
             if (insertsOne || placed || awaitsMoves()) {
                 command(how);
             }
-        } else if (rehearsal.usableNeedle().isPresent()) {
-            session.note("Choose an entry first (E), or take the best path (B).");
+        } else {
+            askForEntry();
+        }
+    }
+
+    private void askForEntry() {
+        if (rehearsal.usableNeedle().isPresent()) {
+            session.note("Choose an entry first (E), or take the best one (B).");
         }
     }
 
@@ -131,7 +142,11 @@ public final class NeedleController {
 
     /** Lets the program point the needle at the target; the report says so. */
     public void aimAtTarget() {
-        command(LiveRehearsal::aim);
+        if (canMove()) {
+            command(LiveRehearsal::aim);
+        } else {
+            askForEntry();
+        }
     }
 
     /** Turns the needle by hand: in the axial plane, and toward the head, degrees. */
@@ -139,7 +154,8 @@ public final class NeedleController {
         rehearsal
                 .state()
                 .filter(NeedleState::hasNeedle)
-                .ifPresent(now -> command(needle -> needle.turnBy(axialDeg, cranialDeg)));
+                .ifPresentOrElse(
+                        now -> command(needle -> needle.turnBy(axialDeg, cranialDeg)), this::askForEntryIfNone);
     }
 
     /** Turns the needle by hand to some angles. */
@@ -147,8 +163,26 @@ public final class NeedleController {
         command(needle -> needle.turnTo(angles));
     }
 
+    /** The state of an entry that was just chosen comes with the next step. */
+    private void askForEntryIfNone() {
+        if (!canMove()) {
+            askForEntry();
+        }
+    }
+
+    /** Takes a sample, or says what to do before one can be taken. */
     public void takeSample() {
-        command(LiveRehearsal::sample);
+        boolean inside = rehearsal
+                .state()
+                .filter(now -> now.placed() && now.depthMm() > 0)
+                .isPresent();
+        if (inside || awaitsMoves()) {
+            command(LiveRehearsal::sample);
+        } else if (canMove()) {
+            session.note("Insert the needle first (I).");
+        } else {
+            askForEntry();
+        }
     }
 
     /** Holds the breath at the next end of a phase; empty releases it. */
@@ -173,9 +207,14 @@ public final class NeedleController {
     }
 
     public void lookAlong() {
-        rehearsal.state().filter(NeedleState::hasNeedle).ifPresent(now -> {
-            double[] direction = Vectors.normalize(Vectors.subtract(now.tip(), now.hub()));
-            view.setCamera(view.camera().lookingAlong(direction, now.target()));
-        });
+        rehearsal
+                .state()
+                .filter(NeedleState::hasNeedle)
+                .ifPresentOrElse(
+                        now -> {
+                            double[] direction = Vectors.normalize(Vectors.subtract(now.tip(), now.hub()));
+                            view.setCamera(view.camera().lookingAlong(direction, now.target()));
+                        },
+                        this::askForEntryIfNone);
     }
 }

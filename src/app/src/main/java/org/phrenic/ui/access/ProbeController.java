@@ -20,6 +20,8 @@ public final class ProbeController {
     /** Angle between a needle beside the probe and the central scan line, degrees. */
     private static final double IN_PLANE_DEG = 45;
 
+    private static final String NO_PROBE = "Put the probe on the skin first (U).";
+
     private final RehearsalController rehearsal;
     private Optional<double[]> place = Optional.empty();
     private ProbePose.Angles angles = ProbePose.Angles.ZERO;
@@ -70,6 +72,9 @@ public final class ProbeController {
      * @param elevationMm out of the image plane
      */
     public void slide(double lateralMm, double elevationMm) {
+        if (!isOnSkin()) {
+            return;
+        }
         place.ifPresent(at -> {
             ProbePose pose = restPose(at, new ProbePose.Angles(angles.rotationDeg(), 0, 0));
             double[] to = Vectors.addScaled(at, pose.lateral(), lateralMm);
@@ -87,14 +92,23 @@ public final class ProbeController {
 
     /** Turns the probe by so many degrees: about the skin's normal, out of the image plane, in the image plane. */
     public void turn(double rotationDeg, double tiltDeg, double rockDeg) {
+        if (!isOnSkin()) {
+            return;
+        }
         double rotation = angles.rotationDeg() + rotationDeg;
         angles = new ProbePose.Angles(
                 rotation > 180 ? rotation - 360 : rotation <= -180 ? rotation + 360 : rotation,
                 limited(angles.tiltDeg() + tiltDeg),
                 limited(angles.rockDeg() + rockDeg));
-        if (place.isPresent()) {
-            send();
+        send();
+    }
+
+    /** Whether the probe can be moved; where it is still to be put on the skin, that is said. */
+    private boolean isOnSkin() {
+        if (place.isEmpty() && rehearsal.stage() == RehearsalStage.READY) {
+            rehearsal.note(NO_PROBE);
         }
+        return place.isPresent();
     }
 
     private static double limited(double deg) {
@@ -121,7 +135,7 @@ public final class ProbeController {
     public void enterBeside() {
         Optional<ProbeState> state = rehearsal.state().flatMap(NeedleState::probe);
         if (place.isEmpty() || state.isEmpty()) {
-            rehearsal.note("Put the probe on the skin first (U).");
+            rehearsal.note(NO_PROBE);
             return;
         }
         double[] at = place.get();

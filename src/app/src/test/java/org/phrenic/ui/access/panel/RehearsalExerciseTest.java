@@ -193,7 +193,8 @@ class RehearsalExerciseTest {
                     .as(name)
                     .contains("would end this attempt: take the needle out first (O)");
         }
-        assertThat(WindowHarness.onEdt(() -> clinic.window().session().scenario().preset()))
+        assertThat(WindowHarness.onEdt(
+                        () -> clinic.window().session().scenario().preset()))
                 .isEqualTo(preset);
         assertThat(clinic.state()).matches(NeedleState::placed);
         WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(0));
@@ -208,6 +209,38 @@ class RehearsalExerciseTest {
         clinic.ready();
         assertThat(WindowHarness.onEdt(() -> rehearsal().plan().orElseThrow().title()))
                 .isEqualTo("Breathed");
+    }
+
+    private void requireNote(String note, String... commands) {
+        for (String name : commands) {
+            WindowHarness.doOnEdt(() -> clinic.window().session().note("Before it."));
+            clinic.window().command(name);
+            assertThat(WindowHarness.onEdt(
+                            () -> clinic.window().window().banner().message()))
+                    .as(name)
+                    .startsWith(note);
+        }
+    }
+
+    /** A key that does nothing looks broken. */
+    @Test
+    void whatCannotBeDoneYetSaysWhatToDoFirst() throws Exception {
+        openPlan("Without an entry", "steps: []\n");
+        requireNote(
+                "Choose an entry first (E)",
+                "Insert",
+                "Aim for me",
+                "Turn to the head",
+                "Look along the needle",
+                "Take sample");
+        requireNote("Put the probe on the skin first (U)", "Rotate clockwise", "Tilt back", "Slide to the marker");
+        clinic.begin();
+        requireNote("Insert the needle first (I)", "Take sample");
+        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(8));
+        clinic.until("in", () -> clinic.isAt(8));
+        requireNote("Before it.", "Turn to the head", "Look along the needle");
+        WindowHarness.doOnEdt(() -> rehearsal().needle().moveTo(0));
+        clinic.until("out", () -> !clinic.state().placed());
     }
 
     private Rehearsal sampleAt(double depthMm) throws InterruptedException {

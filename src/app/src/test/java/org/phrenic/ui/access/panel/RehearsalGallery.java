@@ -160,8 +160,8 @@ public final class RehearsalGallery {
                 }
             }
         }
-        rehearsal.probe().turn(chosen.rotationDeg(), chosen.tiltDeg(), chosen.rockDeg());
         rehearsal.probe().put(place);
+        rehearsal.probe().turn(chosen.rotationDeg(), chosen.tiltDeg(), chosen.rockDeg());
     }
 
     private static void until(BooleanSupplier holds) {
