@@ -101,7 +101,8 @@ final class MenuActions {
         addDock(DockLayout.Place.BOTTOM, "Plots and timeline", "menu 3");
         help = List.of(
                 action("Keys", "All keys, and what the mouse does", "F1", this::showKeys),
-                action("Log", "Messages since the window opened", "menu shift L", () -> window.log().showDialog(window.frame())),
+                action("Log", "Messages since the window opened", "menu shift L", () -> window.log()
+                        .showDialog(window.frame())),
                 action("About Phrenic", "Version, citation, licences", null, this::showAbout));
     }
 
@@ -172,13 +173,20 @@ final class MenuActions {
         addAccess(
                 "Set target", "Then click on the liver", "T", r -> r.pickMode().toggle(PickMode.Kind.TARGET));
         addAccess("Set entry", "Then click on the skin", "E", r -> r.pickMode().toggle(PickMode.Kind.ENTRY));
-        addAccess("Best path", "The best entry of the access map", "B", r -> r.entrySelection()
-                .selectBest(false));
+        addAccess(
+                "Best entry",
+                "The best of the access map, the needle upright there: then aim it",
+                "B",
+                r -> r.entrySelection().selectBest(false));
         addNeedle("Insert", "2 mm deeper; with Shift 10 mm", "I", n -> n.moveBy(NEEDLE_STEP_MM));
         addNeedle("Insert far", "10 mm deeper", "shift I", n -> n.moveBy(NEEDLE_LONG_STEP_MM));
         addNeedle("Withdraw", "2 mm back; with Shift 10 mm", "W", n -> n.moveBy(-NEEDLE_STEP_MM));
         addNeedle("Withdraw far", "10 mm back", "shift W", n -> n.moveBy(-NEEDLE_LONG_STEP_MM));
-        addNeedle("Go to target", "As deep as the target lies", "G", NeedleController::moveToTarget);
+        addNeedle(
+                "Go to target",
+                "As deep as where the needle passes nearest to the target",
+                "G",
+                NeedleController::moveToTarget);
         addNeedle(
                 "Aim for me",
                 "The program points the needle at the target; the report says so",

@@ -26,13 +26,14 @@ final class EntryPanel extends AccessPanel {
                     .pickMode()
                     .toggle(PickMode.Kind.ENTRY));
     private final JButton best = button(
-            "Best path",
-            "The entry that is free longest, with a sufficient margin, on the shortest path (B)",
+            "Best entry",
+            "Free longest, with a sufficient margin, on the shortest path; the needle stands upright there: aim it by the"
+                    + " arrow keys or Aim for me (B)",
             () -> rehearsal.entrySelection().selectBest(false));
-    private final JButton bestAtExpiration =
-            button("Best at expiration", "The best entry for a breath held at end-expiration", () -> rehearsal
-                    .entrySelection()
-                    .selectBest(true));
+    private final JButton bestAtExpiration = button(
+            "Best at expiration",
+            "The best entry for a breath held at end-expiration, the needle upright",
+            () -> rehearsal.entrySelection().selectBest(true));
     private final AdvicePanel breathAdvice = new AdvicePanel("Path over the breath");
     private final AdvicePanel currentAdvice = new AdvicePanel("Path at present");
     private final AccessMapLegend legend = new AccessMapLegend();

@@ -19,7 +19,7 @@ import org.phrenic.ui.widget.ListKeys;
 /** Chooses free practice or an exercise with goals. */
 final class ExercisePanel extends AccessPanel {
     private static final String PRACTICE = "Press T and click on the liver for a target, E and click on the skin for an"
-            + " entry, or take the best path. Scroll to insert.";
+            + " entry, or take the best one. Scroll to insert.";
     private static final String PRACTICE_ENTRY = "Practice: a target of your own";
     /** Names at the end of a file's path that are shown: folder and file. */
     private static final int SHOWN_NAMES = 2;

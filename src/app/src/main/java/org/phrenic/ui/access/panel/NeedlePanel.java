@@ -40,7 +40,8 @@ final class NeedlePanel extends AccessPanel {
             button("Insert", "2 mm deeper (I, or the wheel; 10 mm with Shift)", () -> needle.moveBy(STEP_MM));
     private final JButton withdraw =
             button("Withdraw", "2 mm back (W, or the wheel; 10 mm with Shift)", () -> needle.moveBy(-STEP_MM));
-    private final JButton toTarget = button("Go to target", "As deep as the target lies (G)", needle::moveToTarget);
+    private final JButton toTarget = button(
+            "Go to target", "As deep as where the needle passes nearest to the target (G)", needle::moveToTarget);
     private final JButton aim = button(
             "Aim for me",
             "The program points the needle at the target, which the report says; not while the tip is in the liver (A)",

@@ -16,7 +16,7 @@ public final class SectionDock extends JPanel implements RehearsalController.Lis
     private static final double ALONG_HALF_MM = 105;
     private static final double ACROSS_HALF_MM = 36;
     private static final String HIDDEN_HINT = "Hidden: pictures alone";
-    private static final String NO_ENTRY_HINT = "Choose an entry (E)\nor take the best path (B)";
+    private static final String NO_ENTRY_HINT = "Choose an entry (E)\nor take the best one (B)";
 
     private final transient RehearsalController rehearsal;
     private final SectionView along = new SectionView("Along the needle", ALONG_HALF_MM, false);
