@@ -1,6 +1,8 @@
 package org.phrenic.ui.widget;
 
 import java.awt.Component;
+import java.awt.Container;
+import java.awt.FocusTraversalPolicy;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
@@ -19,6 +21,7 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.JToggleButton;
+import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.ListCellRenderer;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
@@ -33,6 +36,16 @@ public final class Controls {
     private static final int TIP_GAP = 2;
 
     private Controls() {}
+
+    /** Of a window whose focus is at one part first, and whenever the part that had it is no more. */
+    public static FocusTraversalPolicy beginningAt(Component first) {
+        return new LayoutFocusTraversalPolicy() {
+            @Override
+            public Component getDefaultComponent(Container window) {
+                return first;
+            }
+        };
+    }
 
     /** Names a control for screen readers and tests, and gives it a tooltip. */
     public static <C extends JComponent> C describe(C control, String name, String tip) {

@@ -2,6 +2,8 @@ package org.phrenic.ui.window;
 
 import java.awt.BorderLayout;
 import java.awt.Component;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -11,6 +13,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
+import javax.swing.SwingUtilities;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.access.AttemptHistory;
@@ -83,6 +86,22 @@ public final class DockManager {
         settings = new SettingsDock(session, plots);
         timeline = new TimelineDock(session);
         rehearsalController = new RehearsalController(session, appearance, view);
+        leaveKeysToView(left);
+        leaveKeysToView(right);
+    }
+
+    /** A click on a tab gives the keys that the former tab had to the view, not to the first control of the new one. */
+    private void leaveKeysToView(JTabbedPane tabs) {
+        tabs.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mousePressed(MouseEvent e) {
+                boolean focused = SwingUtilities.findFocusOwner(tabs) != null;
+                if (focused && tabs.indexAtLocation(e.getX(), e.getY()) >= 0) {
+                    // After the tabs have given it to the new one.
+                    SwingUtilities.invokeLater(view::requestFocusInWindow);
+                }
+            }
+        });
     }
 
     private static JTabbedPane tabbedPane(String name) {

@@ -12,6 +12,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.document.report.Disclaimer;
+import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Dialogs;
 
 /** Help > Keys and Help > About. */
@@ -88,7 +89,10 @@ final class HelpDialogs {
         String platform =
                 "Java " + Runtime.version() + graphics.map(g -> "; " + g).orElse("");
         content.add(Dialogs.wrappedText(platform), "wmin 0");
-        return closable(owner, "About Phrenic", content, new Dimension(620, 560));
+        JDialog about = closable(owner, "About Phrenic", content, new Dimension(620, 560));
+        // Without a cursor in the first text, that looks as if it could be edited.
+        about.setFocusTraversalPolicy(Controls.beginningAt(about.getRootPane().getDefaultButton()));
+        return about;
     }
 
     private static JLabel bold(String text) {

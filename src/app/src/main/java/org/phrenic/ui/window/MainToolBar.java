@@ -21,6 +21,7 @@ import org.phrenic.ui.session.Workspace;
 import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Icons;
+import org.phrenic.ui.widget.ListKeys;
 import org.phrenic.ui.widget.RowsLayout;
 import org.phrenic.ui.widget.Theme;
 
@@ -35,7 +36,7 @@ final class MainToolBar extends JToolBar {
     private final JToggleButton hold;
     private final JToggleButton quiet;
     private final JToggleButton deep;
-    private final JComboBox<String> views = new JComboBox<>();
+    private final JComboBox<String> views = ListKeys.chooseByEnter(new JComboBox<>());
     private boolean updating;
     private final Map<Workspace, JToggleButton> workspaceButtons = new EnumMap<>(Workspace.class);
     private final transient MenuActions actions;
@@ -54,7 +55,7 @@ final class MainToolBar extends JToolBar {
         addIconButton(actions.step);
         addIconButton(actions.reset);
         addGap();
-        JComboBox<PlaybackSpeed> speed = new JComboBox<>(PlaybackSpeed.values());
+        JComboBox<PlaybackSpeed> speed = ListKeys.chooseByEnter(new JComboBox<>(PlaybackSpeed.values()));
         speed.setSelectedItem(PlaybackSpeed.REAL);
         speed.addActionListener(e -> session.setSpeed(((PlaybackSpeed) speed.getSelectedItem()).factor()));
         addBox(speed, "Speed", "Simulated time over real time");

@@ -25,6 +25,7 @@ import org.phrenic.ui.view.AppearanceModel;
 import org.phrenic.ui.view.RenderedFrame;
 import org.phrenic.ui.view.SceneViewport;
 import org.phrenic.ui.widget.AppIcon;
+import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Dialogs;
 import org.phrenic.ui.widget.Theme;
 import org.phrenic.ui.widget.ThemeUpdater;
@@ -92,6 +93,7 @@ public final class PhrenicWindow {
         frame.getContentPane().add(layout, BorderLayout.CENTER);
         frame.getContentPane().add(statusBar, BorderLayout.SOUTH);
         frame.getRootPane().setTransferHandler(new FileDropHandler(files::open, session::refuse));
+        frame.setFocusTraversalPolicy(Controls.beginningAt(view));
         commands.bindNumericKeypad(frame.getRootPane());
         frame.setIconImages(AppIcon.images());
         WindowBounds.restore(frame, preferences);

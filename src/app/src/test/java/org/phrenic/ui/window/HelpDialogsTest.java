@@ -7,8 +7,11 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import javax.swing.JButton;
+import javax.swing.JDialog;
 import org.junit.jupiter.api.Test;
 
 /** What the window says of itself. */
@@ -39,6 +42,20 @@ class HelpDialogsTest {
                     .as("artifacts of docs/dependencies.md for %s, %s", row[0], row[2])
                     .isNotEmpty();
         }
+    }
+
+    /** A cursor that blinks in a text looks as if it could be edited. */
+    @Test
+    void theCloseButtonHasTheFocusOfAbout() {
+        WindowHarness.assumeDisplay();
+        WindowHarness.doOnEdt(() -> {
+            JDialog about = HelpDialogs.about(null, Optional.empty());
+            about.pack();
+            assertThat(about.getFocusTraversalPolicy().getInitialComponent(about))
+                    .isInstanceOfSatisfying(JButton.class, button -> assertThat(button.getText())
+                            .isEqualTo("Close"));
+            about.dispose();
+        });
     }
 
     /** What a reader knows an artifact by: {@code commons-math3} as Commons Math, {@code jogl-all-main} as JOGL. */

@@ -27,6 +27,7 @@ import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
+import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JMenu;
@@ -103,6 +104,21 @@ class WindowTest {
     @AfterEach
     void rest() {
         window.session().live().pause();
+    }
+
+    /** Whatever is switched off or put away with the focus: the keys of the window go on to act. */
+    @Test
+    void theViewHasTheKeysThatNothingElseHasAndTheSpeedDoesNotTakeArrows() {
+        WindowHarness.doOnEdt(() -> {
+            JFrame frame = window.window().frame();
+            assertThat(frame.getFocusTraversalPolicy().getInitialComponent(frame))
+                    .isSameAs(window.window().view());
+        });
+        JComboBox<?> speed = window.control(JComboBox.class, "Speed");
+        Object before = WindowHarness.onEdt(speed::getSelectedItem);
+        WindowHarness.press(speed, KeyStroke.getKeyStroke("DOWN"));
+        assertThat(WindowHarness.onEdt(speed::getSelectedItem)).isEqualTo(before);
+        WindowHarness.doOnEdt(() -> speed.setPopupVisible(false));
     }
 
     /** The first scene from its beginning, flat out; it is loaded anew only where another one runs. */

@@ -62,6 +62,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
             column("no-go s", "Time in no-go structures, s", 60, r -> oneDecimal(r.inNoGoS())));
 
     private final transient Session session;
+    private final transient RehearsalController rehearsal;
     private final transient AttemptReportWriter writer;
     private final transient Supplier<Optional<Path>> chooser;
     private transient Optional<AttemptHistory> history = Optional.empty();
@@ -103,6 +104,7 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
             Supplier<Optional<Path>> chooser) {
         super(new BorderLayout());
         this.session = session;
+        this.rehearsal = rehearsal;
         this.chooser = chooser == null ? () -> newFolder() : chooser;
         this.writer = writer;
         setName("attempts");
@@ -249,6 +251,10 @@ public final class AttemptsDock extends JPanel implements RehearsalController.Li
     private void setWriting(boolean on) {
         writing = on;
         save.setEnabled(!on);
+        if (on) {
+            // The focus of a button that is off would go to whatever comes next.
+            rehearsal.needle().takeKeys();
+        }
     }
 
     List<EndedAttempt> attempts() {
