@@ -41,8 +41,14 @@ public final class MovingAnatomy {
                 .toList();
         skin = require(StructureKind.SKIN, "skin");
         liver = require(StructureKind.LIVER, "liver");
-        requireMotion(StructureKind.LIVER, "a liver that stands still (liver: false)");
-        requireMotion(StructureKind.LUNG, "lungs that stand still (lungs: off)");
+        requireMotion(
+                StructureKind.LIVER,
+                "a liver that stands still (liver: false), expected one that moves with the breath (liver: true, in the"
+                        + " window Tune breathing > Forces > Liver)");
+        requireMotion(
+                StructureKind.LUNG,
+                "lungs that stand still (lungs: off), expected some that move with the breath (lungs: embedded, in the"
+                        + " window Tune breathing > Forces > Lungs)");
         diaphragm = find(StructureKind.DIAPHRAGM);
         pleurae = structures.stream()
                 .filter(s -> s.surface().kind() == StructureKind.PLEURA)
@@ -56,12 +62,11 @@ public final class MovingAnatomy {
                         "the body: found no " + name + ", expected one to rehearse liver access on"));
     }
 
-    private void requireMotion(StructureKind kind, String still) {
+    private void requireMotion(StructureKind kind, String problem) {
         if (structures.stream()
                 .map(MovingStructure::surface)
                 .anyMatch(s -> s.kind() == kind && s.motion() == Surface.Motion.STILL)) {
-            throw new BadInputException(
-                    "the body: found " + still + ", expected what moves with the breath to rehearse liver access on");
+            throw new BadInputException("the body: found " + problem);
         }
     }
 

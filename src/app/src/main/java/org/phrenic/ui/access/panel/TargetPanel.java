@@ -141,7 +141,10 @@ final class TargetPanel extends AccessPanel {
         Optional<TargetAccess> study = rehearsal.study();
         if (study.isEmpty()) {
             boolean unavailable = rehearsal.stage() == RehearsalStage.UNAVAILABLE;
-            motion.setTextIfChanged(unavailable ? rehearsal.unavailableReason() : "Measuring how the target moves");
+            motion.setTextIfChanged(
+                    unavailable
+                            ? Controls.capitalise(rehearsal.unavailableReason())
+                            : "Measuring how the target moves");
             directions.setTextIfChanged(" ");
             return;
         }
