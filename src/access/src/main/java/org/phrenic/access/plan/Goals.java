@@ -35,7 +35,7 @@ public record Goals(boolean hit, Map<String, Double> limits) {
     private static final Map<String, Measure> MEASURES = new LinkedHashMap<>();
 
     static {
-        add("attempts_at_most", "attempts", r -> r.count(AttemptEvent.Kind.SKIN_PUNCTURE));
+        add("attempts_at_most", "skin punctures", r -> r.count(AttemptEvent.Kind.SKIN_PUNCTURE));
         add("redirections_at_most", "redirections", r -> r.count(AttemptEvent.Kind.REDIRECTION));
         add("bone_contacts_at_most", "contacts with bone", r -> r.count(AttemptEvent.Kind.BONE_CONTACT));
         add("lung_s_at_most", "seconds in lung", r -> r.secondsIn().getOrDefault(NoGoZone.LUNG, 0.0), r -> r.zones()
@@ -126,7 +126,7 @@ public record Goals(boolean hit, Map<String, Double> limits) {
         return map;
     }
 
-    /** Text for each goal, such as "attempts: at most 1" or "seconds in lung: none". */
+    /** Text for each goal, such as "skin punctures: at most 1" or "seconds in lung: none". */
     public List<String> describe() {
         List<String> words = new ArrayList<>();
         if (hit) {

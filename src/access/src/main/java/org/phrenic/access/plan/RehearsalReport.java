@@ -240,7 +240,7 @@ public final class RehearsalReport {
         List<List<String>> rows = new ArrayList<>();
         String counts = record.count(AttemptEvent.Kind.SKIN_PUNCTURE) + ", "
                 + record.count(AttemptEvent.Kind.REDIRECTION) + ", " + record.count(AttemptEvent.Kind.SKIN_CONTACT);
-        rows.add(List.of("Attempts, redirections, contacts with the skin", counts));
+        rows.add(List.of("Skin punctures, redirections, contacts with the skin", counts));
         rows.add(List.of("Time from the first contact, s", number(record.timeS())));
         rows.add(List.of("Time in the body, s", number(record.insideS())));
         rows.add(List.of("Path length of the tip, mm", number(record.tipTravelMm())));

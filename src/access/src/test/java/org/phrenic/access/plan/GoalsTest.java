@@ -50,6 +50,13 @@ class GoalsTest {
         return new Goals(false, Map.of(goal, limit)).evaluate(record).get(0);
     }
 
+    /** An attempt of the list may puncture the skin several times. */
+    @Test
+    void puncturesOfTheSkinAreNotCalledAttempts() {
+        assertThat(new Goals(false, Map.of("attempts_at_most", 1.0)).describe())
+                .containsExactly("skin punctures: at most 1");
+    }
+
     @Test
     void aGoalOfNoLungIsMissedByACoreThatIsThrownThroughIt() {
         begin(CORE);

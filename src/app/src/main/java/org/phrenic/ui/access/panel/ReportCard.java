@@ -98,7 +98,7 @@ public final class ReportCard extends JPanel {
     private static List<String> measures(AttemptRecord r) {
         List<String> lines = new ArrayList<>();
         lines.add("Time " + number(r.timeS()) + " s, in the body " + number(r.insideS()) + " s");
-        lines.add("Attempts " + r.count(AttemptEvent.Kind.SKIN_PUNCTURE) + ", redirections "
+        lines.add("Skin punctures " + r.count(AttemptEvent.Kind.SKIN_PUNCTURE) + ", redirections "
                 + r.count(AttemptEvent.Kind.REDIRECTION) + ", contacts with bone "
                 + r.count(AttemptEvent.Kind.BONE_CONTACT));
         lines.add("In no-go structures " + number(r.inNoGoS()) + " s");
