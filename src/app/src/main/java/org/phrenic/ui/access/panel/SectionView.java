@@ -54,7 +54,8 @@ public final class SectionView extends JPanel {
         getAccessibleContext().setAccessibleName(title);
         setToolTipText(
                 across
-                        ? "What lies at the tip, seen from the hub along the needle: the cross is the needle"
+                        ? "What lies at the tip, before the needle is in at the target, seen from the hub along the needle: the cross"
+                                + " is the needle"
                         : "The plane that holds the needle, as level as possible, seen from below like an axial slice");
         setOpaque(true);
     }
@@ -70,6 +71,11 @@ public final class SectionView extends JPanel {
 
     public BodySection section() {
         return section;
+    }
+
+    /** What the section passes through: across a needle that is not in yet, it is the target. */
+    String heading() {
+        return acrossNeedle && section != null && !placed ? "At the target" : title;
     }
 
     /** What is said instead of a section. */
@@ -177,7 +183,7 @@ public final class SectionView extends JPanel {
         g.setFont(getFont());
         g.setColor(Theme.TEXT);
         int height = g.getFontMetrics().getAscent();
-        paintText(g, title, MARGIN, MARGIN + height);
+        paintText(g, heading(), MARGIN, MARGIN + height);
         if (section == null) {
             g.setColor(Theme.SECONDARY_TEXT);
             int y = MARGIN + 3 * height;
@@ -223,9 +229,13 @@ public final class SectionView extends JPanel {
         int y = getHeight() - MARGIN - 2;
         int x = getWidth() - MARGIN - w;
         g.setFont(getFont());
+        Line2D bar = new Line2D.Double(x, y, x + w, y);
+        g.setColor(Theme.withAlpha(BACKGROUND, HALO_ALPHA));
+        g.setStroke(new BasicStroke(4.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.draw(bar);
         g.setColor(Theme.TEXT);
         g.setStroke(new BasicStroke(1.5f));
-        g.draw(new Line2D.Double(x, y, x + w, y));
+        g.draw(bar);
         String text = (int) mm + " mm";
         paintText(g, text, x + w - g.getFontMetrics().stringWidth(text), y - 4);
     }
