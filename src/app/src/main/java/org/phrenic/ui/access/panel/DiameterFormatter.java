@@ -8,7 +8,7 @@ import org.phrenic.ui.session.NumberFormats;
 
 /**
  * Reads a diameter as it is typed, with a decimal point or comma and perhaps its unit, in whole millimetres. One out of
- * range is taken as the end of the range, with a message.
+ * range is taken as the end of the range, one between as the nearest, with a message.
  */
 final class DiameterFormatter extends JFormattedTextField.AbstractFormatter {
     private static final String UNIT = "mm";
@@ -36,6 +36,9 @@ final class DiameterFormatter extends JFormattedTextField.AbstractFormatter {
         int taken = (int) Math.round(Math.max(smallestMm, Math.min(largestMm, mm)));
         if (mm < smallestMm || mm > largestMm) {
             message.accept(NumberFormats.outOfRange(mm, taken, UNIT));
+        } else if (mm != taken) {
+            message.accept(NumberFormats.withUnit(mm, UNIT) + " is taken as " + NumberFormats.withUnit(taken, UNIT)
+                    + ": a target has whole millimetres.");
         }
         return taken;
     }

@@ -16,7 +16,7 @@ class DiameterFormatterTest {
     private final DiameterFormatter formatter = new DiameterFormatter(5, 50, said::add);
 
     @ParameterizedTest
-    @CsvSource({"'5,0', 5", "'12,6', 13", "12.4, 12", "30 mm, 30", "50, 50"})
+    @CsvSource({"'5,0', 5", "12.0, 12", "30 mm, 30", "50, 50"})
     void aPointAndACommaAreDecimal(String typed, int mm) throws Exception {
         assertThat(formatter.stringToValue(typed)).isEqualTo(mm);
         assertThat(said).isEmpty();
@@ -29,6 +29,16 @@ class DiameterFormatterTest {
         "'4,5', 5, '4.5 mm is out of range; the smallest, 5 mm, is taken.'"
     })
     void oneOutOfRangeIsTakenAsItsEndAndSaidSo(String typed, int mm, String sentence) throws Exception {
+        assertThat(formatter.stringToValue(typed)).isEqualTo(mm);
+        assertThat(said).containsExactly(sentence);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "'12,6', 13, '12.6 mm is taken as 13 mm: a target has whole millimetres.'",
+        "12.4, 12, '12.4 mm is taken as 12 mm: a target has whole millimetres.'"
+    })
+    void oneBetweenIsTakenAsTheNearestAndSaidSo(String typed, int mm, String sentence) throws Exception {
         assertThat(formatter.stringToValue(typed)).isEqualTo(mm);
         assertThat(said).containsExactly(sentence);
     }
