@@ -6,6 +6,7 @@ import java.util.regex.Pattern;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
+import javax.swing.text.DefaultCaret;
 import org.phrenic.ui.widget.Theme;
 
 /** A label whose text wraps, but not between a number and its unit. */
@@ -56,6 +57,10 @@ public final class WrappingLabel extends JTextArea {
         setBorder(BorderFactory.createEmptyBorder());
         Font font = new JLabel().getFont();
         setFont(bold ? font.deriveFont(Font.BOLD) : font);
+        // A text that changes does not scroll what it lies in to its end.
+        if (getCaret() instanceof DefaultCaret caret) {
+            caret.setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
+        }
     }
 
     @Override
