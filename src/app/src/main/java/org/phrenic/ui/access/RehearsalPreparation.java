@@ -1,6 +1,7 @@
 package org.phrenic.ui.access;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.BooleanSupplier;
@@ -14,6 +15,7 @@ import org.phrenic.access.TargetLesion;
 import org.phrenic.access.path.TargetAccess;
 import org.phrenic.access.plan.Aids;
 import org.phrenic.access.plan.RehearsalPlan;
+import org.phrenic.anatomy.Resolution;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
@@ -280,6 +282,18 @@ final class RehearsalPreparation {
         }
     }
 
+    private static String name(Resolution resolution) {
+        return resolution.name().toLowerCase(Locale.ROOT);
+    }
+
+    private void noteResolution(Scenario exercise) {
+        Resolution present = session.scenario().resolution();
+        if (exercise.resolution() != present) {
+            session.note("The exercise runs at " + name(exercise.resolution()) + " resolution; the scene before had "
+                    + name(present) + ".");
+        }
+    }
+
     void open(RehearsalPlan exercise) {
         Rehearsed before = former.orElseGet(this::rehearsed);
         former = Optional.empty();
@@ -291,6 +305,7 @@ final class RehearsalPreparation {
             recordBreath();
         } else {
             former = Optional.of(before);
+            noteResolution(exercise.scenario());
             awaitBody();
             session.open(EditName.of("Exercise " + exercise.title()), exercise.scenario());
             // The loading may end before any of its progress is told.

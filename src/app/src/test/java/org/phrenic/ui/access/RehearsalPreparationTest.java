@@ -3,6 +3,7 @@ package org.phrenic.ui.access;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -16,11 +17,14 @@ import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.engine.parallel.Workers;
+import org.phrenic.scenario.Assignment;
 import org.phrenic.scene.AccessMapField;
 import org.phrenic.scene.style.ClipPlane;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Surface;
+import org.phrenic.ui.session.Session;
+import org.phrenic.ui.session.SessionMessage;
 
 /** What is shown of a former target while the next one is prepared. */
 class RehearsalPreparationTest {
@@ -80,6 +84,25 @@ class RehearsalPreparationTest {
             rehearsal.preparation.followBreathing(exercise.scenario());
             assertThat(rehearsal.exercise()).as("left for practice").isEmpty();
         });
+    }
+
+    @Test
+    void anotherResolutionOfAnExerciseIsSaid() {
+        RehearsalPlan exercise = RehearsalPlan.exercises().get(0);
+        List<String> said = new ArrayList<>();
+        IdleRehearsal.with((session, appearance, view, rehearsal) -> {
+            session.addListener(new Session.Listener() {
+                @Override
+                public void onMessage(SessionMessage message) {
+                    said.add(message.text());
+                }
+            });
+            rehearsal.open(exercise.with(LOW));
+            assertThat(said).isEmpty();
+            session.change("Resolution", Assignment.parse("resolution=high"));
+            rehearsal.open(exercise.with(List.of("resolution=medium")));
+        });
+        assertThat(said).containsExactly("The exercise runs at medium resolution; the scene before had high.");
     }
 
     /** Practice begins also where a liver is cut so that a target of the usual size has no room. */
