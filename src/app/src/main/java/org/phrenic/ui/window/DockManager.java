@@ -2,6 +2,7 @@ package org.phrenic.ui.window;
 
 import java.awt.BorderLayout;
 import java.awt.Component;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
@@ -95,7 +96,9 @@ public final class DockManager {
         tabs.addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent e) {
-                boolean focused = SwingUtilities.findFocusOwner(tabs) != null;
+                Component owner =
+                        KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+                boolean focused = owner != null && SwingUtilities.isDescendingFrom(owner, tabs);
                 if (focused && tabs.indexAtLocation(e.getX(), e.getY()) >= 0) {
                     // After the tabs have given it to the new one.
                     SwingUtilities.invokeLater(view::requestFocusInWindow);
