@@ -8,16 +8,21 @@ import java.util.Optional;
 public final class KeySuggestion {
     private KeySuggestion() {}
 
+    /** Words of a key lie between these: muscle_stiffness_n_per_m. */
+    private static final char BETWEEN_WORDS = '_';
+
+    /** Letters from which on a name may be the beginning of a longer one. */
+    private static final int BEGINNING = 4;
+
     /**
      * The first of {@code known} with the least edit distance to {@code name}, if the distance is small for its length.
+     * Words that a key has beyond {@code name}, such as its unit, count as one edit.
      */
     public static Optional<String> nearest(String name, Collection<String> known) {
         int best = Math.max(2, name.length() / 3) + 1;
         String nearest = null;
         for (String candidate : known) {
-            int edits = edits(name.toLowerCase(Locale.ROOT), candidate.toLowerCase(Locale.ROOT));
-            boolean continues = name.length() >= 4 && candidate.startsWith(name);
-            int distance = continues ? Math.min(edits, 2) : edits;
+            int distance = distance(name, candidate);
             if (distance < best) {
                 best = distance;
                 nearest = candidate;
@@ -26,8 +31,23 @@ public final class KeySuggestion {
         return Optional.ofNullable(nearest);
     }
 
-    /** Levenshtein distance: insertions, deletions and replacements of one letter. */
-    private static int edits(String from, String to) {
+    private static int distance(String name, String candidate) {
+        String key = candidate.toLowerCase(Locale.ROOT);
+        int[] edits = edits(name.toLowerCase(Locale.ROOT), key);
+        int distance = edits[key.length()];
+        if (name.length() >= BEGINNING) {
+            if (candidate.startsWith(name)) {
+                distance = Math.min(distance, 2);
+            }
+            for (int end = key.indexOf(BETWEEN_WORDS); end >= 0; end = key.indexOf(BETWEEN_WORDS, end + 1)) {
+                distance = Math.min(distance, edits[end] + 1);
+            }
+        }
+        return distance;
+    }
+
+    /** Levenshtein distances to each beginning of a text: insertions, deletions and replacements of one letter. */
+    private static int[] edits(String from, String to) {
         int[] above = new int[to.length() + 1];
         for (int j = 0; j <= to.length(); j++) {
             above[j] = j;
@@ -41,6 +61,6 @@ public final class KeySuggestion {
             }
             above = row;
         }
-        return above[to.length()];
+        return above;
     }
 }

@@ -7,6 +7,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import org.phrenic.file.BadInputException;
 
 /**
@@ -41,12 +42,20 @@ public final class YamlMap {
      * @throws BadInputException for the first unknown key
      */
     public void requireOnly(Collection<String> known) {
+        requireOnly(known, key -> KeySuggestion.nearest(key, known)
+                .map(near -> "did you mean '" + near + "'?")
+                .orElse("expected one of " + String.join(", ", known)));
+    }
+
+    /**
+     * Requires that every key is one of {@code known}; {@code expected} says what an unknown one may stand for.
+     *
+     * @throws BadInputException for the first unknown key
+     */
+    public void requireOnly(Collection<String> known, UnaryOperator<String> expected) {
         for (Map.Entry<String, YamlValue> entry : values.entrySet()) {
             if (!known.contains(entry.getKey())) {
-                String hint = KeySuggestion.nearest(entry.getKey(), known)
-                        .map(near -> "did you mean '" + near + "'?")
-                        .orElse("expected one of " + String.join(", ", known));
-                throw entry.getValue().place().bad("found an unknown key, " + hint);
+                throw entry.getValue().place().bad("found an unknown key, " + expected.apply(entry.getKey()));
             }
         }
     }

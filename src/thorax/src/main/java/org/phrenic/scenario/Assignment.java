@@ -38,7 +38,7 @@ public record Assignment(String origin, Setting<?> setting, Object value) {
             // Text that is not a plain word or number is quoted, so that YAML does not interpret it.
             String escaped = text.isEmpty() || PLAIN.matcher(text).matches() ? text : quote(text);
             YamlMap yaml = YamlDocument.parse(origin, quote(key) + ": " + escaped);
-            yaml.requireOnly(Settings.keys());
+            Settings.requireKeys(yaml);
             Setting<?> setting = Settings.find(key);
             return new Assignment(origin, setting, setting.read(yaml, folder));
         } catch (BadInputException e) {

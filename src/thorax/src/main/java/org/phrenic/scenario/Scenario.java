@@ -56,7 +56,7 @@ public final class Scenario implements SettingValues {
         if (yaml.keys().isEmpty()) {
             throw new BadInputException(file + ": found no keys, expected 'key: value' lines such as 'preset: quiet'");
         }
-        yaml.requireOnly(Settings.keys());
+        Settings.requireKeys(yaml);
         Path folder = file.toAbsolutePath().getParent();
         Map<Setting<?>, Object> values = new LinkedHashMap<>();
         values.put(RunSettings.NAME, FileNames.withoutExtension(file).replaceAll("\\p{Cntrl}", "_"));

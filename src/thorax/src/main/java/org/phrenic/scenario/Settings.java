@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.phrenic.document.KeySuggestion;
+import org.phrenic.document.YamlMap;
+import org.phrenic.file.BadInputException;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.material.Materials;
 import org.phrenic.model.material.Muscle;
@@ -63,6 +65,9 @@ public final class Settings {
                     Materials.parameters().stream())
             .toList();
 
+    /** Keys that are named where none is near. */
+    private static final int NAMED = 5;
+
     private static final Map<String, Setting<?>> BY_KEY = byKey();
 
     private Settings() {}
@@ -108,10 +113,22 @@ public final class Settings {
         throw new IllegalArgumentException("found an unknown parameter '" + key + "', " + expected(key, keys));
     }
 
-    /** Message part that lists what was expected instead of an unknown key. */
-    static String expected(String key, List<String> known) {
+    /**
+     * Requires that every key is that of a setting.
+     *
+     * @throws BadInputException for the first unknown key; suggests the nearest one, or names a few
+     */
+    public static void requireKeys(YamlMap yaml) {
+        List<String> keys = keys();
+        yaml.requireOnly(keys, key -> expected(key, keys));
+    }
+
+    /** Message part that says what was expected instead of an unknown key. */
+    private static String expected(String key, List<String> known) {
         return KeySuggestion.nearest(key, known)
                 .map(near -> "did you mean '" + near + "'?")
-                .orElse("expected one of " + String.join(", ", known));
+                .orElseGet(() -> "expected a key such as "
+                        + String.join(", ", known.subList(0, Math.min(NAMED, known.size())))
+                        + " (docs/parameters.md has all)");
     }
 }

@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.document.YamlWriter;
@@ -142,5 +143,21 @@ class ScenarioTest {
         assertThatExceptionOfType(BadInputException.class)
                 .isThrownBy(() -> Scenario.read(misspelt))
                 .withMessage(file + ": line 1, key 'presset': found an unknown key, did you mean 'preset'?");
+    }
+
+    /** A unit that is left out is no reason to list all keys, nor is a word that is near none of them. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "muscle_stifness | did you mean 'muscle_stiffness_n_per_m'?",
+                "muscle_stiffness | did you mean 'muscle_stiffness_n_per_m'?",
+                "wanderlust_zone | expected a key such as name, preset, trace, material, anatomy (docs/parameters.md has all)"
+            })
+    void anUnknownKeyIsRefusedWithAFewKeys(String key, String expected) throws IOException {
+        Path file = file(key + ": 1\n");
+        assertThatExceptionOfType(BadInputException.class)
+                .isThrownBy(() -> Scenario.read(file))
+                .withMessage(file + ": line 1, key '" + key + "': found an unknown key, " + expected);
     }
 }

@@ -134,7 +134,7 @@ public record SweepStudy(
                 ? Scenario.read(ParsedSetting.path(yaml, "scenario", folder))
                 : Scenario.defaults();
         YamlMap settings = yaml.mapOrEmpty("settings");
-        settings.requireOnly(Settings.keys());
+        Settings.requireKeys(settings);
         List<Assignment> assignments = new ArrayList<>();
         for (Setting<?> setting : Settings.all()) {
             if (settings.has(setting.key())) {
