@@ -50,6 +50,10 @@ final class ScanImportDialog {
             "the virtual man", RunSettings.VIRTUAL_MAN,
             "the virtual woman", RunSettings.VIRTUAL_WOMAN,
             "nothing: keep what the scan has", "none");
+    private static final String NUMBERS = "Label numbers as in";
+    private static final String NO_STRUCTURE =
+            "Choose a structure for at least one label: click in the column Structure.";
+    private static final String NO_TOOL = "(none)";
     private static final Dimension SIZE = new Dimension(620, 560);
     /** The ending of a volume, with the number of a phase if there is one, behind a name. */
     private static final Pattern ENDING = Pattern.compile(
@@ -163,7 +167,7 @@ final class ScanImportDialog {
                 new JPanel(new MigLayout("insets 14, gap 8, fill", "[][grow, fill][]", "[][][grow, fill][][][][][]"));
         content.add(new JLabel(file.getFileName() + ", " + labels.size()), "span 3, wmin 0, wrap");
         content.add(recognised, "span 2, wmin 0, split 2, growx");
-        content.add(new JLabel("Numbers of"));
+        content.add(new JLabel(NUMBERS));
         content.add(numbers(), "wrap");
         content.add(new JScrollPane(table()), "span 3, grow, wrap");
         content.add(new JLabel("Axes"));
@@ -191,13 +195,22 @@ final class ScanImportDialog {
 
     private JComboBox<String> numbers() {
         JComboBox<String> numbers = new JComboBox<>(labels.tools().toArray(String[]::new));
-        numbers.setSelectedItem(null);
+        numbers.insertItemAt(NO_TOOL, 0);
+        numbers.setSelectedIndex(0);
         numbers.setPrototypeDisplayValue("totalsegmentator");
-        numbers.addActionListener(e -> labels.assignByNumber((String) numbers.getSelectedItem()));
+        numbers.addActionListener(e -> {
+            if (numbers.getSelectedIndex() == 0) {
+                labels.guessAgain();
+            } else {
+                labels.assignByNumber((String) numbers.getSelectedItem());
+            }
+        });
         return Controls.describe(
                 numbers,
-                "Numbers of",
-                "Assign structures by the label numbers of a segmentation tool or a public data set");
+                NUMBERS,
+                "Assign structures by the label numbers of a segmentation tool or a public data set; "
+                        + NO_TOOL
+                        + " keeps those that are proposed");
     }
 
     private JTable table() {
@@ -235,8 +248,9 @@ final class ScanImportDialog {
                         check(
                                 spacing,
                                 GeometryOverride.isSpacing(spacing.getText()),
-                                "three sizes in mm, such as 1.75, 1.75, 1.25"),
-                        check(folder, hasFolder, "a folder that can be written"))
+                                "three sizes in mm, each from 0.1 to 50, such as 1.75, 1.75, 1.25"),
+                        check(folder, hasFolder, "a folder that can be written"),
+                        Optional.of(NO_STRUCTURE).filter(sentence -> labels.recognised() == 0))
                 .flatMap(Optional::stream)
                 .findFirst();
         refused.setText(first.orElse(" "));
@@ -245,7 +259,7 @@ final class ScanImportDialog {
                 .map(to -> String.join(" and ", replaced(to, labels.isEdited())))
                 .orElse("");
         start.setText(replaced.isEmpty() ? "Import" : "Import and replace " + replaced);
-        start.setEnabled(labels.recognised() > 0 && labels.unknown().isEmpty() && first.isEmpty());
+        start.setEnabled(labels.unknown().isEmpty() && first.isEmpty());
     }
 
     /** Marks a field that is not valid; what is wrong with it, in one sentence. */

@@ -2,6 +2,7 @@ package org.phrenic.ui.scan;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -29,12 +30,17 @@ final class ScanLabels extends AbstractTableModel {
     static final String NONE = "not imported";
 
     static final int STRUCTURE_COLUMN = 3;
+    /** Volumes below this are shown with a decimal, ml. */
+    private static final double SMALL_ML = 10;
+
     private static final String[] COLUMNS = {"Label", "Name in the file", "Volume, ml", "Structure"};
 
     private record Row(int label, String name, double millilitres) {}
 
     private final List<Row> rows = new ArrayList<>();
     private final List<String> structures = new ArrayList<>();
+    /** Structures by row, as the file names them. */
+    private final List<String> guessed;
     /** Structures by label, as the numbers of each tool or data set have them. */
     private final Map<String, Map<Integer, String>> numbered;
 
@@ -55,6 +61,7 @@ final class ScanLabels extends AbstractTableModel {
                 structures.add(guess.getOrDefault(label, NONE));
             }
         }
+        guessed = List.copyOf(structures);
         size = volume.grid().columns() + " x " + volume.grid().rows() + " x "
                 + volume.grid().slices() + " voxels";
         axes = StatedAxes.letters(volume);
@@ -143,6 +150,13 @@ final class ScanLabels extends AbstractTableModel {
         fireTableDataChanged();
     }
 
+    /** Assigns the structures that the file names. */
+    void guessAgain() {
+        Collections.copy(structures, guessed);
+        edited = false;
+        fireTableDataChanged();
+    }
+
     /** Whether the guess was changed, so that the import writes the table. */
     boolean isEdited() {
         return edited;
@@ -188,9 +202,15 @@ final class ScanLabels extends AbstractTableModel {
         return switch (column) {
             case 0 -> label.label();
             case 1 -> label.name();
-            case 2 -> Math.round(label.millilitres());
+            case 2 -> millilitres(label.millilitres());
             default -> structures.get(row);
         };
+    }
+
+    /** A volume as a whole number, with one decimal where it is small. */
+    private static Number millilitres(double volume) {
+        boolean small = volume < SMALL_ML;
+        return small ? Math.round(10 * volume) / 10.0 : Math.round(volume);
     }
 
     @Override

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -77,8 +78,39 @@ class ScanImportDialogTest {
         EventThread.run(() -> {
             JPanel content = new ScanImportDialog(scan, labels).content();
             requireRefusal(content, "Axes", "LLS", "one each of L or R, P or A, S or I, such as LPS");
-            requireRefusal(content, "Voxel, mm", "2", "three sizes in mm, such as 1.75, 1.75, 1.25");
+            requireRefusal(
+                    content, "Voxel, mm", "2", "three sizes in mm, each from 0.1 to 50, such as 1.75, 1.75, 1.25");
             requireRefusal(content, "Thorax folder", scan + "/body", "a folder that can be written");
+        });
+    }
+
+    /** A button that is off alone does not say what to do. */
+    @Test
+    void withoutAStructureTheDialogSaysWhereToChooseOne(@TempDir Path folder) throws IOException {
+        Path scan = folder.resolve("scan.mha");
+        ScanSamples.writeMha(scan);
+        ScanLabels labels = ScanLabels.read(scan, VirtualThorax.ofPreset("adult-male", Resolution.LOW));
+        Object guessed = labels.getValueAt(0, ScanLabels.STRUCTURE_COLUMN);
+        String advice = "Choose a structure for at least one label: click in the column Structure.";
+        EventThread.run(() -> {
+            ScanImportDialog dialog = new ScanImportDialog(scan, labels);
+            JPanel content = dialog.content();
+            for (int row = 0; row < labels.getRowCount(); row++) {
+                labels.setValueAt(ScanLabels.NONE, row, ScanLabels.STRUCTURE_COLUMN);
+            }
+            assertThat(dialog.start().isEnabled()).isFalse();
+            assertThat(WindowHarness.find(content, JLabel.class, advice)).isPresent();
+            labels.setValueAt("liver", 0, ScanLabels.STRUCTURE_COLUMN);
+            assertThat(dialog.start().isEnabled()).isTrue();
+            assertThat(WindowHarness.find(content, JLabel.class, advice)).isEmpty();
+            JComboBox<?> numbers = WindowHarness.find(content, JComboBox.class, "Label numbers as in")
+                    .orElseThrow();
+            assertThat(numbers.getSelectedItem()).isEqualTo("(none)");
+            numbers.setSelectedIndex(1);
+            assertThat(labels.isEdited()).isTrue();
+            numbers.setSelectedIndex(0);
+            assertThat(labels.isEdited()).as("the file's own structures").isFalse();
+            assertThat(labels.getValueAt(0, ScanLabels.STRUCTURE_COLUMN)).isEqualTo(guessed);
         });
     }
 

@@ -430,7 +430,7 @@ class WindowTest {
         assertThat(start.isEnabled()).as("no label has a known name").isFalse();
         Path body = folder.resolve("imported");
         WindowHarness.doOnEdt(() -> {
-            WindowHarness.find(dialog, JComboBox.class, "Numbers of")
+            WindowHarness.find(dialog, JComboBox.class, "Label numbers as in")
                     .orElseThrow()
                     .setSelectedItem("totalsegmentator");
             WindowHarness.find(dialog, JComboBox.class, "Complete from")
