@@ -5,6 +5,7 @@ import java.awt.Color;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -29,6 +30,10 @@ public final class MessageBanner extends JPanel {
     private static final int GAP = 10;
     private static final int TEXT_WIDTH = 480;
     private static final int LEAST_TEXT_WIDTH = 80;
+    /** Where a line may end within a word: the narrowest space at which a label breaks its text. */
+    private static final String BREAK = "\u200a";
+    /** What a long word may be broken after: a part of a path, or some letters. */
+    private static final Pattern LONG_WORD = Pattern.compile("\\S{1,16}[/\\\\](?=\\S)|\\S{16}(?=\\S)");
 
     private final JLabel text = new JLabel();
     private final JButton actionButton = new JButton("Help");
@@ -72,7 +77,8 @@ public final class MessageBanner extends JPanel {
         }
         kind = message.kind();
         action = whenPressed;
-        sentence = Controls.escapeHtml(Controls.capitalise(message.text()));
+        sentence = Controls.escapeHtml(
+                LONG_WORD.matcher(Controls.capitalise(message.text())).replaceAll("$0" + BREAK));
         textWidth = 0;
         text.getAccessibleContext().setAccessibleDescription(message.text());
         button.ifPresent(actionButton::setText);

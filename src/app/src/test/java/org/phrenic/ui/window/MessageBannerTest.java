@@ -6,6 +6,8 @@ import java.util.Arrays;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JLabel;
+import javax.swing.plaf.basic.BasicHTML;
+import javax.swing.text.View;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -32,6 +34,30 @@ class MessageBannerTest {
             JLabel text = WindowHarness.find(banner, JLabel.class, "Message").orElseThrow();
             assertThat(text.getWidth()).isGreaterThanOrEqualTo(text.getPreferredSize().width);
             assertThat(text.getHeight()).isGreaterThanOrEqualTo(text.getPreferredSize().height);
+        });
+    }
+
+    /** A path is one word, and longer than a line of a narrow view. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "Copied: phrenic run --set 'name=/home/someone/a-folder-of-scans/and-a-long-name-of-a-scenario.yaml'",
+                "Found 4f1d2a3b4c5d6e7f8091a2b3c4d5e6f708192a3b4c5d6e7f8091a2b3c4d5e6f7, expected another"
+            })
+    void aLongWordIsBroken(String sentence) {
+        EventThread.run(() -> {
+            Theme.install(false);
+            MessageBanner banner = new MessageBanner();
+            banner.show(new SessionMessage(SessionMessage.Kind.NOTE, sentence));
+            banner.fit(270);
+            banner.setSize(270, banner.getPreferredSize().height);
+            banner.doLayout();
+            JLabel text = WindowHarness.find(banner, JLabel.class, "Message").orElseThrow();
+            View lines = (View) text.getClientProperty(BasicHTML.propertyKey);
+            assertThat(lines.getMinimumSpan(View.X_AXIS)).isLessThanOrEqualTo(text.getWidth());
+            assertThat(text.getWidth()).isGreaterThanOrEqualTo(text.getPreferredSize().width);
+            assertThat(text.getHeight()).isGreaterThanOrEqualTo(text.getPreferredSize().height);
+            assertThat(banner.message()).isEqualTo(sentence);
         });
     }
 
