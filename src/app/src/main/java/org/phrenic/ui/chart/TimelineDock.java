@@ -24,6 +24,7 @@ public final class TimelineDock extends JPanel implements Session.Listener {
     private final JButton nextFrame = Controls.button("\u25b8", "Next recorded frame", () -> stepFrames(1));
     private final JButton liveButton;
     private final JLabel time = new JLabel(" ");
+    private transient RunStatus shown = RunStatus.NOTHING;
 
     public TimelineDock(Session session) {
         super(new MigLayout("insets 4 8 4 8, fillx", "[][][][140!][grow,fill]"));
@@ -80,7 +81,10 @@ public final class TimelineDock extends JPanel implements Session.Listener {
     public void onTick(RunStatus status) {
         RunHistory history = session.live().history();
         boolean any = ring.update(history);
-        if (isShowing() && (any || session.historyFrame().isPresent())) {
+        boolean stopped = !status.playing() && shown.playing();
+        boolean stepped = !status.playing() && status.step() != shown.step();
+        shown = status;
+        if (stopped || stepped || isShowing() && (any || session.historyFrame().isPresent())) {
             refresh();
         }
     }

@@ -7,7 +7,6 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import javax.swing.JButton;
@@ -45,6 +44,7 @@ import org.phrenic.ui.widget.ScrollablePanel;
  */
 public final class DisplayDock extends ScrollablePanel implements Session.Listener {
     private static final int SLIDER_MAX = 1000;
+    private static final int RANGE_DIGITS = 9;
     /** Distance of the ends of the clip plane's way from the surfaces at rest, mm: a deep breath moves them by 30. */
     private static final double CLIP_MARGIN_MM = 50;
 
@@ -55,31 +55,6 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         @Override
         public String toString() {
             return name;
-        }
-    }
-
-    /** Side from which a clip plane cuts, along axis 0, 1 or 2; the plane moves with the axis if {@code forwards}. */
-    private enum Clip {
-        NONE("No clip plane", 0, false, null),
-        LEFT("From the left", 0, false, ClipPlane::sagittal),
-        FRONT("From the front", 1, true, ClipPlane::coronal),
-        ABOVE("From above", 2, false, ClipPlane::axial);
-
-        private final String label;
-        private final int axis;
-        private final boolean forwards;
-        private final DoubleFunction<ClipPlane> plane;
-
-        Clip(String label, int axis, boolean forwards, DoubleFunction<ClipPlane> plane) {
-            this.label = label;
-            this.axis = axis;
-            this.forwards = forwards;
-            this.plane = plane;
-        }
-
-        @Override
-        public String toString() {
-            return label;
         }
     }
 
@@ -104,8 +79,8 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
     private final JTextField maximum =
             Controls.describe(new JTextField("20", 4), "Greatest value of the colours", "Value of the last colour");
     private final JLabel unit = new JLabel("mm");
-    private final JComboBox<Clip> clip =
-            Controls.describe(new JComboBox<>(Clip.values()), "Clip plane", "Cut away what lies beyond a plane");
+    private final JComboBox<ClipSide> clip =
+            Controls.describe(new JComboBox<>(ClipSide.values()), "Clip plane", "Cut away what lies beyond a plane");
     private final JSlider clipSlider = Controls.describe(
             Controls.slider(0, SLIDER_MAX, SLIDER_MAX / 2), "Place of the clip plane", "Where the plane is");
     private final JComboBox<String> sorting = Controls.describe(
@@ -266,7 +241,7 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
         if (!following
                 && selected == ColourField.DISTANCE
                 && appearance.reference().isEmpty()) {
-            chooser.get().ifPresentOrElse(this::readReference, () -> field.setSelectedIndex(0));
+            chooser.get().ifPresentOrElse(this::readReference, this::showFormerColours);
         } else {
             applyColours();
         }
@@ -287,10 +262,19 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
                     reference.setText(referenceText);
                     if (selectedField() == ColourField.DISTANCE
                             && appearance.reference().isEmpty()) {
-                        field.setSelectedIndex(0);
+                        showFormerColours();
                     }
                     session.refuse(sentence);
                 });
+    }
+
+    /** Goes back to the colours that are shown, where there is no surface to measure from. */
+    private void showFormerColours() {
+        ColourScale range = shown.scale();
+        field.setSelectedIndex(FIELDS.indexOf(shown.field()));
+        minimum.setText(NumberFormats.format(range.min(), RANGE_DIGITS));
+        maximum.setText(NumberFormats.format(range.max(), RANGE_DIGITS));
+        applyColours();
     }
 
     /** Takes the range that was typed, or says why not. */
@@ -329,19 +313,19 @@ public final class DisplayDock extends ScrollablePanel implements Session.Listen
 
     /** Sets the clip plane: at the left end of the slider nothing is cut away, at the right end everything. */
     private void applyClipPlane() {
-        Clip selected = (Clip) clip.getSelectedItem();
-        clipSlider.setEnabled(selected != Clip.NONE);
-        if (selected == Clip.NONE) {
+        ClipSide selected = (ClipSide) clip.getSelectedItem();
+        clipSlider.setEnabled(selected != ClipSide.NONE);
+        if (selected == ClipSide.NONE) {
             change(style -> style.withClip(Optional.empty()));
             return;
         }
         double removed = clipSlider.getValue() / (double) SLIDER_MAX;
-        double share = selected.forwards ? removed : 1 - removed;
-        double low = bounds[selected.axis] - CLIP_MARGIN_MM;
-        double place = low + share * (bounds[3 + selected.axis] + CLIP_MARGIN_MM - low);
+        double share = selected.forwards() ? removed : 1 - removed;
+        double low = bounds[selected.axis()] - CLIP_MARGIN_MM;
+        double place = low + share * (bounds[3 + selected.axis()] + CLIP_MARGIN_MM - low);
         clipSlider.setToolTipText(Numbers.format("Where the plane is: %.0f mm", place));
         Controls.tellValue(clipSlider, Numbers.format("%.0f mm", place));
-        ClipPlane plane = selected.plane.apply(place);
+        ClipPlane plane = selected.plane(place);
         change(style -> style.withClip(Optional.of(plane)));
     }
 }

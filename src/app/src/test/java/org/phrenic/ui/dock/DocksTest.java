@@ -24,6 +24,7 @@ import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
+import javax.swing.JLabel;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
@@ -41,6 +42,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.breathing.pattern.BreathingPreset;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
 import org.phrenic.model.assembly.Breathing;
@@ -60,6 +62,7 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.scene.style.ColourField;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.live.RunHistory;
+import org.phrenic.simulation.live.RunStatus;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
 import org.phrenic.simulation.observe.Surface;
@@ -500,6 +503,29 @@ class DocksTest {
         EventThread.run(() -> dock.stepFrames(Integer.MAX_VALUE));
         assertThat(on(() -> session.historyFrame())).isEmpty();
         assertThat(session.live().isPlaying()).isTrue();
+    }
+
+    /** A sample comes every 0.02 s: the pause, and a step in it, come between two of them. */
+    @Test
+    void theTimelineSaysThatTheRunIsPausedAtTheMomentOfTheStatusBar() {
+        TimelineDock dock = on(() -> new TimelineDock(session));
+        EventThread.run(() -> {
+            dock.onTick(session.live().status());
+            session.live().pause();
+        });
+        EventThread.until("it is paused", () -> !session.live().status().playing());
+        requireMoment(dock);
+        long before = session.live().status().step();
+        EventThread.run(session.live()::stepOnce);
+        EventThread.until("it has stepped", () -> session.live().status().step() > before);
+        requireMoment(dock);
+    }
+
+    private static void requireMoment(TimelineDock dock) {
+        RunStatus now = session.live().status();
+        EventThread.run(() -> dock.onTick(now));
+        String moment = Numbers.format("%.2f s, paused", now.timeS());
+        assertThat(on(() -> WindowHarness.find(dock, JLabel.class, moment))).isPresent();
     }
 
     @Test
@@ -946,5 +972,30 @@ class DocksTest {
         DisplayDock dock = on(() -> showDock(looks, null));
         EventThread.run(() -> colours(dock).setSelectedItem("Distance to a surface"));
         assertThat(on(() -> colours(dock).getSelectedItem())).isEqualTo("No colours");
+    }
+
+    @Test
+    void whoChoosesNoSurfaceKeepsTheColoursThatAreShown(@TempDir Path folder) throws Exception {
+        AppearanceModel looks = on(AppearanceModel::new);
+        Path broken = Files.writeString(folder.resolve("scan.stl"), "solid nothing");
+        List<Optional<Path>> answers = new ArrayList<>(List.of(Optional.empty(), Optional.of(broken)));
+        DisplayDock dock = on(() -> new DisplayDock(session, looks, () -> answers.remove(0)));
+        EventThread.run(() -> {
+            looks.setSurfaces(session.scene().orElseThrow().surfaces());
+            dock.onScene(session.scene().orElseThrow());
+            colours(dock).setSelectedItem(ColourField.DISPLACEMENT.label());
+            JTextField most = WindowHarness.find(dock, JTextField.class, "Greatest value of the colours")
+                    .orElseThrow();
+            most.setText("12");
+            most.postActionEvent();
+        });
+        for (String how : List.of("cancelled", "refused")) {
+            EventThread.run(() -> colours(dock).setSelectedItem("Distance to a surface"));
+            EventThread.until(
+                    how,
+                    () -> ColourField.DISPLACEMENT.label().equals(colours(dock).getSelectedItem()));
+            assertThat(looks.style().field()).as(how).isEqualTo(ColourField.DISPLACEMENT);
+            assertThat(looks.style().scale().max()).as(how).isEqualTo(12);
+        }
     }
 }
