@@ -144,7 +144,7 @@ final class StatusBar extends JPanel {
     /** @param drawn drawn over shown pixels along each side of the view */
     void showResolution(double drawn) {
         String coarser = drawn < 1 ? ", drawn at " + NumberFormats.format(drawn, SHARPNESS_DIGITS) + " sharpness" : "";
-        set("quality", meshes + coarser);
+        set("quality", meshes.isEmpty() ? " " : meshes + coarser);
     }
 
     void show(LiveScene scene) {

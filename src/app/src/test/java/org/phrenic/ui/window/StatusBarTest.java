@@ -38,6 +38,12 @@ class StatusBarTest {
     }
 
     @Test
+    void beforeTheFirstSceneNothingIsSaidOfItsResolution() {
+        bar.showResolution(0.7);
+        assertThat(text("quality")).isBlank();
+    }
+
+    @Test
     void aPausedRunIsSaidToBePausedAndHasNoSpeed() {
         bar.show(status(true));
         bar.show(status(false));
