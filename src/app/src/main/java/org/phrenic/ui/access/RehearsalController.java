@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javax.swing.SwingUtilities;
 import org.phrenic.access.ScannedLesion;
 import org.phrenic.access.live.LiveRehearsal;
 import org.phrenic.access.path.TargetAccess;
@@ -15,7 +14,6 @@ import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.scene.AccessMapField;
 import org.phrenic.scene.BodySection;
 import org.phrenic.scene.NeedleMarkers;
-import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.observe.Surface;
 import org.phrenic.ui.session.BackgroundWorker;
@@ -49,11 +47,6 @@ public final class RehearsalController implements Session.Listener {
         default void onSections(BodySection along, BodySection across) {}
     }
 
-    /** Liver access is from the right. */
-    private static final double INITIAL_AZIMUTH_DEG = -52;
-
-    private static final double INITIAL_ELEVATION_DEG = 6;
-
     private final Session session;
     private final AppearanceModel appearance;
     private final SceneViewport view;
@@ -65,7 +58,7 @@ public final class RehearsalController implements Session.Listener {
     private final NeedleController needle;
     private final ProbeController probe = new ProbeController(this);
     private final GuidanceSettings pictures = new GuidanceSettings();
-    private boolean cameraPlaced;
+    private final EntryView entryView;
     boolean awaitsScene;
 
     private final List<Listener> listeners = new ArrayList<>();
@@ -82,6 +75,7 @@ public final class RehearsalController implements Session.Listener {
         this.session = session;
         this.appearance = appearance;
         this.view = view;
+        entryView = new EntryView(view);
         preparation = new RehearsalPreparation(session, worker, this);
         attempt = new AttemptRunner(session, worker, this);
         entrySelection = new EntrySelection(session, this, worker);
@@ -167,12 +161,7 @@ public final class RehearsalController implements Session.Listener {
 
     private void setBody(LiveScene scene) {
         awaitsScene = false;
-        if (!cameraPlaced) {
-            cameraPlaced = true;
-            // Runs after the view has taken over the scene.
-            SwingUtilities.invokeLater(() -> view.setCamera(
-                    view.camera().withView(AnatomicalView.ANTERIOR).orbit(INITIAL_AZIMUTH_DEG, INITIAL_ELEVATION_DEG)));
-        }
+        entryView.show(scene);
         probe.forget();
         preparation.setBody(scene);
     }

@@ -82,6 +82,12 @@ public record Camera(
         return seen ? camera.withHeight(MARGIN * camera.fittingHeight(half, aspect)) : camera;
     }
 
+    /** Copy that fits a box around the target into a picture, as it is seen from this side. */
+    public Camera fitting(double[] bounds, double aspect) {
+        Vector3d half = new Vector3d(bounds[3] - bounds[0], bounds[4] - bounds[1], bounds[5] - bounds[2]).mul(0.5);
+        return half.length() > 0 && half.isFinite() ? withHeight(MARGIN * fittingHeight(half, aspect)) : this;
+    }
+
     /** Smallest picture height, mm, that contains a box around the target in perspective. */
     private double fittingHeight(Vector3d half, double aspect) {
         Matrix4d rotation = rotation();
