@@ -3,6 +3,7 @@ package org.phrenic.scene.annotate;
 import java.awt.AWTError;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import java.util.Optional;
 import org.joml.Vector3d;
 import org.phrenic.document.report.Disclaimer;
@@ -44,6 +45,20 @@ public record Annotations(
     private static final double MIN_UNIT = 0.62;
     /** Maximum length of the scale bar, as a fraction of the picture width. */
     private static final double MAX_RULER_SHARE = 0.25;
+
+    /** Lines at most of the parts that are not in the scan. */
+    private static final int MOST_LINES = 3;
+    /**
+     * Width below which the colour bar would lie on the body: half as high a bar stands above it, and none for the
+     * access map, whose legend is a part of its controls.
+     */
+    private static final double NARROW = 500;
+
+    /** Ends of the colour bar, as fractions of the picture height. */
+    private static final double BAR_BEGIN = 0.26;
+
+    private static final double BAR_END = 0.66;
+    private static final double NARROW_BAR_END = 0.46;
 
     /** Annotations for a style, without title and time. */
     public static Annotations of(SceneStyle style) {
@@ -130,12 +145,15 @@ public record Annotations(
         double margin = ink.toPixels(MARGIN);
         double small = ink.measure("H", SMALL_TEXT_SIZE, false).getHeight();
         double line = small + ink.toPixels(5);
-        double floor = height - margin - small - ink.toPixels(7) - (notInScan.isEmpty() ? 0 : line);
+        List<String> missing = notInScan.isEmpty()
+                ? List.of()
+                : ink.lines("Not in the scan: " + notInScan, SMALL_TEXT_SIZE, width - 2 * margin, MOST_LINES);
+        double floor = height - margin - small - ink.toPixels(7) - missing.size() * line;
         drawOrientationLetters(ink, camera, width, height, floor);
         double notes = drawFootnote(ink, Disclaimer.TEXT, width, height - margin);
-        if (!notInScan.isEmpty()) {
-            String text = "Not in the scan: " + notInScan;
-            notes = Math.max(notes, drawFootnote(ink, text, width, height - margin - line));
+        for (int i = 0; i < missing.size(); i++) {
+            double baseline = height - margin - (missing.size() - i) * line;
+            notes = Math.max(notes, drawFootnote(ink, missing.get(i), width, baseline));
         }
         double figure = Math.min(ink.toPixels(FIGURE_HEIGHT), 0.3 * Math.min(width, height));
         boolean above = notes > width - margin - figure * FIGURE_WIDTH;
@@ -144,10 +162,13 @@ public record Annotations(
         if (camera.orthographic()) {
             Ruler.draw(ink, camera.mmPerPixel(height), margin, floor, MAX_RULER_SHARE * width);
         }
-        scale.ifPresent(colours -> {
-            double bottom = Math.min(height * 0.66, foot - 1.1 * figure - ink.toPixels(8));
+        boolean narrow = width < ink.toPixels(NARROW);
+        boolean hidden = narrow && quantityName.equals(ColourField.ACCESS.label());
+        scale.filter(colours -> !hidden).ifPresent(colours -> {
+            double lowest = height * (narrow ? NARROW_BAR_END : BAR_END);
+            double bottom = Math.min(lowest, foot - 1.1 * figure - ink.toPixels(8));
             double right = width - margin - rightLetterWidth(ink, camera) - ink.toPixels(8);
-            ColourBar.draw(ink, quantityName, colours, right, height * 0.26, bottom);
+            ColourBar.draw(ink, quantityName, colours, right, height * BAR_BEGIN, bottom);
         });
         ink.dispose();
     }

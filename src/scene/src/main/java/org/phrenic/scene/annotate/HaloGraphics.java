@@ -8,6 +8,8 @@ import java.awt.RenderingHints;
 import java.awt.Shape;
 import java.awt.font.GlyphVector;
 import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * Draws text and lines with a contrasting halo, which keeps them legible over any picture.
@@ -66,6 +68,23 @@ record HaloGraphics(Graphics2D graphics, Color foreground, Color halo, double un
             length--;
         }
         return length == 0 ? "" : text.substring(0, length).strip() + "\u2026";
+    }
+
+    /** Breaks a text between words into lines of a width in pixels; the last line takes what is left. */
+    List<String> lines(String text, double size, double width, int most) {
+        List<String> lines = new ArrayList<>();
+        String line = "";
+        for (String word : text.split(" ", -1)) {
+            String longer = line.isEmpty() ? word : line + " " + word;
+            boolean full = measure(longer, size, false).getWidth() > width;
+            if (full && !line.isEmpty() && lines.size() < most - 1) {
+                lines.add(line);
+                longer = word;
+            }
+            line = longer;
+        }
+        lines.add(line);
+        return lines;
     }
 
     /**

@@ -8,6 +8,7 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -19,6 +20,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.phrenic.mesh.Vectors;
 import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.Camera;
+import org.phrenic.scene.style.ColourField;
 import org.phrenic.scene.style.ColourMap;
 import org.phrenic.scene.style.ColourScale;
 
@@ -129,6 +131,62 @@ class AnnotationsTest {
                 .filter(y ->
                         IntStream.range(350, 400).anyMatch(x -> pictures[0].getRGB(x, y) != pictures[1].getRGB(x, y)))
                 .count();
+    }
+
+    /** In the view of a window of 1024 x 768, beside the docks of a rehearsal. */
+    @Test
+    void whatIsNotInTheScanIsReadWholeInANarrowPicture() {
+        String missing = "22 of 24 ribs, 15 of 20 costal cartilages, sternum, diaphragm, 12 vertebrae, skin, the heart";
+        Graphics2D g = blank(260, 600, 0).createGraphics();
+        HaloGraphics ink = HaloGraphics.over(g, true, 1);
+        List<String> lines = ink.lines("Not in the scan: " + missing, 10, 242, 3);
+        assertThat(String.join(" ", lines)).isEqualTo("Not in the scan: " + missing);
+        assertThat(lines).hasSizeBetween(2, 3).allSatisfy(line -> assertThat(
+                        ink.measure(line, 10, false).getWidth())
+                .isLessThanOrEqualTo(242));
+        assertThat(rowsOfInk(missing)).isGreaterThan(rowsOfInk("the skin"));
+        g.dispose();
+    }
+
+    /** Rows at the foot of a narrow picture, above the disclaimer, at whose left there is ink. */
+    private static long rowsOfInk(String notInScan) {
+        BufferedImage picture = blank(260, 600, LIGHT);
+        Graphics2D g = picture.createGraphics();
+        new Annotations(true, "", "", "", Optional.empty(), notInScan)
+                .drawStatic(g, Camera.of(AnatomicalView.ANTERIOR, BODY), 260, 600, 1);
+        g.dispose();
+        return IntStream.range(520, 580)
+                .filter(y -> marked(picture, 8, y, 60, y + 1, LIGHT) > 0)
+                .count();
+    }
+
+    /** The dock of a rehearsal has the legend of its map; a bar in a narrow picture would lie on the body. */
+    @Test
+    void theBarIsShortInANarrowPictureAndNotDrawnForTheAccessMap() {
+        assertThat(lastRowOfTheBar(700, ColourField.DISPLACEMENT)).isBetween(390, 405);
+        assertThat(lastRowOfTheBar(700, ColourField.ACCESS)).isBetween(390, 405);
+        assertThat(lastRowOfTheBar(400, ColourField.DISPLACEMENT)).isBetween(270, 285);
+        assertThat(lastRowOfTheBar(400, ColourField.ACCESS)).isEqualTo(-1);
+    }
+
+    /** The last row that a colour bar changes in a picture 600 pixels high; -1 if it changes none. */
+    private static int lastRowOfTheBar(int width, ColourField field) {
+        BufferedImage[] pictures = Stream.of(
+                        Optional.<ColourScale>empty(), Optional.of(ColourScale.sequential(20, "mm")))
+                .map(scale -> {
+                    BufferedImage picture = blank(width, 600, LIGHT);
+                    Graphics2D g = picture.createGraphics();
+                    new Annotations(true, "", "", field.label(), scale, "")
+                            .drawStatic(g, Camera.of(AnatomicalView.ANTERIOR, BODY), width, 600, 1);
+                    g.dispose();
+                    return picture;
+                })
+                .toArray(BufferedImage[]::new);
+        return IntStream.range(0, 600)
+                .filter(y ->
+                        IntStream.range(0, width).anyMatch(x -> pictures[0].getRGB(x, y) != pictures[1].getRGB(x, y)))
+                .max()
+                .orElse(-1);
     }
 
     @Test
