@@ -1,7 +1,9 @@
 package org.phrenic.ui.window;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Font;
 import java.awt.Insets;
+import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -20,6 +22,11 @@ import org.phrenic.ui.widget.Theme;
  * below the other.
  */
 final class WelcomePanel extends JPanel {
+    private static final int LEFT = 12;
+    private static final int RIGHT = 8;
+    private static final int NOTICE_GAP = 2;
+    private static final String INSETS = "insets 8 " + LEFT + " 8 " + RIGHT + ", gap 8 2, novisualpadding";
+
     private final JButton rehearse;
     private final JButton tune;
     private final JButton close;
@@ -27,7 +34,7 @@ final class WelcomePanel extends JPanel {
     private final JLabel aboutTune = Controls.secondaryLabel("Parameters, forces, live plots");
     private final JLabel notice = new JLabel(Disclaimer.TEXT);
     private final int wideWidth;
-    private boolean narrow;
+    private int narrowWidth;
 
     WelcomePanel(Consumer<Workspace> showWorkspace, Runnable dismiss) {
         setName("welcome");
@@ -39,22 +46,23 @@ final class WelcomePanel extends JPanel {
         rehearse = button(Workspace.CLINICIAN, tip, showWorkspace);
         tune = button(Workspace.RESEARCHER, "Every parameter, force and plot", showWorkspace);
         close = Controls.iconButton(Icons.CLOSE, "Close this card", dismiss);
-        arrange(false);
+        arrange(0);
         wideWidth = getPreferredSize().width;
     }
 
-    private void arrange(boolean asNarrow) {
-        narrow = asNarrow;
+    /** @param width of a narrow panel, pixels; 0 for a wide one */
+    private void arrange(int width) {
+        narrowWidth = width;
+        boolean narrow = width > 0;
         removeAll();
         if (narrow) {
-            setLayout(new MigLayout("insets 8 12 8 8, gap 8 2, novisualpadding", "[0::, grow, fill][]", ""));
+            setLayout(new MigLayout(INSETS, "[0::, grow, fill][]", ""));
             add(rehearse, "wmin 0");
             add(close, "aligny top, wrap");
             add(tune, "wmin 0, wrap");
-            add(notice, "span 2, gapy 4 0, gapx 2, wmin 0");
+            add(notice, "span 2, gapy 4 0, gapx " + NOTICE_GAP + ", wmin 0");
         } else {
-            setLayout(new MigLayout(
-                    "insets 8 12 8 8, gap 8 2, novisualpadding", "[0::, sg, fill][0::, sg, fill]push[]", ""));
+            setLayout(new MigLayout(INSETS, "[0::, sg, fill][0::, sg, fill]push[]", ""));
             add(rehearse, "wmin 0");
             add(tune, "wmin 0");
             add(close, "aligny top, wrap");
@@ -62,15 +70,20 @@ final class WelcomePanel extends JPanel {
             add(aboutTune, "gapx 2, wmin 0, wrap");
             add(notice, "span 3, gapy 4 0, gapx 2, wmin 0");
         }
-        notice.setText(narrow ? "<html>" + Disclaimer.TEXT.replace(". ", ".<br>") + "</html>" : Disclaimer.TEXT);
+        for (JButton door : List.of(rehearse, tune)) {
+            door.setMargin(narrow ? new Insets(8, 4, 8, 4) : new Insets(8, 18, 8, 18));
+        }
+        int room = width - UIScale.scale(LEFT + RIGHT + NOTICE_GAP);
+        notice.setText(
+                narrow ? "<html><body width='" + room + "'>" + Disclaimer.TEXT + "</body></html>" : Disclaimer.TEXT);
         notice.getAccessibleContext().setAccessibleName(Disclaimer.TEXT);
     }
 
     @Override
     public void setBounds(int x, int y, int width, int height) {
         super.setBounds(x, y, width, height);
-        boolean now = width > 0 && width < wideWidth;
-        if (now != narrow) {
+        int now = width < wideWidth ? width : 0;
+        if (now != narrowWidth) {
             arrange(now);
             // The height that is asked for is another.
             SwingUtilities.invokeLater(this::revalidate);
@@ -81,7 +94,6 @@ final class WelcomePanel extends JPanel {
         JButton button = Controls.button(workspace.label(), tip, () -> showWorkspace.accept(workspace));
         button.setName("door." + workspace.name());
         button.putClientProperty("FlatLaf.styleClass", "h4");
-        button.setMargin(new Insets(8, 18, 8, 18));
         return button;
     }
 }

@@ -12,9 +12,12 @@ import org.phrenic.ui.widget.Theme;
 
 /** The card that a newcomer reads first. */
 class WelcomePanelTest {
-    /** Widths of the view: in a window at first use on a screen of 1280 x 800, and in the smallest window, pixels. */
+    /**
+     * Widths of the view: in a window at first use on a screen of 1280 x 800, in the smallest window, and in that with
+     * wide docks, pixels.
+     */
     @ParameterizedTest
-    @ValueSource(ints = {535, 300})
+    @ValueSource(ints = {535, 300, 230})
     void everyLineIsReadWhole(int width) {
         List<JComponent> cut = EventThread.get(() -> {
             Theme.install(false);

@@ -35,7 +35,7 @@ final class BreathPanel extends AccessPanel {
         super(rehearsal);
         this.session = session;
         this.presetSelector = presetSelector;
-        addAll(bar, row(quiet, deep, holdAtExpiration, holdAtInspiration));
+        addAll(bar, new ButtonRows(quiet, deep, holdAtExpiration, holdAtInspiration));
         onChange();
         follow(session);
     }
