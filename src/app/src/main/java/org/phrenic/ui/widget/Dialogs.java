@@ -10,6 +10,7 @@ import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -26,21 +27,26 @@ import net.miginfocom.swing.MigLayout;
 
 /** Makes dialogs of one style: content, and below it a note and a row of buttons. */
 public final class Dialogs {
+    /** Beside the text of a cell, pixels. */
+    private static final int CELL_GAP = 8;
+
     private Dialogs() {}
 
     /**
      * A dialog that is not shown yet. The Escape key closes it.
      *
      * @param size wanted size; the screen of the owner limits it
-     * @param note text on the left of the buttons, or empty
+     * @param note text above the buttons, or empty
      * @param buttons the last one is the default button
      */
     public static JDialog of(
             Window owner, String title, JComponent content, Dimension size, String note, JButton... buttons) {
         JDialog dialog = new JDialog(owner, title);
         dialog.setDefaultCloseOperation(JDialog.DISPOSE_ON_CLOSE);
-        JPanel foot = new JPanel(new MigLayout("insets 0 14 14 14, fillx", "[grow]push" + "[]".repeat(buttons.length)));
-        foot.add(Controls.secondaryLabel(note), "wmin 0");
+        JPanel foot = new JPanel(new MigLayout("insets 0 14 14 14, fillx", "push" + "[]".repeat(buttons.length)));
+        if (!note.isEmpty()) {
+            foot.add(Controls.secondaryLabel(note), "span, growx, wmin 0, wrap");
+        }
         for (JButton button : buttons) {
             foot.add(button);
             dialog.getRootPane().setDefaultButton(button);
@@ -99,12 +105,22 @@ public final class Dialogs {
 
     /** A table of text that cannot be edited. */
     public static JTable table(String name, String[][] rows, String... columns) {
-        JTable table = new JTable(new DefaultTableModel(rows, columns) {
-            @Override
-            public boolean isCellEditable(int row, int column) {
-                return false;
-            }
-        });
+        JTable table =
+                new JTable(new DefaultTableModel(rows, columns) {
+                    @Override
+                    public boolean isCellEditable(int row, int column) {
+                        return false;
+                    }
+                }) {
+                    @Override
+                    public String getToolTipText(MouseEvent e) {
+                        int row = rowAtPoint(e.getPoint());
+                        int column = columnAtPoint(e.getPoint());
+                        return row < 0 || column < 0
+                                ? null
+                                : getValueAt(row, column).toString();
+                    }
+                };
         table.getAccessibleContext().setAccessibleName(name);
         return leftByTab(table);
     }
@@ -126,6 +142,21 @@ public final class Dialogs {
         area.setFont(new JLabel().getFont());
         area.setBorder(BorderFactory.createEmptyBorder());
         return area;
+    }
+
+    /**
+     * Makes the columns of a table as wide as their widest texts; where there is less room, the tip of a cell tells it.
+     */
+    public static JTable fitColumns(JTable table) {
+        for (int column = 0; column < table.getColumnCount(); column++) {
+            int width = 0;
+            for (int row = 0; row < table.getRowCount(); row++) {
+                Component cell = table.prepareRenderer(table.getCellRenderer(row, column), row, column);
+                width = Math.max(width, cell.getPreferredSize().width);
+            }
+            table.getColumnModel().getColumn(column).setPreferredWidth(width + UIScale.scale(CELL_GAP));
+        }
+        return table;
     }
 
     /** Sets the preferred widths of the columns of a table, pixels where letters have their usual size. */

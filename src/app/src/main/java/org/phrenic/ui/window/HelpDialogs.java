@@ -68,7 +68,7 @@ final class HelpDialogs {
     private static JTable keyTable(String name, String[][] rows) {
         JTable table = Dialogs.table(name, rows, name, "Does", "That is");
         table.setRowHeight(table.getRowHeight() + 4);
-        return Dialogs.widths(table, 150, 160, 360);
+        return Dialogs.fitColumns(table);
     }
 
     /** Version, citation, licences and the disclaimer. */
@@ -76,7 +76,8 @@ final class HelpDialogs {
         String version = HelpDialogs.class.getPackage().getImplementationVersion();
         JLabel title = bold("Phrenic" + (version == null ? "" : " " + version));
         title.setFont(title.getFont().deriveFont(title.getFont().getSize2D() * 1.6f));
-        JTable libraries = Dialogs.table("Libraries and their licences", LIBRARIES, "Library", "For", "Licence");
+        JTable libraries = Dialogs.fitColumns(
+                Dialogs.table("Libraries and their licences", LIBRARIES, "Library", "For", "Licence"));
         JScrollPane scroll = new JScrollPane(libraries);
         scroll.setPreferredSize(new Dimension(560, libraries.getRowHeight() * (LIBRARIES.length + 1) + 12));
         JPanel content = new JPanel(new MigLayout("insets 18, gap 8, wrap 1", "[grow, fill]", ""));

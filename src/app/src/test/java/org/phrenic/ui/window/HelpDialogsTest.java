@@ -2,6 +2,7 @@ package org.phrenic.ui.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Component;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -12,7 +13,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.swing.JButton;
 import javax.swing.JDialog;
+import javax.swing.JTable;
 import org.junit.jupiter.api.Test;
+import org.phrenic.ui.session.EventThread;
+import org.phrenic.ui.widget.Dialogs;
+import org.phrenic.ui.widget.Theme;
 
 /** What the window says of itself. */
 class HelpDialogsTest {
@@ -56,6 +61,30 @@ class HelpDialogsTest {
                             .isEqualTo("Close"));
             about.dispose();
         });
+    }
+
+    /** In a dialog of its usual size. */
+    @Test
+    void theTextsOfAboutAreReadWhole() {
+        EventThread.run(() -> {
+            Theme.install(false);
+            JTable table = Dialogs.fitColumns(Dialogs.table("Libraries", HelpDialogs.LIBRARIES, "a", "b", "c"));
+            table.setSize(560, 400);
+            table.doLayout();
+            requireWhole(table);
+        });
+    }
+
+    private static void requireWhole(JTable table) {
+        for (int column = 0; column < table.getColumnCount(); column++) {
+            for (int row = 0; row < table.getRowCount(); row++) {
+                Component cell = table.prepareRenderer(table.getCellRenderer(row, column), row, column);
+                assertThat(cell.getPreferredSize().width)
+                        .as(String.valueOf(table.getValueAt(row, column)))
+                        .isLessThanOrEqualTo(
+                                table.getColumnModel().getColumn(column).getWidth());
+            }
+        }
     }
 
     /** What a reader knows an artifact by: {@code commons-math3} as Commons Math, {@code jogl-all-main} as JOGL. */
