@@ -20,12 +20,12 @@ import org.phrenic.ui.widget.ListKeys;
 final class ExercisePanel extends AccessPanel {
     private static final String PRACTICE = "Press T and click on the liver for a target, E and click on the skin for an"
             + " entry, or take the best one. Scroll to insert.";
+    private static final String LIST_TIP = "What is rehearsed: free practice, or an exercise with a goal";
     private static final String PRACTICE_ENTRY = "Practice: a target of your own";
     /** Names at the end of a file's path that are shown: folder and file. */
     private static final int SHOWN_NAMES = 2;
 
-    private final JComboBox<ListedExercise> exercise = Controls.describe(
-            new JComboBox<>(), "Exercise", "What is rehearsed: free practice, or an exercise with a goal");
+    private final JComboBox<ListedExercise> exercise = Controls.describe(new JComboBox<>(), "Exercise", LIST_TIP);
     private final WrappingLabel description = WrappingLabel.secondary("About the exercise");
     private final JButton restart =
             button("Begin again", "The same target again, from the start (R)", rehearsal::retry);
@@ -101,7 +101,13 @@ final class ExercisePanel extends AccessPanel {
         updating = true;
         Optional<RehearsalPlan> chosen = rehearsal.exercise();
         exercise.setSelectedIndex(1 + chosen.map(this::indexOf).orElse(-1));
-        description.setTextIfChanged(chosen.map(this::text).orElse(PRACTICE));
+        description.setTextIfChanged(chosen.map(ExercisePanel::text).orElse(PRACTICE));
+        // What is said of the path has the room once there is an entry; the exercise stays at hand as a tip.
+        description.setVisible(rehearsal.entrySelection().advice().isEmpty());
+        exercise.setToolTipText(
+                description.isVisible()
+                        ? LIST_TIP
+                        : "<html><body width='360'>" + Controls.escapeHtml(description.getText()));
         restart.setEnabled(rehearsal.study().isPresent() && rehearsal.stage().canStartAttempt());
         demo.setEnabled(restart.isEnabled()
                 && chosen.filter(plan -> !plan.steps().isEmpty()).isPresent());
@@ -131,11 +137,10 @@ final class ExercisePanel extends AccessPanel {
         exercise.removeItemAt(index + 2);
     }
 
-    /** Description until an entry is chosen, and goals if there are any. */
-    private String text(RehearsalPlan plan) {
-        String description = rehearsal.entrySelection().advice().isPresent() ? "" : plan.description();
+    /** Description, and goals if there are any. */
+    private static String text(RehearsalPlan plan) {
         List<String> goals = plan.goals().describe();
         String done = goals.isEmpty() ? "" : "Done when: " + String.join("; ", goals) + ".";
-        return (description + " " + done).strip();
+        return (plan.description() + " " + done).strip();
     }
 }

@@ -3,8 +3,9 @@ package org.phrenic.ui.access.panel;
 import java.awt.BorderLayout;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.ui.access.RehearsalController;
@@ -28,9 +29,12 @@ public final class RehearsalDock extends JPanel {
         body.add(new BreathPanel(session, rehearsal, presetSelector), "wmin 0");
         body.add(new TargetPanel(session, rehearsal), "wmin 0");
         body.add(new EntryPanel(session, rehearsal), "wmin 0");
-        add(ScrollablePanel.scrollPane(body), BorderLayout.CENTER);
-        JLabel notice = new JLabel(Disclaimer.TEXT);
-        notice.putClientProperty("FlatLaf.styleClass", "small");
+        JScrollPane scroll = ScrollablePanel.scrollPane(body);
+        // A bar that came and went would break the texts into other lines, and move the list of exercises.
+        scroll.setVerticalScrollBarPolicy(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS);
+        add(scroll, BorderLayout.CENTER);
+        WrappingLabel notice = WrappingLabel.small("Notice");
+        notice.setTextIfChanged(Disclaimer.TEXT);
         JPanel bottom = Controls.panel(
                 "insets 8 10 6 10, gap 6 8, fillx, wrap 1, novisualpadding",
                 "[grow, fill, 0::]",

@@ -15,10 +15,14 @@ public final class WrappingLabel extends JTextArea {
     private static final Pattern KEPT_TOGETHER =
             Pattern.compile("(?<=[0-9]) (?=(?:mm|cm|ml|s|N|%)(?![a-zA-Z]))|(?<=\\brib) (?=[0-9])");
 
-    private final boolean bold;
+    private static final String PLAIN = "";
+    private static final String BOLD = "bold";
+    private static final String SMALL = "small";
 
-    private WrappingLabel(String name, Color colour, boolean bold) {
-        this.bold = bold;
+    private final String styleClass;
+
+    private WrappingLabel(String name, Color colour, String styleClass) {
+        this.styleClass = styleClass;
         setName(name);
         getAccessibleContext().setAccessibleName(name);
         setLineWrap(true);
@@ -31,15 +35,20 @@ public final class WrappingLabel extends JTextArea {
     }
 
     static WrappingLabel normal(String name) {
-        return new WrappingLabel(name, Theme.TEXT, false);
+        return new WrappingLabel(name, Theme.TEXT, PLAIN);
     }
 
     static WrappingLabel secondary(String name) {
-        return new WrappingLabel(name, Theme.SECONDARY_TEXT, false);
+        return new WrappingLabel(name, Theme.SECONDARY_TEXT, PLAIN);
+    }
+
+    /** A note in small letters. */
+    static WrappingLabel small(String name) {
+        return new WrappingLabel(name, Theme.TEXT, SMALL);
     }
 
     static WrappingLabel emphasised(String name) {
-        return new WrappingLabel(name, Theme.TEXT, true);
+        return new WrappingLabel(name, Theme.TEXT, BOLD);
     }
 
     void setTextIfChanged(String text) {
@@ -55,8 +64,10 @@ public final class WrappingLabel extends JTextArea {
 
     private void applyTheme() {
         setBorder(BorderFactory.createEmptyBorder());
-        Font font = new JLabel().getFont();
-        setFont(bold ? font.deriveFont(Font.BOLD) : font);
+        JLabel label = new JLabel();
+        label.putClientProperty("FlatLaf.styleClass", styleClass);
+        Font font = label.getFont();
+        setFont(BOLD.equals(styleClass) ? font.deriveFont(Font.BOLD) : font);
         // A text that changes does not scroll what it lies in to its end.
         if (getCaret() instanceof DefaultCaret caret) {
             caret.setUpdatePolicy(DefaultCaret.NEVER_UPDATE);

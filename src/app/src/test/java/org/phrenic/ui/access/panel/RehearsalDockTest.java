@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JSlider;
 import javax.swing.JToggleButton;
@@ -116,6 +117,19 @@ class RehearsalDockTest {
             assertThat(places(LONG, "About the exercise")).isEqualTo(usual);
             assertThat(places(LONG, "Tip to target")).isEqualTo(usual);
             places("Tip to target: -", "Tip to target");
+        });
+    }
+
+    /** A scroll bar that came and went would break the texts into other lines. */
+    @Test
+    void theListOfExercisesStaysWhereItIsWhenMoreIsSaid() {
+        EventThread.run(() -> {
+            JComboBox<?> list =
+                    WindowHarness.find(dock, JComboBox.class, "Exercise").orElseThrow();
+            places("", "About the exercise");
+            Rectangle usual = list.getBounds();
+            places(LONG.repeat(9), "About the exercise");
+            assertThat(list.getBounds()).isEqualTo(usual);
         });
     }
 
