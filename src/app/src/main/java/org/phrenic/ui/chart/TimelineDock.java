@@ -84,7 +84,7 @@ public final class TimelineDock extends JPanel implements Session.Listener {
         boolean stopped = !status.playing() && shown.playing();
         boolean stepped = !status.playing() && status.step() != shown.step();
         shown = status;
-        if (stopped || stepped || isShowing() && (any || session.historyFrame().isPresent())) {
+        if (stopped || stepped || (isShowing() && (any || session.historyFrame().isPresent()))) {
             refresh();
         }
     }
