@@ -24,7 +24,7 @@ class AttemptRunnerTest {
     private final List<String> said = new ArrayList<>();
     private final List<String> refused = new ArrayList<>();
     private final List<String> ends = new ArrayList<>();
-    private final QuitAfterWrites quit = new QuitAfterWrites(said::add, () -> ends.add("end"));
+    private final QuitAfterWrites quit = new QuitAfterWrites(said::add, () -> true, () -> ends.add("end"));
     private Session session;
     private SceneViewport view;
     private RehearsalController rehearsal;
