@@ -39,6 +39,8 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level, boolean s
     private static final String PATH = Markers.PREFIX + "way_";
     private static final String ENTRY = Markers.PREFIX + "entry_";
     private static final Color TARGET_LINE = new Color(0xb38f00);
+    private static final Color TARGET_RIM = new Color(0x2b, 0x22, 0, 200);
+    private static final float TARGET_RIM_WIDTH = 4;
     private static final Color NEEDLE_LINE = new Color(0x1f4e79);
     private static final Color PLANE_LINE = new Color(0x2f86d6);
     private static final Color PLANE_FILL = new Color(0x2f, 0x86, 0xd6, 34);
@@ -136,7 +138,10 @@ public record NeedleMarkers(NeedleState state, PathAdvice.Level level, boolean s
         double[] target = state.target();
         if (camera.project(target[0], target[1], target[2], width, height, at)) {
             double r = state.targetRadiusMm() / camera.mmPerPixelAt(target[0], target[1], target[2], height);
-            line(g, new Ellipse2D.Double(at[0] - r, at[1] - r, 2 * r, 2 * r), TARGET_LINE, 2, false);
+            Shape ring = new Ellipse2D.Double(at[0] - r, at[1] - r, 2 * r, 2 * r);
+            // A light rim would not set it off the bright colours of the access map.
+            stroke(g, ring, TARGET_RIM, TARGET_RIM_WIDTH, false);
+            stroke(g, ring, TARGET_LINE, 2, false);
         }
         if (state.entry().isPresent()) {
             double[] entry = state.entry().get();

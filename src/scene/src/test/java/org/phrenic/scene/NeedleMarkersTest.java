@@ -99,6 +99,18 @@ class NeedleMarkersTest {
         assertThat((painted[2] + painted[3] + 1) / 2.0).isCloseTo(middle[1], within(1.0));
     }
 
+    /** The map has ambers as bright as the ring. */
+    @Test
+    void theOutlineHasADarkRim() {
+        Camera camera =
+                Camera.of(AnatomicalView.ANTERIOR, BOX).withProjection(true).withHeight(200);
+        BufferedImage ring = outlines(state(new double[] {0, 0, 0}, Optional.empty()), camera);
+        int[] painted = painted(ring, 0, SIDE);
+        int rim = ring.getRGB(painted[0], SIDE / 2);
+        int line = ring.getRGB(painted[0] + 2, SIDE / 2);
+        assertThat(rim >> 16 & 0xff).isLessThan(0x80).isLessThan(line >> 16 & 0xff);
+    }
+
     /** From its hub to its tip the needle, from the entry to the end the path, which is dashed. */
     @Test
     void needleAndPathAreDrawnFromEndToEnd() {

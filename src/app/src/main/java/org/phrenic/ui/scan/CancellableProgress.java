@@ -3,6 +3,7 @@ package org.phrenic.ui.scan;
 import java.util.concurrent.CancellationException;
 import javax.swing.SwingUtilities;
 import org.phrenic.patient.ImportProgress;
+import org.phrenic.scene.style.StructureLabels;
 
 /**
  * Reports the progress of an import on the event dispatch thread. After {@link #cancel} the next report throws a
@@ -22,13 +23,22 @@ final class CancellableProgress implements ImportProgress {
     private final Display display;
     private volatile double share;
     private volatile boolean cancelled;
+    private boolean writing;
 
     CancellableProgress(Display display) {
         this.display = display;
     }
 
-    void cancel() {
+    /** Cancels the import; false where its writing has begun, which goes on. */
+    synchronized boolean cancel() {
         cancelled = true;
+        return !writing;
+    }
+
+    /** From here on the import is written, also if it is cancelled. */
+    synchronized void beginWriting() {
+        stage("writing the thorax folder");
+        writing = true;
     }
 
     @Override
@@ -38,7 +48,9 @@ final class CancellableProgress implements ImportProgress {
 
     @Override
     public void meshed(int count, int total, String structure) {
-        report("meshing " + structure, MESHING_BEGINS + (MESHING_ENDS - MESHING_BEGINS) * count / total);
+        report(
+                "meshing: " + StructureLabels.of(structure),
+                MESHING_BEGINS + (MESHING_ENDS - MESHING_BEGINS) * count / total);
     }
 
     private void report(String what, double done) {

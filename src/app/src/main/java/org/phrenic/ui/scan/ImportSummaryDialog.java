@@ -4,6 +4,7 @@ import java.awt.Dimension;
 import java.awt.Window;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JPanel;
@@ -21,6 +22,7 @@ import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 import org.phrenic.patient.diaphragm.SheetQuality;
 import org.phrenic.patient.pipeline.ImportResult;
+import org.phrenic.scene.style.StructureLabels;
 import org.phrenic.ui.widget.Controls;
 import org.phrenic.ui.widget.Dialogs;
 
@@ -113,7 +115,7 @@ final class ImportSummaryDialog {
                         Numbers.format("%.2f", scan.meshed().distanceToLabel().mean()))
                 .orElse("");
         return new Object[] {
-            s.structure().name(),
+            StructureLabels.of(s.structure().name()),
             s.source().name().toLowerCase(Locale.ROOT),
             Math.round(MeshMeasure.signedVolumeMl(s.structure().mesh())),
             off,
@@ -122,7 +124,9 @@ final class ImportSummaryDialog {
     }
 
     private static JTextArea notes(List<String> notes) {
-        JTextArea area = new JTextArea(notes.isEmpty() ? "No notes." : String.join(".\n", notes) + ".");
+        String sentences =
+                notes.stream().map(note -> Controls.capitalise(note) + ".").collect(Collectors.joining("\n"));
+        JTextArea area = new JTextArea(notes.isEmpty() ? "No notes." : sentences);
         area.setLineWrap(true);
         area.setWrapStyleWord(true);
         area.setEditable(false);

@@ -100,7 +100,9 @@ public final class ScanImporter {
      * Cancels the running import, or the reading of a scan. Before its thorax folder is written, nothing is written.
      */
     public void cancel() {
-        running.ifPresent(CancellableProgress::cancel);
+        if (running.isPresent() && running.get().cancel()) {
+            session.note("The import is cancelled; nothing is written.");
+        }
         running = Optional.empty();
     }
 
@@ -156,7 +158,7 @@ public final class ScanImporter {
                     choice.template().map(body -> new ImportRequest.Completion(template(body), false)),
                     Optional.empty());
             ImportResult built = ImportPipeline.run(request, progress);
-            progress.stage("writing the thorax folder");
+            progress.beginWriting();
             return Optional.of(write(built, choice));
         } catch (CancellationException cancelled) {
             return Optional.empty();

@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JTable;
+import javax.swing.JTextArea;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Side;
@@ -35,7 +36,8 @@ class ImportSummaryDialogTest {
     }
 
     private static JDialog show(List<PatientStructure> structures, Optional<SheetQuality> quality, Runnable rehearse) {
-        PatientBody body = new PatientBody("scanned", structures, List.of("sternum"), List.of());
+        PatientBody body =
+                new PatientBody("scanned", structures, List.of("sternum"), List.of("holes are filled, 7.6 ml"));
         return WindowHarness.onEdt(() -> {
             ImportSummaryDialog.show(
                     null,
@@ -74,6 +76,12 @@ class ImportSummaryDialogTest {
                 List.of(structure(StructureKind.DIAPHRAGM, "diaphragm"), structure(StructureKind.RIB, "rib_07_R")),
                 Optional.of(new SheetQuality(List.of(KEPT, EXCEEDED), Optional.empty())),
                 () -> rehearsed.set(true));
+        JTextArea notes = WindowHarness.find(dialog.getRootPane(), JTextArea.class, "Notes")
+                .orElseThrow();
+        assertThat(notes.getText()).isEqualTo("Holes are filled, 7.6 ml.");
+        JTable structures = WindowHarness.find(dialog.getRootPane(), JTable.class, "Structures of the body")
+                .orElseThrow();
+        assertThat(structures.getValueAt(1, 0)).isEqualTo("Rib 7 right");
         JTable table = quality(dialog).orElseThrow();
         assertThat(row(table, 0)).containsExactly("Smallest angle", "15.61", "at least 10", "degrees", "");
         assertThat(row(table, 1)).containsExactly("Outside the cage", "12.35", "at most 10", "mm", "beyond");
@@ -102,8 +110,8 @@ class ImportSummaryDialogTest {
                 .orElseThrow();
         int volume = table.getColumn("Volume, ml").getModelIndex();
         WindowHarness.doOnEdt(() -> table.getRowSorter().toggleSortOrder(volume));
-        assertThat(row(table, 0)).startsWith("spleen", "virtual", "30");
-        assertThat(row(table, 1)).startsWith("liver", "virtual", "200");
+        assertThat(row(table, 0)).startsWith("Spleen", "virtual", "30");
+        assertThat(row(table, 1)).startsWith("Liver", "virtual", "200");
         WindowHarness.doOnEdt(dialog::dispose);
     }
 

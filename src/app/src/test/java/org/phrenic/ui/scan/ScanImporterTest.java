@@ -30,6 +30,7 @@ import org.phrenic.patient.pipeline.ImportResult;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.session.EventThread;
 import org.phrenic.ui.session.Session;
+import org.phrenic.ui.session.SessionMessage;
 import org.phrenic.ui.window.WindowHarness;
 
 /** Which body an import opens. */
@@ -173,13 +174,25 @@ class ScanImporterTest {
         ScanSamples.writeMha(scan);
         ScanLabels labels = ScanLabels.read(scan, VirtualThorax.ofPreset("adult-male", Resolution.LOW));
         try (Session session = EventThread.get(() -> new Session(SMALL))) {
+            List<String> told = new ArrayList<>();
             EventThread.run(() -> {
+                session.addListener(new Session.Listener() {
+                    @Override
+                    public void onMessage(SessionMessage message) {
+                        told.add(message.text());
+                    }
+                });
                 ScanImporter importer = new ScanImporter(null, session, new Shown(), opened::add, read -> {});
                 importer.begin(scan);
                 ScanImportDialog answered = new ScanImportDialog(scan, labels);
                 folderField(answered.content()).setText("another body");
                 importer.run(scan, answered, null);
                 importer.cancel();
+                importer.cancel();
+                assertThat(told)
+                        .containsExactly(
+                                "An import is running; cancel it first.",
+                                "The import is cancelled; nothing is written.");
                 JDialog shown = WindowHarness.dialog("import").orElseThrow();
                 assertThat(folderField(shown.getRootPane()).getText()).isEqualTo("another body");
                 shown.dispose();
