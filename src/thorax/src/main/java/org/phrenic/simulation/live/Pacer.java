@@ -123,6 +123,11 @@ final class Pacer {
         return meanRealtime < ON_PACE_SHARE * speed;
     }
 
+    /** Whether the pace is not kept at present either: what lags behind after a stall may run ahead of the pace. */
+    boolean isSlow() {
+        return isBehind() && realtime < speed;
+    }
+
     double stepsPerS() {
         return stepsPerS;
     }

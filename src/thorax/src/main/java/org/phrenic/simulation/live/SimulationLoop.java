@@ -326,7 +326,7 @@ final class SimulationLoop implements Runnable {
             return;
         }
         Simulation simulation = running.simulation;
-        behindRealTime = playing && pacer.isBehind();
+        behindRealTime = playing && pacer.isSlow();
         status = new RunStatus(
                 simulation.steps(),
                 simulation.time(),

@@ -87,6 +87,16 @@ class PacerTest {
         assertThat(pacer.isBehind()).isFalse();
     }
 
+    /** A backlog is made up for faster than asked: nobody reads then that the run is slow. */
+    @Test
+    void whoCatchesUpIsBehindThePaceButNotSlow() {
+        computeAt(0.5, 3);
+        assertThat(pacer.isSlow()).isTrue();
+        computeAt(1.15, 0.25);
+        assertThat(pacer.isBehind()).isTrue();
+        assertThat(pacer.isSlow()).isFalse();
+    }
+
     @Test
     void onlyAPaceKeptBelowTheRequestedOneIsBehind() {
         pacer.setSpeed(0.5, 0);
