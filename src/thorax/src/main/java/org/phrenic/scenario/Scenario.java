@@ -45,6 +45,11 @@ public final class Scenario implements SettingValues {
         return DEFAULTS;
     }
 
+    /** The name of a scenario in a file that states none. */
+    public static String nameOf(Path file) {
+        return FileNames.withoutExtension(file).replaceAll("\\p{Cntrl}", "_");
+    }
+
     /**
      * Reads a scenario file. Relative paths in it are resolved against its folder.
      *
@@ -59,7 +64,7 @@ public final class Scenario implements SettingValues {
         Settings.requireKeys(yaml);
         Path folder = file.toAbsolutePath().getParent();
         Map<Setting<?>, Object> values = new LinkedHashMap<>();
-        values.put(RunSettings.NAME, FileNames.withoutExtension(file).replaceAll("\\p{Cntrl}", "_"));
+        values.put(RunSettings.NAME, nameOf(file));
         for (Setting<?> setting : Settings.all()) {
             if (yaml.has(setting.key())) {
                 values.put(setting, setting.read(yaml, folder));

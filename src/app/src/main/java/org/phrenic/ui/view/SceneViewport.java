@@ -25,6 +25,7 @@ import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.scene.style.SceneStyle;
 import org.phrenic.simulation.live.LiveScene;
 import org.phrenic.simulation.observe.Surface;
+import org.phrenic.ui.session.BodyName;
 import org.phrenic.ui.session.Session;
 
 /**
@@ -243,9 +244,10 @@ public final class SceneViewport extends JPanel implements Session.Listener {
     }
 
     private Annotations annotationsFor(String moment) {
-        return Annotations.of(appearance.style())
-                .withTimestamp(moment)
-                .withNotInScan(scene == null ? "" : scene.body().notInScanSummary());
+        Annotations plain = Annotations.of(appearance.style()).withTimestamp(moment);
+        return scene == null
+                ? plain
+                : plain.withNotInScan(scene.body().notInScanSummary()).withTitle(BodyName.of(scene.scenario()));
     }
 
     /** Frames per second; 0 while nothing moves. */

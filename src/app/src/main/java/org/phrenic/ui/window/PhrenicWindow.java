@@ -120,8 +120,8 @@ public final class PhrenicWindow {
 
     /** Saves the present values as a scenario. */
     void saveScenario() {
-        files.saveScenario(saved -> {
-            title.saved(saved);
+        files.saveScenario((saved, name) -> {
+            title.saved(saved, name);
             frame.setTitle(title.text(session.scenario()));
         });
     }
@@ -267,6 +267,7 @@ public final class PhrenicWindow {
             loading.setVisible(false);
             banner.endDivergence();
             title.opened(scene.scenario());
+            docks.rehearsalController().exercise().ifPresent(plan -> title.read(scene.scenario()));
             frame.setTitle(title.text(session.scenario()));
             LogDialog.logNotes(scene.body());
         }

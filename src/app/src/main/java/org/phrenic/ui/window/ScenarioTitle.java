@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
+import org.phrenic.ui.session.BodyName;
 
 /** The title of the window: the name of the scenario, with an asterisk once its values are others. */
 final class ScenarioTitle {
@@ -26,14 +27,18 @@ final class ScenarioTitle {
         });
     }
 
-    /** A scenario was saved: its values belong to its name. */
-    void saved(Scenario scenario) {
-        unchanged.put(statedName(scenario), List.of(scenario));
+    /** A scenario was saved under another name, perhaps: its values belong to that from here on. */
+    void saved(Scenario scenario, String name) {
+        unchanged.put(statedName(scenario), List.of(scenario.with(RunSettings.NAME, name)));
     }
 
-    /** {@code quiet - Phrenic}, or {@code quiet* - Phrenic}. */
+    /**
+     * {@code quiet - Phrenic}, or {@code quiet* - Phrenic}; the name of a body other than the usual one stands first.
+     */
     String text(Scenario present) {
-        return known(present).get(0).name() + (isChanged(present) ? "*" : "") + " - Phrenic";
+        String body = BodyName.of(present);
+        String name = known(present).get(0).name() + (isChanged(present) ? "*" : "");
+        return (body.isEmpty() ? "" : body + ", ") + name + " - Phrenic";
     }
 
     /** Whether the values are others than those of the scenario of their name. */
@@ -50,10 +55,13 @@ final class ScenarioTitle {
     }
 
     /**
-     * Without steps and changes, which belong to a run, a hold of the breath, and the repetition of steady breaths,
-     * which a rehearsal sets itself.
+     * Without the name, steps and changes, which belong to a run, a hold of the breath, and the repetition of steady
+     * breaths, which a rehearsal sets itself.
      */
     private static Scenario lasting(Scenario scenario) {
-        return scenario.withChanges(List.of()).without(RunSettings.STEPS).with("hold=false", "repeat_breath=false");
+        return scenario.withChanges(List.of())
+                .without(RunSettings.STEPS)
+                .without(RunSettings.NAME)
+                .with("hold=false", "repeat_breath=false");
     }
 }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
@@ -159,12 +160,17 @@ public final class WindowFiles {
      * Saves the values that are present when the file is chosen, without steps and changes, which belong to a run;
      * {@code saved} gets them once they are saved.
      */
-    void saveScenario(Consumer<Scenario> saved) {
+    void saveScenario(BiConsumer<Scenario, String> saved) {
         FileDialogs.save(frame, "Save scenario", session.scenario().name() + ".yaml")
                 .ifPresent(file -> {
                     Scenario present = session.userScenario().without(RunSettings.STEPS);
                     String left = session.isScheduled() ? WITHOUT_CHANGES : "";
-                    save(file, left, () -> YamlWriter.write(file, present.toMap()), () -> saved.accept(present));
+                    Scenario named = present.with(RunSettings.NAME, Scenario.nameOf(file));
+                    save(
+                            file,
+                            left,
+                            () -> YamlWriter.write(file, named.toMap()),
+                            () -> saved.accept(present, named.name()));
                 });
     }
 

@@ -23,9 +23,9 @@ class ScenarioTitleTest {
         // Another material loads another scene under the same name.
         title.opened(deep);
         assertThat(title.text(deep)).isEqualTo(marked);
-        title.saved(deep);
-        assertThat(title.text(deep)).isEqualTo("deep - Phrenic");
-        assertThat(title.text(QUIET)).isEqualTo("deep* - Phrenic");
+        title.saved(deep, "mine");
+        assertThat(title.text(deep)).isEqualTo("mine - Phrenic");
+        assertThat(title.text(QUIET)).isEqualTo("mine* - Phrenic");
     }
 
     @Test
@@ -49,7 +49,7 @@ class ScenarioTitleTest {
         Scenario run = QUIET.with("name=mine", "steps=500");
         title.read(run);
         assertThat(title.text(run)).isEqualTo("mine - Phrenic");
-        title.saved(run.without(RunSettings.STEPS));
+        title.saved(run.without(RunSettings.STEPS), "mine");
         assertThat(title.text(run)).isEqualTo("mine - Phrenic");
     }
 
@@ -64,5 +64,14 @@ class ScenarioTitleTest {
         assertThat(title.text(second)).isEqualTo("mine - Phrenic");
         assertThat(title.text(first)).as("after undo").isEqualTo("mine - Phrenic");
         assertThat(title.text(second.with("depth=0.9"))).isEqualTo("mine* - Phrenic");
+    }
+
+    /** Windows of two persons are told apart. */
+    @Test
+    void aBodyOtherThanTheUsualOneStandsFirst() {
+        Scenario person = QUIET.with("anatomy=virtual/adult-female");
+        title.opened(person);
+        assertThat(title.text(person)).isEqualTo("adult female, quiet - Phrenic");
+        assertThat(title.text(QUIET)).isEqualTo("quiet* - Phrenic");
     }
 }

@@ -100,10 +100,10 @@ class WindowFilesTest {
         Scenario small = Scenario.defaults().with("resolution=low", "threads=1");
         try (Session session = EventThread.get(() -> new Session(small))) {
             EventThread.until("a scene", () -> session.scene().isPresent());
-            List<Scenario> done = new ArrayList<>();
+            List<String> done = new ArrayList<>();
             EventThread.run(() -> {
                 WindowFiles files = new WindowFiles(null, session, null, WindowPreferences.unsaved(), plan -> {}, null);
-                SwingUtilities.invokeLater(() -> files.saveScenario(done::add));
+                SwingUtilities.invokeLater(() -> files.saveScenario((scenario, name) -> done.add(name)));
             });
             EventThread.until("the dialog", () -> ShownDialogs.chooser().isPresent());
             EventThread.run(() -> {
@@ -113,6 +113,7 @@ class WindowFilesTest {
             });
             EventThread.until("the file", () -> !done.isEmpty());
             assertThat(Scenario.read(saved).get(Breathing.DEPTH)).isEqualTo(1.3);
+            assertThat(done).containsExactly(Scenario.read(saved).name());
         } finally {
             WindowPreferences.ofUser().setFolder(before);
         }
@@ -137,7 +138,7 @@ class WindowFilesTest {
                     }
                 });
                 WindowFiles files = new WindowFiles(null, session, null, WindowPreferences.unsaved(), plan -> {}, null);
-                SwingUtilities.invokeLater(() -> files.saveScenario(done -> {}));
+                SwingUtilities.invokeLater(() -> files.saveScenario((scenario, name) -> {}));
             });
             EventThread.until("the dialog", () -> ShownDialogs.chooser().isPresent());
             EventThread.run(() -> {
