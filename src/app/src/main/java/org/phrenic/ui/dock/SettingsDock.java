@@ -41,6 +41,9 @@ public final class SettingsDock extends JPanel implements Session.Listener {
     private final transient Predicate<String> confirms;
     private final PlotDock plots;
     private final DefaultListModel<String> names = new DefaultListModel<>();
+    /** The name that was typed last, as long as nothing is stored under it. */
+    private String refusedName = "";
+
     private final JList<String> list = new JList<>(names);
     private final JComboBox<String> first = Controls.describe(new JComboBox<>(), "Settings A", "Settings A");
     private final JComboBox<String> second = Controls.describe(new JComboBox<>(), "Settings B", "Settings B");
@@ -94,8 +97,16 @@ public final class SettingsDock extends JPanel implements Session.Listener {
         body.add(emptyLabel, "spanx 3, wmin 0, wrap");
         body.add(new JScrollPane(list), "spanx 3, growx, growy, pushy, h 90:140:, wrap");
         body.add(Controls.button("Save...", "Store the present settings under a name", this::save));
-        body.add(Controls.button("Restore", "Go to the selected settings; can be undone", this::restore));
-        body.add(Controls.button("Delete", "Delete the selected settings", this::delete), "wrap");
+        JButton restore = Controls.button("Restore", "Go to the selected settings; can be undone", this::restore);
+        JButton delete = Controls.button("Delete", "Delete the selected settings", this::delete);
+        body.add(restore);
+        body.add(delete, "wrap");
+        list.addListSelectionListener(e -> {
+            restore.setEnabled(!list.isSelectionEmpty());
+            delete.setEnabled(!list.isSelectionEmpty());
+        });
+        restore.setEnabled(false);
+        delete.setEnabled(false);
         body.add(new JLabel("Compare two of them"), "spanx 3, gaptop 8, wrap");
         swap.setMnemonic('w');
         body.add(first, "wmin 0");
@@ -114,17 +125,26 @@ public final class SettingsDock extends JPanel implements Session.Listener {
     }
 
     private Optional<String> promptName() {
-        return Optional.ofNullable(JOptionPane.showInputDialog(
-                this, "Name of the present settings", "Save settings", JOptionPane.PLAIN_MESSAGE));
+        Object typed = JOptionPane.showInputDialog(
+                this,
+                "Name of the present settings",
+                "Save settings",
+                JOptionPane.PLAIN_MESSAGE,
+                null,
+                null,
+                refusedName);
+        return Optional.ofNullable((String) typed);
     }
 
     void save() {
         askName.get()
                 .map(String::strip)
                 .ifPresent(name -> reportingErrors(() -> {
+                    refusedName = name;
                     if (!store.contains(name)
                             || confirms.test("Replace the settings '" + name + "', which are stored already?")) {
                         store.save(name, session.userScenario());
+                        refusedName = "";
                         refresh();
                         list.setSelectedValue(name, true);
                         session.note("Settings '" + name + "' are stored.");

@@ -82,10 +82,19 @@ public final class Dialogs {
         return button;
     }
 
-    /** Asks a question; true for yes. */
+    /** Asks a question; true for yes. The Enter key says no. */
     public static boolean confirm(Component parent, String title, String question) {
-        return JOptionPane.showConfirmDialog(parent, question, title, JOptionPane.YES_NO_OPTION)
-                == JOptionPane.YES_OPTION;
+        String[] answers = {"Yes", "No"};
+        int answer = JOptionPane.showOptionDialog(
+                parent,
+                question,
+                title,
+                JOptionPane.YES_NO_OPTION,
+                JOptionPane.QUESTION_MESSAGE,
+                null,
+                answers,
+                answers[1]);
+        return answer == JOptionPane.YES_OPTION;
     }
 
     /** Asks whether to do what loses something; true if its button is pressed, beside which Cancel is the default. */

@@ -228,6 +228,10 @@ public final class DockManager {
         layout.setDock(place, shown ? docks.get(place) : null);
     }
 
+    boolean isShown(DockLayout.Place place) {
+        return layout.dock(place) != null;
+    }
+
     /** All docks, shown or not. */
     List<Component> components() {
         List<Component> all = new ArrayList<>(

@@ -3,6 +3,7 @@ package org.phrenic.ui.window;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
+import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
@@ -49,7 +50,8 @@ final class MainMenuBar extends JMenuBar {
         actions.camera.forEach(camera::add);
         view.add(camera);
         view.addSeparator();
-        actions.docks.forEach(view::add);
+        actions.docks.forEach(dock -> view.add(new JCheckBoxMenuItem(dock)));
+        view.addChangeListener(e -> actions.docks.forEach(MenuAction::showState));
         view.addSeparator();
         view.add(actions.theme);
         JMenu workspaces = new JMenu("Arrange for");

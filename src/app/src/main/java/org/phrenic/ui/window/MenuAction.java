@@ -7,6 +7,7 @@ import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.function.BooleanSupplier;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.Icon;
@@ -22,6 +23,7 @@ final class MenuAction extends AbstractAction {
             InputEvent.CTRL_DOWN_MASK | InputEvent.META_DOWN_MASK | InputEvent.ALT_DOWN_MASK;
 
     private final transient Runnable operation;
+    private transient BooleanSupplier state = () -> false;
 
     /**
      * @param name in menus
@@ -42,6 +44,17 @@ final class MenuAction extends AbstractAction {
     MenuAction withIcon(Icon icon) {
         putValue(Action.LARGE_ICON_KEY, icon);
         return this;
+    }
+
+    /** With a state that its item in a menu shows. */
+    MenuAction withState(BooleanSupplier shown) {
+        state = shown;
+        return this;
+    }
+
+    /** Lets the items of the action show its present state. */
+    void showState() {
+        putValue(Action.SELECTED_KEY, state.getAsBoolean());
     }
 
     private static KeyStroke parseKeyStroke(String key) {

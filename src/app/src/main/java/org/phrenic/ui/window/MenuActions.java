@@ -255,7 +255,8 @@ final class MenuActions {
 
     private void addDock(DockLayout.Place place, String name, String key) {
         String tip = "Show or hide: " + name.toLowerCase(Locale.ROOT);
-        docks.add(action(name, tip, key, () -> window.docks().toggle(place)));
+        docks.add(action(name, tip, key, () -> window.docks().toggle(place))
+                .withState(() -> window.docks().isShown(place)));
     }
 
     private RehearsalController rehearsal() {

@@ -547,6 +547,20 @@ class DocksTest {
     }
 
     @Test
+    void settingsAreRestoredAndDeletedOnlyWhereSomeAreSelected(@TempDir Path folder) {
+        SettingsDock dock = on(() ->
+                settings(new ScenarioStore(folder), new String[] {"one"}, question -> true, new PlotDock(session)));
+        for (String name : List.of("Restore", "Delete")) {
+            JButton button = WindowHarness.find(dock, JButton.class, name).orElseThrow();
+            assertThat(button.isEnabled()).as(name).isFalse();
+            EventThread.run(dock::save);
+            assertThat(button.isEnabled()).as(name).isTrue();
+            EventThread.run(dock::delete);
+            assertThat(button.isEnabled()).as(name).isFalse();
+        }
+    }
+
+    @Test
     void settingsThatCannotBeReadAreNotSaidToBePresent(@TempDir Path folder) throws Exception {
         ScenarioStore store = new ScenarioStore(folder);
         String[] name = {"one"};

@@ -10,8 +10,10 @@ import java.util.Set;
 import javax.swing.JDialog;
 import javax.swing.JPanel;
 import javax.swing.JTable;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.phrenic.ui.session.EventThread;
+import org.phrenic.ui.window.ShownDialogs;
 import org.phrenic.ui.window.WindowHarness;
 
 class DialogsTest {
@@ -26,6 +28,20 @@ class DialogsTest {
             assertThat(dialog.getHeight()).isLessThanOrEqualTo(screen.height);
             dialog.dispose();
         });
+    }
+
+    @Test
+    void theEnterKeyReplacesAndDeletesNothing() {
+        WindowHarness.assumeDisplay();
+        try {
+            EventThread.run(() -> SwingUtilities.invokeLater(() -> Dialogs.confirm(null, "Settings", "Delete?")));
+            EventThread.until("the question", () -> ShownDialogs.question().isPresent());
+            assertThat(EventThread.get(
+                            () -> ShownDialogs.question().orElseThrow().getInitialValue()))
+                    .isEqualTo("No");
+        } finally {
+            EventThread.run(ShownDialogs::close);
+        }
     }
 
     @Test

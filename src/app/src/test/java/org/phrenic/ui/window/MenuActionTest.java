@@ -7,6 +7,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import javax.swing.JButton;
+import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComboBox;
 import javax.swing.JList;
 import javax.swing.JPanel;
@@ -16,6 +17,19 @@ import org.junit.jupiter.api.Test;
 
 /** Which keys are typed into the part in focus, and which are commands to the window. */
 class MenuActionTest {
+    @Test
+    void anItemShowsTheStateOfWhatItSwitches() {
+        boolean[] shown = {true};
+        MenuAction action =
+                new MenuAction("Plots", "Show or hide", null, () -> shown[0] = !shown[0]).withState(() -> shown[0]);
+        JCheckBoxMenuItem item = new JCheckBoxMenuItem(action);
+        action.showState();
+        assertThat(item.isSelected()).isTrue();
+        action.run();
+        action.showState();
+        assertThat(item.isSelected()).isFalse();
+    }
+
     private static boolean isTyped(int code, int modifiers, Component focused) {
         KeyEvent key = new KeyEvent(new JPanel(), KeyEvent.KEY_PRESSED, 0, modifiers, code, KeyEvent.CHAR_UNDEFINED);
         return MenuAction.isTyped(key, focused);

@@ -103,7 +103,7 @@ final class ExercisePanel extends AccessPanel {
         exercise.setSelectedIndex(1 + chosen.map(this::indexOf).orElse(-1));
         description.setTextIfChanged(chosen.map(ExercisePanel::text).orElse(PRACTICE));
         // What is said of the path has the room once there is an entry; the exercise stays at hand as a tip.
-        description.setVisible(rehearsal.entrySelection().advice().isEmpty());
+        description.setVisible(rehearsal.entrySelection().entry().isEmpty());
         exercise.setToolTipText(
                 description.isVisible()
                         ? LIST_TIP
