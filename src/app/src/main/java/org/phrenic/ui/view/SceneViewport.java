@@ -93,9 +93,7 @@ public final class SceneViewport extends JPanel implements Session.Listener {
         pickListener.accept("");
         appearance.setSurfaces(now.surfaces());
         if (otherBody) {
-            double aspect = getHeight() > 0 ? (double) getWidth() / getHeight() : 1;
-            homeCamera = Camera.of(AnatomicalView.ANTERIOR, Surface.bounds(now.surfaces()), aspect);
-            setCamera(homeCamera.withProjection(camera.orthographic()));
+            resetCamera();
         } else {
             requestFrame();
         }
@@ -123,9 +121,9 @@ public final class SceneViewport extends JPanel implements Session.Listener {
 
     /** Goes back to the initial camera; the kind of projection stays. */
     public void resetCamera() {
-        if (scene != null && getHeight() > 0) {
-            homeCamera = Camera.of(
-                    AnatomicalView.ANTERIOR, Surface.bounds(scene.surfaces()), (double) getWidth() / getHeight());
+        if (scene != null) {
+            double aspect = getHeight() > 0 ? (double) getWidth() / getHeight() : 1;
+            homeCamera = Camera.of(AnatomicalView.ANTERIOR, Surface.bounds(scene.surfaces()), aspect);
         }
         setCamera(homeCamera.withProjection(camera.orthographic()));
     }

@@ -62,7 +62,7 @@ final class HelpDialogs {
         JScrollPane below = new JScrollPane(keyTable("Mouse", mouse));
         below.setPreferredSize(new Dimension(640, 220));
         content.add(below);
-        return closable(owner, "Keys", content, new Dimension(720, 620));
+        return closable(owner, "Keys", content, new Dimension(880, 620));
     }
 
     private static JTable keyTable(String name, String[][] rows) {
