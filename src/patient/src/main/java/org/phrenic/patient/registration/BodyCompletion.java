@@ -255,9 +255,9 @@ public final class BodyCompletion {
         return AffineTransform3D.similarity(mesh.positions(), map.apply(mesh).positions());
     }
 
-    /** The similarity that places all parts of a sternum of which the scan shows nothing. */
+    /** The similarity that places all parts of a sternum that lies above the end of the scan. */
     private Optional<AffineTransform3D> unseenSternum(TemplateMap map) {
-        return shared.stream().anyMatch(s -> s.kind() == StructureKind.STERNUM)
+        return SharedStructure.belowSternum(shared).isEmpty()
                 ? Optional.empty()
                 : PatientBody.merged(rest.stream().filter(s -> s.kind() == StructureKind.STERNUM))
                         .map(mesh -> similarity(mesh, map));

@@ -109,7 +109,7 @@ final class BoneFit {
                 organs.stream().anyMatch(organ -> organ.kind() == StructureKind.LUNG && !organ.isComplete());
         boolean bonesTell = endsInLungs && vertebrae.size() >= LEAST_VERTEBRAE && ribs.size() >= LEAST_RIBS;
         organs.stream().filter(organ -> !bonesTell || tellsBesideBones(organ)).forEach(surfaces::add);
-        belowSternum = belowSternum(shared);
+        belowSternum = SharedStructure.belowSternum(shared);
     }
 
     /** Adds a sternum, unless the front or a side of the scan leaves the smaller part of it. */
@@ -138,17 +138,6 @@ final class BoneFit {
      */
     private static boolean tellsBesideBones(SurfacePair organ) {
         return organ.kind() != StructureKind.LIVER && (organ.kind() != StructureKind.LUNG || organ.isComplete());
-    }
-
-    /** The upper end of the scan, if it shows costal cartilages below it and the sternum must lie above it. */
-    private static Optional<CutPlane> belowSternum(List<SharedStructure> shared) {
-        boolean cartilages = shared.stream().anyMatch(s -> s.kind() == StructureKind.COSTAL_CARTILAGE);
-        boolean sternum = shared.stream().anyMatch(s -> s.kind() == StructureKind.STERNUM);
-        return shared.stream()
-                .filter(s -> cartilages && !sternum)
-                .flatMap(s -> s.organ().cuts().stream())
-                .filter(cut -> cut.side().equals("S"))
-                .findFirst();
     }
 
     /**
@@ -205,6 +194,7 @@ final class BoneFit {
 
     /** @param known points whose places are known, which keep them in all rounds */
     private TemplateMap fit(PointPairs known) {
+        ribs.forEach(RibFit::forgetNeck);
         TemplateMap map = known.count() == 0 ? start : start.through(known, SCALES, MIRROR, plane);
         for (int round = 0; round < SLIDING_ROUNDS + COURSE_ROUNDS; round++) {
             PointPairs pairs = new PointPairs();

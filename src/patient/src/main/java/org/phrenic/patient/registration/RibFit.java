@@ -107,6 +107,12 @@ final class RibFit {
         }
     }
 
+    /** Forgets the head, before another fit. */
+    void forgetNeck() {
+        neck = Optional.empty();
+        missingMm = Double.NaN;
+    }
+
     /** Distance by which the scan's rib ends short of the joint along its own line, mm; empty if it is not known. */
     OptionalDouble gapMm() {
         return neck.map(n -> OptionalDouble.of(n.gapMm())).orElse(OptionalDouble.empty());

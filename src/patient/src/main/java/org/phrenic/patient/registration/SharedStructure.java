@@ -1,9 +1,12 @@
 package org.phrenic.patient.registration;
 
+import java.util.List;
+import java.util.Optional;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.voxel.CutPlane;
 import org.phrenic.patient.PatientStructure;
 
 /**
@@ -13,6 +16,9 @@ import org.phrenic.patient.PatientStructure;
  * @param template surface of the template at its original place, mm
  */
 record SharedStructure(PatientStructure organ, TriangleMesh template) {
+    /** Last rib of which the cartilage joins the body of the sternum above its lower end. */
+    private static final int LAST_AT_BODY = 5;
+
     /** Surface in the scan, mm. */
     TriangleMesh scan() {
         return organ.structure().mesh();
@@ -64,5 +70,23 @@ record SharedStructure(PatientStructure organ, TriangleMesh template) {
             p[z] += dz;
         }
         return new SharedStructure(organ.withStructure(organ.structure().withMesh(scan().withPositions(p))), template);
+    }
+
+    /**
+     * The upper end of the scan, if it shows costal cartilages below it and the sternum must lie above it: where the
+     * fifth or a higher one is shown whole, the sternum lies in the scan and has no label.
+     */
+    static Optional<CutPlane> belowSternum(List<SharedStructure> shared) {
+        boolean cartilages = shared.stream().anyMatch(s -> s.kind() == StructureKind.COSTAL_CARTILAGE);
+        boolean inScan = shared.stream()
+                .anyMatch(s -> s.kind() == StructureKind.STERNUM
+                        || (s.kind() == StructureKind.COSTAL_CARTILAGE
+                                && s.level() <= LAST_AT_BODY
+                                && !s.cutAt().contains("S")));
+        return shared.stream()
+                .filter(s -> cartilages && !inScan)
+                .flatMap(s -> s.organ().cuts().stream())
+                .filter(cut -> cut.side().equals("S"))
+                .findFirst();
     }
 }

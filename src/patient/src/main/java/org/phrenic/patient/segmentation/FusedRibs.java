@@ -2,7 +2,6 @@ package org.phrenic.patient.segmentation;
 
 import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.Comparator;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
@@ -26,6 +25,9 @@ final class FusedRibs {
     private static final double BESIDE = 0.5;
     /** Least difference in height of two ribs that touch, mm: more than the thickness of one. */
     private static final double APART_MM = 8;
+
+    /** Voxels of a piece to which distances are taken. */
+    private static final int SAMPLES = 300;
 
     private final Segmentation s;
     /** x and y of an axis in front of the vertebral ends of the ribs and behind their front ends, mm. */
@@ -74,7 +76,7 @@ final class FusedRibs {
                         rib,
                         rib.segments.keySet().stream()
                                 .filter(segment -> !LabelTable.isRibs(s.names().get(segment - 1)))
-                                .filter(segment -> rib.share(segment) > RibComponents.FRAGMENT)
+                                .filter(segment -> rib.segments.get(segment) >= RibComponents.MIN_VOXELS)
                                 .filter(segment -> isMost(rib.segments.get(segment), totals.get(segment)))
                                 .toList()))
                 .toList();
@@ -113,41 +115,49 @@ final class FusedRibs {
         return ribs.size() < 2 ? Stream.of(rib) : shared(rib, pieces, ribs);
     }
 
-    /** Whether two pieces of one connected part lie one above the other. */
-    private static boolean areTwo(RibComponents.Rib a, RibComponents.Rib b) {
-        return RibComponents.commonAngle(a, b) > BESIDE && Math.abs(a.heightAbove(b)) > APART_MM;
+    /** Whether two pieces of one connected part lie on the two sides, or one above the other. */
+    private boolean areTwo(RibComponents.Rib a, RibComponents.Rib b) {
+        boolean sides = a.centre[0] < axis[0] != b.centre[0] < axis[0];
+        return sides || (RibComponents.commonAngle(a, b) > BESIDE && Math.abs(a.heightAbove(b)) > APART_MM);
     }
 
     /** Ribs of some labels each, with the voxels that belong to none of their pieces in the nearest one. */
     private Stream<RibComponents.Rib> shared(
             RibComponents.Rib whole, Map<Integer, RibComponents.Rib> pieces, List<List<Integer>> ribs) {
         List<IntList> parts = new ArrayList<>();
+        List<IntList> samples = new ArrayList<>();
         BitSet shared = new BitSet();
         for (List<Integer> rib : ribs) {
-            int[] voxels = rib.stream()
-                    .flatMapToInt(label -> IntStream.of(pieces.get(label).voxels.toArray()))
-                    .toArray();
-            parts.add(new IntList());
-            for (int voxel : voxels) {
-                parts.get(parts.size() - 1).add(voxel);
-                shared.set(voxel);
+            IntList part = new IntList();
+            IntList sample = new IntList();
+            for (int label : rib) {
+                int[] voxels = pieces.get(label).voxels.toArray();
+                for (int i = 0; i < voxels.length; i++) {
+                    part.add(voxels[i]);
+                    shared.set(voxels[i]);
+                    if (i % Math.max(1, voxels.length / SAMPLES) == 0) {
+                        sample.add(voxels[i]);
+                    }
+                }
             }
+            parts.add(part);
+            samples.add(sample);
         }
-        List<IntList> others = ribs.stream().map(rib -> new IntList()).toList();
         for (int voxel : whole.voxels.toArray()) {
             if (!shared.get(voxel)) {
-                int nearest = IntStream.range(0, parts.size())
-                        .boxed()
-                        .min(Comparator.comparingDouble(
-                                part -> RibComponents.distance(s, s.point(voxel), parts.get(part))))
-                        .orElseThrow();
-                others.get(nearest).add(voxel);
+                parts.get(nearest(voxel, samples)).add(voxel);
             }
         }
-        for (int part = 0; part < parts.size(); part++) {
-            IntStream.of(others.get(part).toArray()).forEach(parts.get(part)::add);
-        }
         return parts.stream().map(part -> new RibComponents.Rib(s, part));
+    }
+
+    private int nearest(int voxel, List<IntList> parts) {
+        double[] distances = parts.stream()
+                .mapToDouble(part -> RibComponents.distance(s, s.point(voxel), part))
+                .toArray();
+        return IntStream.range(0, distances.length)
+                .reduce((a, b) -> distances[b] < distances[a] ? b : a)
+                .orElseThrow();
     }
 
     private Stream<RibComponents.Rib> apart(RibComponents.Rib rib, List<String> parted) {

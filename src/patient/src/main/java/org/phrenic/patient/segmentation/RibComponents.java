@@ -19,9 +19,9 @@ import org.phrenic.patient.label.LabelTable;
  */
 final class RibComponents {
     /** Parts smaller than this share of the usual one are fragments. */
-    static final double FRAGMENT = 0.05;
+    private static final double FRAGMENT = 0.05;
 
-    private static final int MIN_VOXELS = 20;
+    static final int MIN_VOXELS = 20;
     /** Share of a label or of a part from which an overlap counts. */
     static final double SUBSTANTIAL = 0.15;
     /** Share of the shorter part's range of angle that two parts of one rib may have in common. */

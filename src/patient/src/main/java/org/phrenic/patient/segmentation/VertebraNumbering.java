@@ -126,7 +126,7 @@ final class VertebraNumbering {
             return Optional.empty();
         }
         String where = slip > 0 ? "above" : "below";
-        if (!ribsAreRight(sumX / vertebral)) {
+        if (!ribsAreRight(sumX / vertebral, slip)) {
             return Optional.of(RibNumbering.renumber(s, "ribs, whose vertebrae lie one " + where + " their numbers"));
         }
         String beyond = shift(-slip, false, place -> true) ? LEFT_OUT : "";
@@ -263,12 +263,14 @@ final class VertebraNumbering {
                 : VertebraHeights.endHeight(posterior, voxels.size());
     }
 
-    private boolean ribsAreRight(double middle) {
+    /** Whether the ribs tell that the vertebrae are so many off: the first ribs only with those up to the seventh. */
+    private boolean ribsAreRight(double middle, int slip) {
+        boolean upperAlike = off(deviations(new VertebraHeights(s), middle, 2, FIRST - 1)) == slip;
         boolean cutAbove = ends.values().stream().anyMatch(at -> (at & s.endsToward(true)) != 0);
         return Stream.of(Side.RIGHT, Side.LEFT)
                 .anyMatch(side -> IntStream.rangeClosed(1, RibNumbering.RIBS).allMatch(n -> rib(n, side) > 0)
                         || (cutAbove && showsTwelfth(side))
-                        || isFirst(1, side, middle));
+                        || (upperAlike && isFirst(1, side, middle)));
     }
 
     /** Segment of a rib; 0 if it is not there or no more than a speck. */

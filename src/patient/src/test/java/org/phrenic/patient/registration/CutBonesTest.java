@@ -187,6 +187,18 @@ class CutBonesTest {
                 body.thorax().find("sternum_xiphoid").orElseThrow().mesh().bounds();
         assertThat(process[5]).isLessThan(middle[2] + 5);
         assertThat(middle[2]).isGreaterThan(top - 20);
+        assertThat(0.5 * (placed[2] + placed[5])).isCloseTo(0.5 * (own[2] + own[5]), within(25.0));
+    }
+
+    /** A chest to the third vertebra, with all cartilages from the fourth on, whose sternum has no label. */
+    @Test
+    void aSternumWithoutALabelBetweenCartilagesStaysThere() {
+        double top = WOMAN.find("vertebra_T03").orElseThrow().mesh().bounds()[5];
+        PatientBody body = completed(scan(top, s -> isRibOrVertebra(s) || s.kind() == StructureKind.COSTAL_CARTILAGE));
+        double[] placed = sternum(body.thorax()).bounds();
+        double[] own = sternum(WOMAN).bounds();
+        assertThat(placed[2]).isCloseTo(own[2], within(25.0));
+        assertThat(placed[5]).isCloseTo(own[5], within(25.0));
     }
 
     /**

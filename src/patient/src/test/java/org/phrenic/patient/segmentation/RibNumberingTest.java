@@ -94,6 +94,35 @@ class RibNumberingTest {
         assertThat(counts(s)).isEqualTo(truth);
     }
 
+    /** All ribs of the left side touch at the side or at the back, and rib 5 that of the other side. */
+    @Test
+    void aWholeCageInOnePartIsToldApartByItsLabels() {
+        CageVoxels cage = CageVoxels.withFloatingRibs().withVertebrae(1);
+        for (int number = 1; number < 12; number++) {
+            for (int step = 0; step <= 8; step++) {
+                int label = CageVoxels.rib(step < 4 ? number : number + 1, false);
+                cage.ball(
+                        number < 10 ? 86.5 : 52,
+                        number < 10 ? 30 : 52,
+                        118 - 8 * number + (number < 10 ? 0 : 6) - step,
+                        1,
+                        label);
+            }
+        }
+        for (int step = 0; step <= 16; step++) {
+            cage.ball(36.5 + step, 53.5, 83, 1.5, CageVoxels.rib(5, step < 8));
+        }
+        Map<String, Integer> truth = counts(from(cage, 0));
+        for (int v = 0; v < cage.labels.length; v++) {
+            boolean front = v / CageVoxels.COLUMNS % CageVoxels.ROWS < 30;
+            boolean second = (cage.labels[v] & LabelGrid.MAX_BYTE_LABEL) == CageVoxels.rib(2, true);
+            cage.labels[v] = second && front ? (byte) CageVoxels.rib(3, true) : cage.labels[v];
+        }
+        Segmentation s = from(cage, 0);
+        assertThat(SegmentationRepair.numberRibs(s)).singleElement().asString().contains("24 connected ribs");
+        assertThat(counts(s)).isEqualTo(truth);
+    }
+
     /** The front of right rib 6 carries the label of rib 7, and ribs 7 to 11 those of 8 to 12; there is no rib 12. */
     @Test
     void aRibOfTwoLabelsThatNoOtherHasIsOneRib() {

@@ -284,6 +284,24 @@ class VertebraNumberingTest {
         assertThat(counts(above)).isEqualTo(truth);
     }
 
+    /** Ribs 5 have no label, and those below are counted on: the vertebrae are right. */
+    @Test
+    void ribsCountedOnBelowOneWithoutALabelAreNumberedByTheirVertebrae() {
+        TreeMap<String, Integer> truth = counts(chest(label -> label));
+        truth.keySet().removeAll(List.of("rib_05_L", "rib_05_R"));
+        Segmentation s = chest(label -> {
+            boolean left = label >= CageVoxels.rib(5, false) && label <= CageVoxels.rib(12, false);
+            boolean right = label >= CageVoxels.rib(5, true) && label <= CageVoxels.rib(12, true);
+            boolean fifth = label == CageVoxels.rib(5, false) || label == CageVoxels.rib(5, true);
+            return fifth ? 0 : left || right ? label - 1 : label;
+        });
+        assertThat(SegmentationRepair.numberRibs(s))
+                .singleElement()
+                .asString()
+                .startsWith("ribs, whose vertebrae lie one");
+        assertThat(counts(s)).isEqualTo(truth);
+    }
+
     @Test
     void elevenPairsOfRibsOneOffTheVertebraeAreNumberedAnew() {
         Segmentation s = scan(cage(), CageVoxels.SLICES, ribsMovedDown());
