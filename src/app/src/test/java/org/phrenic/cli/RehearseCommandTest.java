@@ -166,10 +166,12 @@ class RehearseCommandTest {
     void aBodyWhoseLiverOrLungsStandStillIsTold() throws IOException {
         told(
                 rehearse("bad", BODY.replace("resolution: low", "resolution: low, liver: false") + TARGET + STEPS),
-                "liver: false), expected one that moves with the breath (liver: true, in the window Tune breathing > Forces > Liver");
+                "liver: false), expected one that moves with the breath (liver: true, in the"
+                        + " window Tune breathing > Forces > Liver");
         told(
                 rehearse("bad", BODY.replace("lungs: embedded", "lungs: off") + TARGET + STEPS),
-                "lungs: off), expected some that move with the breath (lungs: embedded, in the window Tune breathing > Forces > Lungs");
+                "lungs: off), expected some that move with the breath (lungs: embedded, in the"
+                        + " window Tune breathing > Forces > Lungs");
     }
 
     @Test

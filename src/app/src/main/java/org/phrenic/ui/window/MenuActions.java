@@ -60,9 +60,9 @@ final class MenuActions {
 
     private final PhrenicWindow window;
     /** The table of keys, of which there is one; null before it is first shown. */
-    private JDialog about;
-
     private JDialog keys;
+
+    private JDialog about;
 
     MenuActions(PhrenicWindow window) {
         this.window = window;
@@ -173,20 +173,13 @@ final class MenuActions {
         addAccess(
                 "Set target", "Then click on the liver", "T", r -> r.pickMode().toggle(PickMode.Kind.TARGET));
         addAccess("Set entry", "Then click on the skin", "E", r -> r.pickMode().toggle(PickMode.Kind.ENTRY));
-        addAccess(
-                "Best entry",
-                "The best of the access map, the needle upright there: then aim it",
-                "B",
-                r -> r.entrySelection().selectBest(false));
+        addAccess("Best entry", "The best of the map, the needle upright there: aim it", "B", r -> r.entrySelection()
+                .selectBest(false));
         addNeedle("Insert", "2 mm deeper; with Shift 10 mm", "I", n -> n.moveBy(NEEDLE_STEP_MM));
         addNeedle("Insert far", "10 mm deeper", "shift I", n -> n.moveBy(NEEDLE_LONG_STEP_MM));
         addNeedle("Withdraw", "2 mm back; with Shift 10 mm", "W", n -> n.moveBy(-NEEDLE_STEP_MM));
         addNeedle("Withdraw far", "10 mm back", "shift W", n -> n.moveBy(-NEEDLE_LONG_STEP_MM));
-        addNeedle(
-                "Go to target",
-                "As deep as where the needle passes nearest to the target",
-                "G",
-                NeedleController::moveToTarget);
+        addNeedle("Go to target", "To where it passes nearest to the target", "G", NeedleController::moveToTarget);
         addNeedle(
                 "Aim for me",
                 "The program points the needle at the target; the report says so",

@@ -27,8 +27,8 @@ final class EntryPanel extends AccessPanel {
                     .toggle(PickMode.Kind.ENTRY));
     private final JButton best = button(
             "Best entry",
-            "Free longest, with a sufficient margin, on the shortest path; the needle stands upright there: aim it by the"
-                    + " arrow keys or Aim for me (B)",
+            "Free longest, with a sufficient margin, on the shortest path; the needle stands upright there: aim it"
+                    + " by the arrow keys or Aim for me (B)",
             () -> rehearsal.entrySelection().selectBest(false));
     private final JButton bestAtExpiration = button(
             "Best at expiration",

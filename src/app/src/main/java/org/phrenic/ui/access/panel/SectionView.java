@@ -54,8 +54,8 @@ public final class SectionView extends JPanel {
         getAccessibleContext().setAccessibleName(title);
         setToolTipText(
                 across
-                        ? "What lies at the tip, before the needle is in at the target, seen from the hub along the needle: the cross"
-                                + " is the needle"
+                        ? "What lies at the tip, before the needle is in at the target, seen from the hub along it:"
+                                + " the cross is the needle"
                         : "The plane that holds the needle, as level as possible, seen from below like an axial slice");
         setOpaque(true);
     }
