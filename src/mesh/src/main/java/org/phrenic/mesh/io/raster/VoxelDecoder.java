@@ -100,8 +100,8 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
     }
 
     /**
-     * Reads all voxels. A negative value of the first voxel is background if that is all corners and the most frequent
-     * label.
+     * Reads all voxels. A negative value of the first voxel is background if that is all corners and, with the zeros
+     * beside it, the most frequent label.
      *
      * @param in uncompressed data, positioned at the first voxel
      * @param affine voxel positions, see {@link LabelGrid}
@@ -116,6 +116,7 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
         boolean plain = type == ScalarType.UINT8 && slope == 1 && intercept == 0;
         int done = 0;
         double background = Double.NaN;
+        int negatives = 0;
         try {
             while (done < count) {
                 int now = Math.min(CHUNK, count - done);
@@ -130,6 +131,7 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
                     now = in.readNBytes(chunk, 0, now * type.size()) / type.size();
                     background = done == 0 ? negative(value(buffer, 0)) : background;
                     Chunk values = new Chunk(file, buffer, now, done, background);
+                    negatives += negatives(values);
                     if (large.length == 0 && !takeBytes(values, small)) {
                         large = widened(small, done);
                     }
@@ -161,17 +163,31 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
                 ? LabelGrid.of(sizes[0], sizes[1], sizes[2], large, affine)
                 : LabelGrid.of(sizes[0], sizes[1], sizes[2], small, affine);
         if (background < 0) {
-            notes.add(backgroundNote(file, grid, background));
+            notes.add(backgroundNote(file, grid, background, negatives));
         }
         return grid;
     }
 
-    /** @throws NoLabelException if a value that was read as label 0 is no background */
-    private String backgroundNote(String file, LabelGrid grid, double background) {
+    /**
+     * What is said of a negative background.
+     *
+     * @param negatives number of voxels that have it
+     * @throws NoLabelException if a value that was read as label 0 is no background
+     * @throws BadInputException if 0 is a label as likely, as where labels are counted from 0 and -1 means none
+     */
+    private String backgroundNote(String file, LabelGrid grid, double background, int negatives) {
         if (!isBackground(grid)) {
             throw noLabel(file, 0, background);
         }
-        return "the value " + (long) background + " is background, as the most frequent one and that of the corners";
+        int zeros = grid.counts()[0] - negatives;
+        if (background == -1 && zeros > 0 && zeros <= negatives) {
+            throw new BadInputException(file + ": found " + negatives + " voxels of -1 and " + zeros
+                    + " of 0, expected one of them as background: add 1 to all labels if 0 is a structure");
+        }
+        return zeros > 0
+                ? "the values " + (long) background
+                        + " and 0 are background, as the most frequent ones and those of the corners"
+                : "the value " + (long) background + " is background, as the most frequent one and that of the corners";
     }
 
     /** A whole negative number; NaN for all else. */
@@ -222,6 +238,15 @@ public record VoxelDecoder(int[] sizes, ScalarType type, ByteOrder order, double
         for (int n = 0; n < values.count(); n++) {
             to[values.first() + n] = (short) label(values, n);
         }
+    }
+
+    /** Number of values that are the negative background. */
+    private int negatives(Chunk values) {
+        return values.background() < 0
+                ? (int) IntStream.range(0, values.count())
+                        .filter(n -> value(values.from(), n) == values.background())
+                        .count()
+                : 0;
     }
 
     private int label(Chunk values, int n) {

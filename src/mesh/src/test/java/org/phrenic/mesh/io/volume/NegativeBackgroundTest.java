@@ -17,6 +17,7 @@ import org.phrenic.mesh.voxel.LabelGrid;
 /** Label volumes whose background is a negative number, and labels with the noise of a resampling. */
 class NegativeBackgroundTest {
     private static final int LIVER = 6;
+    private static final int[] CORNERS = {0, 3, 8, 11, 12, 15, 20, 23};
 
     @TempDir
     private Path folder;
@@ -47,15 +48,45 @@ class NegativeBackgroundTest {
     @ValueSource(doubles = {-1, -1000, -32768})
     void oneNegativeValueOfMostVoxelsAndTheCornersIsBackground(double background) {
         for (double label : new double[] {5, 300}) {
-            LabelVolume volume = read(volume(background, label, 0));
+            LabelVolume volume = read(volume(background, label, label));
             LabelGrid grid = volume.grid();
             assertThat(grid.label(LIVER)).isEqualTo((int) label);
-            assertThat(grid.counts()[0]).isEqualTo(VolumeSamples.VOXELS - 1);
+            assertThat(grid.counts()[0]).isEqualTo(VolumeSamples.VOXELS - 2);
             assertThat(volume.notes())
                     .containsExactly("the value " + (int) background
                             + " is background, as the most frequent one and that of the corners");
         }
         assertThat(read(volume(0, 5, 0)).notes()).isEmpty();
+    }
+
+    /** Labels that are counted from 0 have -1 for none: their 0 is the first structure. */
+    @Test
+    void zerosBesideMinusOneAreNotTakenForBackground() {
+        assertThatThrownBy(() -> read(volume(-1, 5, 0)))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found " + (VolumeSamples.VOXELS - 2) + " voxels of -1 and 1 of 0, expected one");
+    }
+
+    /** A value beyond a round field of view, and 0 within it. */
+    @ParameterizedTest
+    @ValueSource(doubles = {-1, -1000})
+    void zerosThatAreMoreFrequentAreBackgroundToo(double beyond) {
+        for (double label : new double[] {5, 300}) {
+            double[] values = volume(0, label, label);
+            for (int corner : CORNERS) {
+                values[corner] = beyond;
+            }
+            LabelVolume volume = read(values);
+            assertThat(volume.grid().counts()[0]).isEqualTo(VolumeSamples.VOXELS - 2);
+            assertThat(volume.notes())
+                    .containsExactly("the values " + (int) beyond
+                            + " and 0 are background, as the most frequent ones and those of the corners");
+        }
+        assertThat(read(volume(-1000, 5, 0)).notes())
+                .hasSize(1)
+                .first()
+                .asString()
+                .contains("-1000 and 0 are");
     }
 
     @Test
@@ -74,7 +105,7 @@ class NegativeBackgroundTest {
             assertRefused("-1", values);
         }
         double[] rare = volume(5, 5, 5);
-        for (int corner : new int[] {0, 3, 8, 11, 12, 15, 20, 23}) {
+        for (int corner : CORNERS) {
             rare[corner] = -1;
         }
         assertRefused("-1", rare);
