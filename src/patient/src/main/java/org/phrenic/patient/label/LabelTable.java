@@ -56,6 +56,10 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     /** Words of the names of what fills the space between organs, beside those of skin and muscles. */
     private static final Pattern BETWEEN_ORGANS =
             Pattern.compile("(.*_)?(fat|adipose|muscles?|tissues?|subcutaneous|cavity)(_.*)?");
+    /** Words of names that have one of these beside them and are yet of something with a shape of its own. */
+    private static final Pattern SHAPED = Pattern.compile(
+            "(.*_)?(mass(es)?|tumou?rs?|lesions?|nodules?|cysts?|abscess|implants?|expanders?|effusions?"
+                    + "|pleural|lungs?|brain|breasts?)(_.*)?");
 
     private static final int MAX_STRUCTURES = LabelGrid.MAX_BYTE_LABEL - 50;
 
@@ -250,7 +254,9 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
                 .map(StructureName::kind)
                 .filter(kind -> switch (kind) {
                     case SKIN, MUSCLE -> true;
-                    case OTHER -> BETWEEN_ORGANS.matcher(structure).matches();
+                    case OTHER ->
+                        BETWEEN_ORGANS.matcher(structure).matches()
+                                && !SHAPED.matcher(structure).matches();
                     default -> false;
                 })
                 .isPresent();
