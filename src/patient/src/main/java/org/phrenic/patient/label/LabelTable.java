@@ -52,7 +52,6 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     /** The name of TotalSegmentator's tables. */
     public static final String TOTALSEGMENTATOR = "totalsegmentator";
 
-    /** A few segments are kept free for parts that are told apart. */
     /** Words of the names of what fills the space between organs, beside those of skin and muscles. */
     private static final Pattern BETWEEN_ORGANS =
             Pattern.compile("(.*_)?(fat|adipose|muscles?|tissues?|subcutaneous|cavity)(_.*)?");
@@ -61,6 +60,7 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
             "(.*_)?(mass(es)?|tumou?rs?|lesions?|nodules?|cysts?|abscess|implants?|expanders?|effusions?"
                     + "|pleural|lungs?|brain|breasts?)(_.*)?");
 
+    /** A few segments are kept free for parts that are told apart. */
     private static final int MAX_STRUCTURES = LabelGrid.MAX_BYTE_LABEL - 50;
 
     public LabelTable {
