@@ -209,6 +209,7 @@ public final class SegmentationRepair {
             }
         }
         if (lost > 0) {
+            cleared = true;
             notes.add(String.format(
                     Locale.ROOT,
                     "%s: what lies too far from its largest piece is left out, %.1f ml",

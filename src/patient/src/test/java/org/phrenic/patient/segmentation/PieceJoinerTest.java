@@ -89,6 +89,20 @@ class PieceJoinerTest {
         assertThat(pieces(s, 1)).isEqualTo(1);
     }
 
+    /** A part of a vertebra that no bridge reaches, in the middle of a muscle: that has no hole there. */
+    @Test
+    void aPieceThatIsLeftOutWithinAMuscleBecomesMuscle() {
+        box(REST, 2, 2, 2, COLUMNS - 3, ROWS - 3, SLICES - 3);
+        brokenBone(8);
+        Segmentation s = scan("vertebra_T05", "autochthon_L");
+        int[] before = s.counts();
+        assertThat(SegmentationRepair.mend(s))
+                .anyMatch(
+                        note -> note.startsWith("vertebra_T05: what lies too far from its largest piece is left out"));
+        assertThat(pieces(s, 1)).isEqualTo(1);
+        assertThat(s.counts()[0]).as("background").isEqualTo(before[0]);
+    }
+
     /** 10 mm from voxel to voxel, but for the rounding of the spacing. */
     @Test
     void aRoundedSpacingDoesNotShortenTheReach() {
