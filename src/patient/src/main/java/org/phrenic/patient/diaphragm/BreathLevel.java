@@ -173,6 +173,11 @@ public record BreathLevel(
         return share <= HIGH && mark != Mark.LOWER_BORDERS;
     }
 
+    /** Whether the scan shows an organ below the diaphragm, so that a lung lifted by fluid is told from a high dome. */
+    public static boolean showsOrgansBelow(Thorax body) {
+        return ContactingOrgans.abdominal(body).stream().anyMatch(body::isInScan);
+    }
+
     /**
      * The levels of the mark, such as "the domes at T9.4 on the right and T10.7 on the left (T8 and T9 at
      * end-expiration)".

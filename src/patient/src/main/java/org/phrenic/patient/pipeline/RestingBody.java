@@ -61,8 +61,9 @@ public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean
         } else if (level.filter(BreathLevel::standsHigh).isPresent()) {
             note = "the scan is one with high domes, "
                     + level.orElseThrow().stated()
-                    + ", and is left as it is: they stand so in pregnancy, obesity, ascites or a paresis, or the"
-                    + " vertebrae are numbered one too low";
+                    + ", and is left as it is: they stand so in pregnancy, obesity, ascites or a paresis, or "
+                    + (BreathLevel.showsOrgansBelow(body.thorax()) ? "" : "fluid or collapse lifts the lungs, or ")
+                    + "ribs or vertebrae are numbered one too low";
         }
         return new RestingBody(note.isEmpty() ? whole : whole.withNotes(List.of(note)), level, moved, raisedMm);
     }

@@ -5,7 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.mesh.Shapes;
 import org.phrenic.patient.PatientBody;
+import org.phrenic.patient.PatientStructure;
 import org.phrenic.patient.diaphragm.BreathLevel;
 
 /** What the notes of a body say about its breath level. */
@@ -13,9 +18,13 @@ class RestingBodyTest {
     private static final PatientBody BODY = new PatientBody("patient", List.of(), List.of(), List.of("first"));
 
     private static List<String> notes(double share, boolean moved) {
+        return notes(BODY, share, moved);
+    }
+
+    private static List<String> notes(PatientBody body, double share, boolean moved) {
         BreathLevel level = new BreathLevel(BreathLevel.Mark.DOMES, 6.1, 6.9, -2, share, -40, Optional.empty());
-        return new RestingBody(BODY, Optional.of(level), moved, 0)
-                .with(BODY)
+        return new RestingBody(body, Optional.of(level), moved, 0)
+                .with(body)
                 .body()
                 .notes();
     }
@@ -27,12 +36,34 @@ class RestingBodyTest {
                         "first",
                         "the scan is one with high domes, the domes at T6.1 on the right and T6.9 on the left (T8 and T9 at"
                                 + " end-expiration), and is left as it is: they stand so in pregnancy, obesity, ascites or"
-                                + " a paresis, or the vertebrae are numbered one too low");
+                                + " a paresis, or fluid or collapse lifts the lungs, or ribs or vertebrae are numbered one"
+                                + " too low");
         assertThat(notes(0.6, false))
                 .hasSize(2)
                 .last()
                 .asString()
                 .contains("is one at inspiration, ", "is left as it is");
+    }
+
+    /** Fluid between lung and diaphragm is seen where the scan shows an organ below, not where that is a template's. */
+    @Test
+    void highDomesAboveAnOrganOfTheScanAreNotLungsLiftedByFluid() {
+        assertThat(notes(bodyWithLiver(PatientStructure.Source.SCAN), -0.62, false)
+                        .get(1))
+                .doesNotContain("fluid")
+                .contains("or a paresis, or ribs or vertebrae are numbered");
+        assertThat(notes(bodyWithLiver(PatientStructure.Source.VIRTUAL), -0.62, false)
+                        .get(1))
+                .contains("fluid");
+    }
+
+    private static PatientBody bodyWithLiver(PatientStructure.Source source) {
+        Structure liver = new Structure("liver", StructureKind.LIVER, 0, Side.MIDLINE, Shapes.sphere(50, 2));
+        return new PatientBody(
+                "patient",
+                List.of(new PatientStructure(liver, source, Optional.empty(), Optional.empty())),
+                List.of(),
+                List.of("first"));
     }
 
     @Test
