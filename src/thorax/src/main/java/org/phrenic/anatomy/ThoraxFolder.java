@@ -117,7 +117,8 @@ public final class ThoraxFolder {
         List<Structure> raw = read(found);
         if (raw.isEmpty()) {
             throw new BadInputException(
-                    folder + ": no mesh has the name of a structure, expected one such as rib_05_R.stl");
+                    folder + ": no mesh has the name of a structure, expected one such as rib_05_R.stl;"
+                            + " the labels of a scan are imported first (File > Import scan, or phrenic import)");
         }
         if (whole && !hasDiaphragm) {
             throw new BadInputException(folder + ": no diaphragm among " + raw.size()

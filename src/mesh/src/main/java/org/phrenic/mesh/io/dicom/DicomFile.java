@@ -71,7 +71,12 @@ public record DicomFile(DicomDataSet dataSet, String transferSyntax) {
         DicomBytes meta = new DicomBytes(file, buffer, true);
         int start = PREAMBLE + MAGIC.length;
         int end = endOfMeta(meta, start, content.length);
-        String syntax = new DicomDataSet(meta, start, end, false, null).text(DicomTag.TRANSFER_SYNTAX_UID);
+        DicomDataSet head = new DicomDataSet(meta, start, end, false, null);
+        if (!head.has(DicomTag.TRANSFER_SYNTAX_UID)) {
+            throw new BadInputException(file + ": found no transfer syntax (0002,0010), expected the one of its data;"
+                    + " export it again as a DICOM segmentation or structure set, or as NIfTI");
+        }
+        String syntax = head.text(DicomTag.TRANSFER_SYNTAX_UID);
         DicomBytes bytes =
                 switch (syntax) {
                     case IMPLICIT -> new DicomBytes(file, buffer, false);

@@ -42,6 +42,14 @@ class DamagedVolumeTest {
     }
 
     @Test
+    void dicomWithoutATransferSyntaxIsToBeExportedAgain() {
+        byte[] magic = new byte[132];
+        System.arraycopy(text("DICM"), 0, magic, 128, 4);
+        byte[] other = DicomSamples.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.66.4");
+        assertRefused("export it again", "a.dcm", DicomSamples.joined(magic, other));
+    }
+
+    @Test
     void niftiThatIsNone() {
         assertRefused("348 or 540 bytes", "text.nii", text("this is no volume at all"));
         assertNiftiRefused("348 or 540 bytes", h -> h.putInt(0, 77));
