@@ -191,7 +191,11 @@ public final class AtomicFile {
         if (failure instanceof FileAlreadyExistsException) {
             return failure.getMessage() + " is a file, expected a folder";
         }
-        if (failure instanceof NoSuchFileException) {
+        if (failure instanceof NoSuchFileException missing) {
+            // A folder that is there and takes no new file, such as those of the system's own tables.
+            if (Files.isDirectory(folder(Path.of(missing.getFile())))) {
+                return "no file can be made there, choose another folder";
+            }
             return failure.getMessage() + " does not exist";
         }
         return failure.getMessage();

@@ -135,6 +135,17 @@ class AtomicFileTest {
                 .withMessageContaining("is a file, expected a folder");
     }
 
+    /** A part of the file is written first, of whose name its user knows nothing. */
+    @Test
+    void aFolderThatTakesNoFileIsToldWithoutTheNameOfAPart() {
+        Path tables = Path.of("/proc");
+        Assumptions.assumeTrue(Files.isDirectory(tables), "no folder that takes no file");
+        assertThatExceptionOfType(OutputException.class)
+                .isThrownBy(() -> AtomicFile.write(tables.resolve("x.yaml"), ""))
+                .withMessage("/proc/x.yaml: writing into folder /proc failed: "
+                        + "no file can be made there, choose another folder");
+    }
+
     @Test
     void aLinkKeepsPointingWhereItDid() throws IOException {
         Path real = Files.writeString(folder.resolve("real.txt"), "old");
