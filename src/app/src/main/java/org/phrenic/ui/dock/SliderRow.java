@@ -100,7 +100,7 @@ final class SliderRow extends SettingRow {
         }
         OptionalDouble number = NumberFormats.parse(field.getText(), unit);
         if (number.isEmpty()) {
-            showInputMessage("Found '" + field.getText() + "', expected a number from " + range() + ".");
+            showInputMessage(NumberFormats.refusal(field.getText(), range(), unit));
             setShownValue(value);
             return;
         }

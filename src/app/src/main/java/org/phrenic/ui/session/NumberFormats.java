@@ -72,6 +72,22 @@ public final class NumberFormats {
         return Double.isFinite(value) ? OptionalDouble.of(value) : OptionalDouble.empty();
     }
 
+    /**
+     * Says why {@link #parse} takes no number from a text, in one sentence.
+     *
+     * @param range that is expected, with its unit
+     */
+    public static String refusal(String typed, String range, String unit) {
+        Matcher text = TYPED.matcher(typed.strip());
+        String how = "";
+        if (text.matches() && GROUPED.matcher(text.group(1)).matches()) {
+            how = ", written without a comma between thousands";
+        } else if (text.matches() && !unit.equals("1")) {
+            how = ", written in " + unit;
+        }
+        return "Found '" + typed + "', expected a number from " + range + how + ".";
+    }
+
     /** Whether a text is a unit or nothing; spaces count for nothing, nor does the 1 of {@code 1/min}. */
     private static boolean isUnit(String typed, String unit) {
         return typed.isEmpty() || (!unit.equals("1") && bare(typed).equals(bare(unit)));

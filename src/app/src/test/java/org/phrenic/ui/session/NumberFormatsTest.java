@@ -77,4 +77,17 @@ class NumberFormatsTest {
     void whatIsNoNumberIsRefused(String typed) {
         assertThat(NumberFormats.parse(typed, "N/m")).isEmpty();
     }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "1,000 | Found '1,000', expected a number from 30 to 3000 N/m, written without a comma between thousands.",
+                "450 kPa | Found '450 kPa', expected a number from 30 to 3000 N/m, written in N/m.",
+                "stiff | Found 'stiff', expected a number from 30 to 3000 N/m."
+            })
+    void aRefusalSaysHowToWriteTheNumber(String typed, String sentence) {
+        assertThat(NumberFormats.parse(typed, "N/m")).isEmpty();
+        assertThat(NumberFormats.refusal(typed, "30 to 3000 N/m", "N/m")).isEqualTo(sentence);
+    }
 }
