@@ -1,5 +1,6 @@
 package org.phrenic.ui.window;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import javax.swing.JComponent;
 import javax.swing.JLayeredPane;
@@ -11,6 +12,8 @@ import javax.swing.JLayeredPane;
 final class OverlayPane extends JLayeredPane {
     private static final int MARGIN = 14;
     private static final int BOTTOM_MARGIN = 34;
+    /** Below the letter of the upper side and the time, which stay in sight, pixels. */
+    private static final int BANNER_TOP = 44;
 
     private final JComponent view;
     private final MessageBanner banner;
@@ -64,7 +67,7 @@ final class OverlayPane extends JLayeredPane {
         banner.fit(w - 2 * MARGIN);
         Dimension b = banner.getPreferredSize();
         int wide = Math.max(0, Math.min(b.width, w - 2 * MARGIN));
-        banner.setBounds((w - wide) / 2, top + MARGIN, wide, b.height);
+        banner.setBounds((w - wide) / 2, top + UIScale.scale(BANNER_TOP), wide, b.height);
         Dimension l = loading.getPreferredSize();
         wide = Math.max(0, Math.min(l.width, w - 2 * MARGIN));
         loading.setBounds((w - wide) / 2, h - BOTTOM_MARGIN - l.height, wide, l.height);

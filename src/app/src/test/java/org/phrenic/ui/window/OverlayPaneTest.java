@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import javax.swing.JPanel;
 import org.junit.jupiter.api.Test;
 import org.phrenic.ui.session.EventThread;
+import org.phrenic.ui.session.SessionMessage;
 import org.phrenic.ui.session.WindowPreferences;
 import org.phrenic.ui.session.Workspace;
 import org.phrenic.ui.widget.Theme;
@@ -15,6 +16,27 @@ class OverlayPaneTest {
     private static final int WIDTH = 790;
 
     private static final int HEIGHT = 390;
+
+    /** The first line of the view tells the side and the moment that are seen. */
+    @Test
+    void aMessageLeavesTheFirstLineOfTheViewInSight() {
+        EventThread.run(() -> {
+            Theme.install(false);
+            MessageBanner banner = new MessageBanner();
+            WelcomePanel welcome = new WelcomePanel(workspace -> {}, () -> {});
+            welcome.setVisible(false);
+            OverlayPane pane = new OverlayPane(
+                    new JPanel(),
+                    banner,
+                    new LoadingPanel("loading", "Stop", () -> {}),
+                    new LoadingPanel("importing", "Stop", () -> {}),
+                    welcome);
+            banner.show(new SessionMessage(SessionMessage.Kind.NOTE, "Saved a.png."));
+            pane.setSize(640, 480);
+            pane.doLayout();
+            assertThat(banner.getY()).isGreaterThanOrEqualTo(36);
+        });
+    }
 
     @Test
     void theViewIsMoreThanAStripBelowTheWelcomePanelInTheSmallestWindow() {
