@@ -110,6 +110,11 @@ public final class RunSettings {
         return list;
     }
 
+    /** The name of a scenario in a file that states none. */
+    public static String nameOf(Path file) {
+        return FileNames.withoutExtension(file).replaceAll("\\p{Cntrl}", "_");
+    }
+
     /** A body in a report: the name of a virtual one, of any other that of its folder without where it lies. */
     public static String bodyLabel(String anatomy) {
         return VIRTUAL_BODIES.contains(anatomy) ? anatomy : FileNames.ofBody(Path.of(anatomy));

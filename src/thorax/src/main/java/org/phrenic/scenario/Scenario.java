@@ -15,7 +15,6 @@ import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.file.BadInputException;
-import org.phrenic.file.FileNames;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.model.assembly.TissueMaterial;
@@ -45,11 +44,6 @@ public final class Scenario implements SettingValues {
         return DEFAULTS;
     }
 
-    /** The name of a scenario in a file that states none. */
-    public static String nameOf(Path file) {
-        return FileNames.withoutExtension(file).replaceAll("\\p{Cntrl}", "_");
-    }
-
     /**
      * Reads a scenario file. Relative paths in it are resolved against its folder.
      *
@@ -64,7 +58,7 @@ public final class Scenario implements SettingValues {
         Settings.requireKeys(yaml);
         Path folder = file.toAbsolutePath().getParent();
         Map<Setting<?>, Object> values = new LinkedHashMap<>();
-        values.put(RunSettings.NAME, nameOf(file));
+        values.put(RunSettings.NAME, RunSettings.nameOf(file));
         for (Setting<?> setting : Settings.all()) {
             if (yaml.has(setting.key())) {
                 values.put(setting, setting.read(yaml, folder));

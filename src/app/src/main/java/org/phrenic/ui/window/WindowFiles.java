@@ -165,7 +165,7 @@ public final class WindowFiles {
                 .ifPresent(file -> {
                     Scenario present = session.userScenario().without(RunSettings.STEPS);
                     String left = session.isScheduled() ? WITHOUT_CHANGES : "";
-                    Scenario named = present.with(RunSettings.NAME, Scenario.nameOf(file));
+                    Scenario named = present.with(RunSettings.NAME, RunSettings.nameOf(file));
                     save(
                             file,
                             left,
