@@ -79,7 +79,7 @@ final class HelpDialogs {
         JTable libraries = Dialogs.fitColumns(
                 Dialogs.table("Libraries and their licences", LIBRARIES, "Library", "For", "Licence"));
         JScrollPane scroll = new JScrollPane(libraries);
-        scroll.setPreferredSize(new Dimension(560, libraries.getRowHeight() * (LIBRARIES.length + 1) + 12));
+        scroll.setPreferredSize(new Dimension(640, libraries.getRowHeight() * (LIBRARIES.length + 1) + 12));
         JPanel content = new JPanel(new MigLayout("insets 18, gap 8, wrap 1", "[grow, fill]", ""));
         content.add(title);
         content.add(new JLabel("A simulator of breathing: diaphragm, ribs, sternum, lungs and liver."));
@@ -90,7 +90,7 @@ final class HelpDialogs {
         String platform =
                 "Java " + Runtime.version() + graphics.map(g -> "; " + g).orElse("");
         content.add(Dialogs.wrappedText(platform), "wmin 0");
-        JDialog about = closable(owner, "About Phrenic", content, new Dimension(620, 560));
+        JDialog about = closable(owner, "About Phrenic", content, new Dimension(700, 560));
         // Without a cursor in the first text, that looks as if it could be edited.
         about.setFocusTraversalPolicy(Controls.beginningAt(about.getRootPane().getDefaultButton()));
         return about;

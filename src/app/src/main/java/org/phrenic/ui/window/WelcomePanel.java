@@ -25,7 +25,8 @@ final class WelcomePanel extends JPanel {
     private static final int LEFT = 12;
     private static final int RIGHT = 8;
     private static final int NOTICE_GAP = 2;
-    private static final String INSETS = "insets 8 " + LEFT + " 8 " + RIGHT + ", gap 8 2, novisualpadding";
+    private static final int GAP = 8;
+    private static final String INSETS = "insets 8 " + LEFT + " 8 " + RIGHT + ", gap " + GAP + " 2, novisualpadding";
 
     private final JButton rehearse;
     private final JButton tune;
@@ -57,10 +58,10 @@ final class WelcomePanel extends JPanel {
         removeAll();
         if (narrow) {
             setLayout(new MigLayout(INSETS, "[0::, grow, fill][]", ""));
-            add(rehearse, "wmin 0");
-            add(close, "aligny top, wrap");
-            add(tune, "wmin 0, wrap");
-            add(notice, "span 2, gapy 4 0, gapx " + NOTICE_GAP + ", wmin 0");
+            add(rehearse, "span 2, wmin 0, wrap");
+            add(tune, "span 2, wmin 0, wrap");
+            add(notice, "gapy 4 0, gapx " + NOTICE_GAP + ", wmin 0");
+            add(close, "aligny top");
         } else {
             setLayout(new MigLayout(INSETS, "[0::, sg, fill][0::, sg, fill]push[]", ""));
             add(rehearse, "wmin 0");
@@ -73,7 +74,7 @@ final class WelcomePanel extends JPanel {
         for (JButton door : List.of(rehearse, tune)) {
             door.setMargin(narrow ? new Insets(8, 4, 8, 4) : new Insets(8, 18, 8, 18));
         }
-        int room = width - UIScale.scale(LEFT + RIGHT + NOTICE_GAP);
+        int room = width - UIScale.scale(LEFT + RIGHT + NOTICE_GAP + GAP) - close.getPreferredSize().width;
         notice.setText(
                 narrow ? "<html><body width='" + room + "'>" + Disclaimer.TEXT + "</body></html>" : Disclaimer.TEXT);
         notice.getAccessibleContext().setAccessibleName(Disclaimer.TEXT);

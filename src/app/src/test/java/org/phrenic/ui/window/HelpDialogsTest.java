@@ -69,7 +69,7 @@ class HelpDialogsTest {
         EventThread.run(() -> {
             Theme.install(false);
             JTable table = Dialogs.fitColumns(Dialogs.table("Libraries", HelpDialogs.LIBRARIES, "a", "b", "c"));
-            table.setSize(560, 400);
+            table.setSize(640, 400);
             table.doLayout();
             requireWhole(table);
         });

@@ -179,7 +179,7 @@ public final class BodyCompletion {
     }
 
     private void fitBones(Thorax whole) {
-        double plane = planeOfSymmetry(whole);
+        double plane = RoughAlignment.planeOfSymmetry(whole);
         RoughAlignment rough = new RoughAlignment(plane);
         List<SurfacePair> pairs = new ArrayList<>();
         for (SharedStructure s : shared) {
@@ -261,15 +261,6 @@ public final class BodyCompletion {
                 ? Optional.empty()
                 : PatientBody.merged(rest.stream().filter(s -> s.kind() == StructureKind.STERNUM))
                         .map(mesh -> similarity(mesh, map));
-    }
-
-    /** Mean x of the spine and the sternum of a template, mm. */
-    private static double planeOfSymmetry(Thorax whole) {
-        return whole.structures().stream()
-                .filter(s -> s.kind() == StructureKind.VERTEBRA || s.kind() == StructureKind.STERNUM)
-                .mapToDouble(s -> s.mesh().centre()[0])
-                .average()
-                .orElse(0);
     }
 
     /** @param continued names of the organs of the template that continue those which the scan truncates */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.cage.RibCourse;
 import org.phrenic.engine.kinematics.RigidMotion;
 import org.phrenic.mesh.MeshMeasure;
@@ -183,5 +184,14 @@ final class RoughAlignment {
             square += turned[i] * turned[i];
         }
         return along / square;
+    }
+
+    /** Mean x of the spine and the sternum of a template, mm. */
+    static double planeOfSymmetry(Thorax whole) {
+        return whole.structures().stream()
+                .filter(s -> s.kind() == StructureKind.VERTEBRA || s.kind() == StructureKind.STERNUM)
+                .mapToDouble(s -> s.mesh().centre()[0])
+                .average()
+                .orElse(0);
     }
 }
