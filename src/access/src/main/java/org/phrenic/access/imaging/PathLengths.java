@@ -86,7 +86,10 @@ final class PathLengths {
 
     /** Triangles of a surface that reaches behind the source, without those that no ray of the detector meets. */
     private int[] met(TriangleMesh mesh, double[] depths) {
-        if (new TriangleTree(mesh).isInside(source[0], source[1], source[2])) {
+        if (Arrays.stream(depths).allMatch(depth -> depth <= 0)) {
+            return new int[0];
+        }
+        if (isInBox(mesh.bounds()) && new TriangleTree(mesh).isInside(source[0], source[1], source[2])) {
             throw refusal();
         }
         IntList met = new IntList();
@@ -103,6 +106,10 @@ final class PathLengths {
             }
         }
         return met.toArray();
+    }
+
+    private boolean isInBox(double[] bounds) {
+        return IntStream.range(0, 3).allMatch(i -> source[i] >= bounds[i] && source[i] <= bounds[3 + i]);
     }
 
     private BadInputException refusal() {

@@ -212,6 +212,18 @@ class PathLengthsTest {
         assertThat(inside).isGreaterThan(200);
     }
 
+    @Test
+    void whatLiesWhollyBehindTheSourceAddsNothing() {
+        CArm arm = arm(0, 0);
+        double[] source = arm.source();
+        double[] behind = Vectors.addScaled(source, arm.axis(), -100);
+        assertThat(lengths(moved(Shapes.sphere(60, 2), behind[0], behind[1], behind[2]), arm, 1))
+                .containsOnly(0);
+        double[] about = Vectors.addScaled(source, arm.axis(), -59);
+        assertThatThrownBy(() -> lengths(moved(Shapes.sphere(60, 4), about[0], about[1], about[2]), arm, 1))
+                .hasMessageContaining("found the source inside");
+    }
+
     /** A plate beside the source that reaches into the picture. */
     @Test
     void aTriangleThatTheDetectorSeesMayNotReachBehindTheSource() {
