@@ -30,6 +30,27 @@ public final class BoxAnatomy {
         add("lung_R", StructureKind.LUNG, 0, box(20, -100, 10, 30, 100, 140), Surface.Motion.DEFORMING);
     }
 
+    /** A body with a liver of this size, mm, alone. */
+    public static MovingAnatomy withLiver(double x, double y, double z) {
+        return new MovingAnatomy(List.of(
+                new Surface(
+                        "skin",
+                        StructureKind.SKIN,
+                        0,
+                        Side.RIGHT,
+                        box(-50, -50, -50, 50, 50, 50),
+                        Surface.Motion.STILL,
+                        new boolean[0]),
+                new Surface(
+                        "liver",
+                        StructureKind.LIVER,
+                        0,
+                        Side.RIGHT,
+                        box(0, 0, 0, x, y, z),
+                        Surface.Motion.DEFORMING,
+                        new boolean[0])));
+    }
+
     private void add(String name, StructureKind kind, int level, TriangleMesh mesh, Surface.Motion motion) {
         surfaces.add(new Surface(name, kind, level, Side.RIGHT, mesh, motion, new boolean[0]));
     }

@@ -1,6 +1,7 @@
 package org.phrenic.access.path;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
@@ -24,6 +25,7 @@ import org.phrenic.access.TargetLesion;
 import org.phrenic.anatomy.Side;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.engine.parallel.Workers;
+import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.Vectors;
 
@@ -390,5 +392,21 @@ class AccessMapTest {
         assertThat(TargetLesion.randomUpTo(scene, 3, 20).restMm())
                 .as("with room, that of this size")
                 .isEqualTo(TargetLesion.random(scene, 3, 20).restMm());
+    }
+
+    /** In a liver 12 mm thick there is room for 10 mm, in one 3 mm thick for none. */
+    @Test
+    void aRandomTargetIsTheLargestUsualOneThatHasRoom() {
+        double[][] roomAskedFound = {
+            {18, 20, 15}, {12, 20, 10}, {12, 9, 9}, {9, 20, 8}, {6, 20, TargetLesion.SMALLEST_MM}
+        };
+        for (double[] mm : roomAskedFound) {
+            TargetLesion largest = TargetLesion.randomUpTo(BoxAnatomy.withLiver(mm[0], 30, 30), 3, mm[1]);
+            assertThat(largest.diameterMm()).as("in %.0f mm", mm[0]).isEqualTo(mm[2]);
+        }
+        MovingAnatomy flat = BoxAnatomy.withLiver(3, 30, 30);
+        assertThatThrownBy(() -> TargetLesion.randomUpTo(flat, 3, 20))
+                .isInstanceOf(BadInputException.class)
+                .hasMessage("target: found no room for a sphere of 5.0 mm within the liver, expected a larger liver");
     }
 }
