@@ -34,8 +34,8 @@ class RestingBodyTest {
         assertThat(notes(-0.62, false))
                 .containsExactly(
                         "first",
-                        "the scan is one with high domes, the domes at T6.1 on the right and T6.9 on the left (T8 and T9"
-                                + " at end-expiration), and is left as it is: they stand so in pregnancy, obesity,"
+                        "the scan is one with high domes, the domes at T6.1 on the right and T6.9 on the left (T8 and"
+                                + " T9 at end-expiration), and is left as it is: they stand so in pregnancy, obesity,"
                                 + " ascites or a paresis, or fluid or collapse lifts the lungs, or ribs or vertebrae"
                                 + " are numbered one too low");
         assertThat(notes(0.6, false))
