@@ -266,8 +266,8 @@ public final class PhrenicWindow {
             statusBar.show(scene);
             loading.setVisible(false);
             banner.endDivergence();
-            title.opened(scene.scenario());
-            docks.rehearsalController().exercise().ifPresent(plan -> title.read(scene.scenario()));
+            title.opened(
+                    scene.scenario(), docks.rehearsalController().exercise().map(RehearsalPlan::scenario));
             frame.setTitle(title.text(session.scenario()));
             LogDialog.logNotes(scene.body());
         }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.session.BodyName;
@@ -13,23 +14,27 @@ final class ScenarioTitle {
     /** Scenarios as read or saved, by name; without a name, that of the preset that runs first. */
     private final Map<String, List<Scenario>> unchanged = new HashMap<>();
 
-    /** A scene was opened: its values belong to its name, unless the name has some. */
-    void opened(Scenario scenario) {
-        unchanged.computeIfAbsent(statedName(scenario), name -> List.of(scenario));
+    /**
+     * A scene was opened: its values belong to its name, unless the name has some.
+     *
+     * @param exercise values of the exercise that is chosen, which may be those of another scene
+     */
+    void opened(Scenario scenario, Optional<Scenario> exercise) {
+        unchanged.computeIfAbsent(statedName(scenario), name -> new ArrayList<>(List.of(scenario)));
+        exercise.ifPresent(this::read);
     }
 
     /** A file was read: its values belong to its name, as do those of other files of the same name. */
     void read(Scenario scenario) {
-        unchanged.merge(statedName(scenario), List.of(scenario), (before, one) -> {
-            List<Scenario> all = new ArrayList<>(before);
-            all.addAll(one);
-            return all;
-        });
+        List<Scenario> known = unchanged.computeIfAbsent(statedName(scenario), name -> new ArrayList<>());
+        if (!known.contains(scenario)) {
+            known.add(scenario);
+        }
     }
 
     /** A scenario was saved under another name, perhaps: its values belong to that from here on. */
     void saved(Scenario scenario, String name) {
-        unchanged.put(statedName(scenario), List.of(scenario.with(RunSettings.NAME, name)));
+        unchanged.put(statedName(scenario), new ArrayList<>(List.of(scenario.with(RunSettings.NAME, name))));
     }
 
     /**

@@ -2,6 +2,7 @@ package org.phrenic.ui.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
@@ -15,13 +16,13 @@ class ScenarioTitleTest {
 
     @Test
     void aChangeMarksTheNameUntilItIsTakenBackOrSaved() {
-        title.opened(QUIET);
+        title.opened(QUIET, Optional.empty());
         assertThat(title.text(QUIET)).isEqualTo(plain);
         Scenario deep = QUIET.with("preset=deep");
         assertThat(title.text(deep)).isEqualTo(marked);
         assertThat(title.text(QUIET)).isEqualTo(plain);
         // Another material loads another scene under the same name.
-        title.opened(deep);
+        title.opened(deep, Optional.empty());
         assertThat(title.text(deep)).isEqualTo(marked);
         title.saved(deep, "mine");
         assertThat(title.text(deep)).isEqualTo("mine - Phrenic");
@@ -31,15 +32,15 @@ class ScenarioTitleTest {
     @Test
     void aNameStaysThatOfTheScenario() {
         Scenario named = QUIET.with("name=mine");
-        title.opened(QUIET);
-        title.opened(named);
+        title.opened(QUIET, Optional.empty());
+        title.opened(named, Optional.empty());
         assertThat(title.text(named)).isEqualTo("mine - Phrenic");
         assertThat(title.text(named.with("preset=deep"))).isEqualTo("mine* - Phrenic");
     }
 
     @Test
     void neitherAHoldNorARehearsalIsAChange() {
-        title.opened(QUIET);
+        title.opened(QUIET, Optional.empty());
         assertThat(title.text(QUIET.with("hold=true", "repeat_breath=true"))).isEqualTo(plain);
     }
 
@@ -58,19 +59,31 @@ class ScenarioTitleTest {
         Scenario first = QUIET.with("name=mine", "depth=1.2");
         Scenario second = QUIET.with("name=mine", "depth=0.8");
         title.read(first);
-        title.opened(first);
+        title.opened(first, Optional.empty());
         title.read(second);
-        title.opened(second);
+        title.opened(second, Optional.empty());
         assertThat(title.text(second)).isEqualTo("mine - Phrenic");
         assertThat(title.text(first)).as("after undo").isEqualTo("mine - Phrenic");
         assertThat(title.text(second.with("depth=0.9"))).isEqualTo("mine* - Phrenic");
+    }
+
+    /** The exercise stays chosen until the breath of another scene is recorded. */
+    @Test
+    void anExerciseIsNoChangeAndLeavesChangesWhatTheyAre() {
+        Scenario changed = QUIET.with("depth=1.2");
+        Scenario exercise = QUIET.with("preset=deep");
+        title.opened(QUIET, Optional.empty());
+        title.opened(exercise, Optional.of(exercise));
+        assertThat(title.text(exercise)).isEqualTo(plain);
+        title.opened(changed, Optional.of(exercise));
+        assertThat(title.text(changed)).as("after undo").isEqualTo(marked);
     }
 
     /** Windows of two persons are told apart. */
     @Test
     void aBodyOtherThanTheUsualOneStandsFirst() {
         Scenario person = QUIET.with("anatomy=virtual/adult-female");
-        title.opened(person);
+        title.opened(person, Optional.empty());
         assertThat(title.text(person)).isEqualTo("adult female, quiet - Phrenic");
         assertThat(title.text(QUIET)).isEqualTo("quiet* - Phrenic");
     }
