@@ -84,32 +84,24 @@ public final class Dialogs {
 
     /** Asks a question; true for yes. The Enter key says no. */
     public static boolean confirm(Component parent, String title, String question) {
-        String[] answers = {"Yes", "No"};
-        int answer = JOptionPane.showOptionDialog(
-                parent,
-                question,
-                title,
-                JOptionPane.YES_NO_OPTION,
-                JOptionPane.QUESTION_MESSAGE,
-                null,
-                answers,
-                answers[1]);
-        return answer == JOptionPane.YES_OPTION;
+        return ask(parent, title, question, JOptionPane.QUESTION_MESSAGE, "No", "Yes", "No");
     }
 
     /** Asks whether to do what loses something; true if its button is pressed, beside which Cancel is the default. */
     public static boolean confirmRisk(Component parent, String title, String question, String does) {
-        String[] answers = {does, "Cancel"};
-        int answer = JOptionPane.showOptionDialog(
-                parent,
-                question,
-                title,
-                JOptionPane.DEFAULT_OPTION,
-                JOptionPane.WARNING_MESSAGE,
-                null,
-                answers,
-                answers[1]);
-        return answer == 0;
+        return ask(parent, title, question, JOptionPane.WARNING_MESSAGE, "Cancel", does, "Cancel");
+    }
+
+    /** Asks whether to do once more what keeps something; true for its button, which the Enter key presses. */
+    public static boolean confirmRetry(Component parent, String title, String question, String gives) {
+        return ask(parent, title, question, JOptionPane.WARNING_MESSAGE, "Try again", "Try again", gives);
+    }
+
+    /** True for the first answer. */
+    private static boolean ask(
+            Component parent, String title, String question, int kind, String byEnter, String... answers) {
+        int options = JOptionPane.DEFAULT_OPTION;
+        return JOptionPane.showOptionDialog(parent, question, title, options, kind, null, answers, byEnter) == 0;
     }
 
     /** A table of text that cannot be edited. */

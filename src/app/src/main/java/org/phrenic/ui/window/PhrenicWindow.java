@@ -180,8 +180,8 @@ public final class PhrenicWindow {
     private void end() {
         WindowBounds.save(frame, preferences);
         layout.saveSizes();
-        docks.writeAttempts(problem -> Dialogs.confirm(
-                frame, "Attempts", problem + ".\nAttempts are lost unless they are written now. Try again?"));
+        docks.writeAttempts(problem -> Dialogs.confirmRetry(
+                frame, "Attempts", problem + ".\nAttempts are lost unless they are written now.", "Lose them"));
         frame.dispose();
         log.close();
         docks.rehearsalController().shutdown();

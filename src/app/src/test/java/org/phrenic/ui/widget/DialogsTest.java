@@ -32,13 +32,25 @@ class DialogsTest {
 
     @Test
     void theEnterKeyReplacesAndDeletesNothing() {
+        assertThat(answerByEnter(() -> Dialogs.confirm(null, "Settings", "Delete?")))
+                .isEqualTo("No");
+        assertThat(answerByEnter(() -> Dialogs.confirmRisk(null, "Quit", "Close?", "Close")))
+                .isEqualTo("Cancel");
+    }
+
+    /** Attempts that cannot be written at the end would be lost by a key pressed in haste. */
+    @Test
+    void theEnterKeyTriesAgainWhereItWouldLoseSomethingElse() {
+        assertThat(answerByEnter(() -> Dialogs.confirmRetry(null, "Attempts", "Not written.", "Lose them")))
+                .isEqualTo("Try again");
+    }
+
+    private static Object answerByEnter(Runnable asks) {
         WindowHarness.assumeDisplay();
         try {
-            EventThread.run(() -> SwingUtilities.invokeLater(() -> Dialogs.confirm(null, "Settings", "Delete?")));
+            EventThread.run(() -> SwingUtilities.invokeLater(asks));
             EventThread.until("the question", () -> ShownDialogs.question().isPresent());
-            assertThat(EventThread.get(
-                            () -> ShownDialogs.question().orElseThrow().getInitialValue()))
-                    .isEqualTo("No");
+            return EventThread.get(() -> ShownDialogs.question().orElseThrow().getInitialValue());
         } finally {
             EventThread.run(ShownDialogs::close);
         }
