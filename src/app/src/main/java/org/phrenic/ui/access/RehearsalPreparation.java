@@ -328,6 +328,7 @@ final class RehearsalPreparation {
         if (rehearsal.stage != RehearsalStage.READY) {
             return;
         }
+        left = Optional.empty();
         computeMap(() -> target);
     }
 
@@ -337,6 +338,7 @@ final class RehearsalPreparation {
         if (ready && rehearsal.study.isPresent()) {
             RehearsalBody body = rehearsal.body.orElseThrow();
             double[] at = rehearsal.study.get().target().restMm();
+            left = Optional.empty();
             computeMap(() -> TargetLesion.at(body.planningScene(), at, mm));
         }
     }

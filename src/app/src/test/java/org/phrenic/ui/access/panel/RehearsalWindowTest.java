@@ -20,10 +20,7 @@ import javax.imageio.ImageIO;
 import javax.swing.JComponent;
 import javax.swing.JToggleButton;
 import javax.swing.SwingUtilities;
-import org.junit.jupiter.api.MethodOrderer;
-import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.Timeout;
 import org.phrenic.access.BreathMoment;
 import org.phrenic.access.attempt.NeedleAngles;
@@ -49,7 +46,6 @@ import org.phrenic.ui.window.WindowHarness;
  * Rehearsal of liver access on the virtual body at low resolution, breathing fast: place, insert, hit, miss, report.
  */
 @Timeout(180)
-@TestMethodOrder(MethodOrderer.OrderAnnotation.class)
 class RehearsalWindowTest extends RehearsalProbeCases {
     /** Longest that an event may keep the window, ms of processor time. */
     private static final double LONGEST_EVENT_MS = 50;
@@ -349,14 +345,16 @@ class RehearsalWindowTest extends RehearsalProbeCases {
         clinic.ready();
     }
 
-    /** Another breath is recorded anew, without the needle. Last: that breath is slow, and no test waits for it. */
-    @Order(Integer.MAX_VALUE)
+    /** Another breath would be recorded anew, without the needle. */
     @Test
-    void anAttemptThatAnotherBreathEndsAfterASampleIsSaidToHaveNoReport() throws Exception {
+    void anotherBreathWaitsUntilTheNeedleIsOut() throws Exception {
         sampleBeforeTheTarget();
         window.key("D");
         until("the note", () -> String.valueOf(window.window().banner().message())
-                .contains("without a report"));
+                .contains("Deep would end this attempt: take the needle out first (O)."));
+        assertThat(state().placed()).isTrue();
+        assertThat(state().samples()).isEqualTo(1);
+        clinic.ended();
     }
 
     @Test
@@ -540,6 +538,8 @@ class RehearsalWindowTest extends RehearsalProbeCases {
 
     @Test
     void theWindowStaysResponsiveWhileAMapIsWorkedOut() throws Exception {
+        WindowHarness.doOnEdt(() -> rehearsal().startPractice());
+        clinic.ready();
         clinic.begin();
         window.forgetDispatches();
         WindowHarness.doOnEdt(() -> rehearsal().setTargetMm(24));
