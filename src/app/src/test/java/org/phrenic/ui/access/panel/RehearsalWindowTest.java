@@ -351,7 +351,7 @@ class RehearsalWindowTest extends RehearsalProbeCases {
         sampleBeforeTheTarget();
         window.key("D");
         until("the note", () -> String.valueOf(window.window().banner().message())
-                .contains("Deep would end this attempt: take the needle out first (O)."));
+                .contains("Another breath would end this attempt: take the needle out first (O)."));
         assertThat(state().placed()).isTrue();
         assertThat(state().samples()).isEqualTo(1);
         clinic.ended();
