@@ -173,7 +173,7 @@ public final class PhrenicWindow {
 
     private boolean mayLose() {
         boolean sampled = docks.rehearsalController().needle().isSampleUnreported();
-        return files.mayLose(sampled, title.isChanged(session.scenario()));
+        return files.mayLose(sampled, title.losesValues(session.scenario()));
     }
 
     /** Saves the preferences, disposes of the window and ends all threads. */

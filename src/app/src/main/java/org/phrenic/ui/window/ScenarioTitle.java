@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.ui.session.BodyName;
@@ -49,6 +50,22 @@ final class ScenarioTitle {
     /** Whether the values are others than those of the scenario of their name. */
     boolean isChanged(Scenario present) {
         return known(present).stream().noneMatch(one -> lasting(present).equals(lasting(one)));
+    }
+
+    /**
+     * Whether values are lost that are others than those of the scenario of their name. The body, the preset and the
+     * recorded breath are chosen again at once.
+     */
+    boolean losesValues(Scenario present) {
+        Scenario kept = withoutChoices(present);
+        return known(present).stream().noneMatch(one -> kept.equals(withoutChoices(one)));
+    }
+
+    private static Scenario withoutChoices(Scenario scenario) {
+        return lasting(scenario)
+                .without(RunSettings.ANATOMY)
+                .without(Breathing.PRESET)
+                .without(Breathing.TRACE);
     }
 
     private List<Scenario> known(Scenario present) {

@@ -79,6 +79,16 @@ class ScenarioTitleTest {
         assertThat(title.text(changed)).as("after undo").isEqualTo(marked);
     }
 
+    /** Who rehearses on patients would learn to close whatever is asked. */
+    @Test
+    void anotherBodyOrPresetLosesNoValues() {
+        title.opened(QUIET, Optional.empty());
+        Scenario chosen = QUIET.with("anatomy=virtual/adult-female", "preset=deep");
+        assertThat(title.isChanged(chosen)).isTrue();
+        assertThat(title.losesValues(chosen)).isFalse();
+        assertThat(title.losesValues(chosen.with("depth=1.2"))).isTrue();
+    }
+
     /** Windows of two persons are told apart. */
     @Test
     void aBodyOtherThanTheUsualOneStandsFirst() {
