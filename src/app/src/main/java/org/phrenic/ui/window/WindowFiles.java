@@ -4,7 +4,9 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -40,6 +42,8 @@ public final class WindowFiles {
     private final WindowPreferences preferences;
     private final Consumer<RehearsalPlan> openPlan;
     private final ScanImporter scans;
+    /** Names of the files that scenarios were saved in last, by the names that the scenarios have in the window. */
+    private final Map<String, String> savedNames = new HashMap<>();
 
     /**
      * @param openPlan gets a rehearsal plan that is opened
@@ -161,16 +165,22 @@ public final class WindowFiles {
      * {@code saved} gets them once they are saved.
      */
     void saveScenario(BiConsumer<Scenario, String> saved) {
-        FileDialogs.save(frame, "Save scenario", session.scenario().name() + ".yaml")
+        String before = session.scenario().name();
+        FileDialogs.save(frame, "Save scenario", savedNames.getOrDefault(before, before) + ".yaml")
                 .ifPresent(file -> {
                     Scenario present = session.userScenario().without(RunSettings.STEPS);
                     String left = session.isScheduled() ? WITHOUT_CHANGES : "";
-                    Scenario named = present.with(RunSettings.NAME, RunSettings.nameOf(file));
+                    String name = RunSettings.nameOf(file);
+                    boolean renamed = present.states(RunSettings.NAME) && !name.equals(present.name());
+                    Scenario named = present.with(RunSettings.NAME, name);
                     save(
                             file,
-                            left,
+                            left + (renamed ? " Its name is that of the file, " + name + "." : ""),
                             () -> YamlWriter.write(file, named.toMap()),
-                            () -> saved.accept(present, named.name()));
+                            () -> {
+                                savedNames.put(before, name);
+                                saved.accept(present, name);
+                            });
                 });
     }
 

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import javax.swing.JFileChooser;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -117,6 +118,48 @@ class WindowFilesTest {
         } finally {
             WindowPreferences.ofUser().setFolder(before);
         }
+    }
+
+    /** A file of the same name is replaced at the second time, and no other one written. */
+    @Test
+    void aNameThatTheFileReplacesIsSaidAndTheFileIsProposedAgain() {
+        WindowHarness.assumeDisplay();
+        Path before = WindowPreferences.ofUser().folder();
+        Scenario named = Scenario.defaults().with("resolution=low", "threads=1", "name=Liver");
+        try (Session session = EventThread.get(() -> new Session(named))) {
+            EventThread.until("a scene", () -> session.scene().isPresent());
+            List<String> said = new ArrayList<>();
+            WindowFiles files = EventThread.get(() -> {
+                session.addListener(new Session.Listener() {
+                    @Override
+                    public void onMessage(SessionMessage message) {
+                        said.add(message.text());
+                    }
+                });
+                return new WindowFiles(null, session, null, WindowPreferences.unsaved(), plan -> {}, null);
+            });
+            assertThat(proposed(files, true)).isEqualTo("Liver.yaml");
+            EventThread.until("the note", () -> !said.isEmpty());
+            assertThat(said).singleElement().asString().endsWith("Its name is that of the file, mine.");
+            assertThat(proposed(files, false)).isEqualTo("mine.yaml");
+        } finally {
+            EventThread.run(ShownDialogs::close);
+            WindowPreferences.ofUser().setFolder(before);
+        }
+    }
+
+    private String proposed(WindowFiles files, boolean saves) {
+        EventThread.run(() -> SwingUtilities.invokeLater(() -> files.saveScenario((scenario, name) -> {})));
+        EventThread.until("the dialog", () -> ShownDialogs.chooser().isPresent());
+        return EventThread.get(() -> {
+            JFileChooser chooser = ShownDialogs.chooser().orElseThrow();
+            String name = chooser.getSelectedFile().getName();
+            if (saves) {
+                chooser.setSelectedFile(folder.resolve("mine.yaml").toFile());
+                chooser.approveSelection();
+            }
+            return name;
+        });
     }
 
     @Test
