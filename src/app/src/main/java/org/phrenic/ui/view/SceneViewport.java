@@ -17,7 +17,6 @@ import javax.swing.SwingUtilities;
 import org.phrenic.scene.NeedleMarkers;
 import org.phrenic.scene.annotate.Annotations;
 import org.phrenic.scene.camera.AnatomicalView;
-import org.phrenic.scene.camera.BoundingBox;
 import org.phrenic.scene.camera.Camera;
 import org.phrenic.scene.camera.PickResult;
 import org.phrenic.scene.gl.GraphicsInfo;
@@ -85,9 +84,7 @@ public final class SceneViewport extends JPanel implements Session.Listener {
 
     @Override
     public void onScene(LiveScene now) {
-        boolean otherBody = scene == null
-                || !scene.scenario().anatomy().equals(now.scenario().anatomy())
-                || !BoundingBox.areAlike(Surface.bounds(scene.surfaces()), Surface.bounds(now.surfaces()));
+        boolean otherBody = scene == null || !ViewedBody.of(scene).isAlso(ViewedBody.of(now));
         scene = now;
         picked = Optional.empty();
         pickListener.accept("");
