@@ -77,14 +77,17 @@ public final class FluoroscopyDock extends AccessPanel {
 
     /** Says what to do, or to wait for, for a picture. */
     private void showHint() {
-        if (!beam.isSelected()) {
-            view.hint = "Press X-ray on for pictures.";
-        } else if (takesPictures()) {
-            view.hint = "A picture comes with the next step.";
-        } else {
-            view.hint = "Pictures come once the free paths are computed.";
-        }
+        view.hint = beam.isSelected() ? awaited() : "Press X-ray on for pictures.";
         view.repaint();
+    }
+
+    /** What a picture waits for; nothing where none comes. */
+    private String awaited() {
+        return switch (rehearsal.stage()) {
+            case READY, PLAYING -> "A picture comes with the next step.";
+            case LOADING, RECORDING_BREATH, MAPPING -> "Pictures come once the free paths are computed.";
+            case CLOSED, UNAVAILABLE -> "";
+        };
     }
 
     /** No picture would come of a simulation that is paused. */

@@ -61,6 +61,9 @@ class ImageControlsTest {
                     .orElseThrow()
                     .doClick();
             assertThat(xray.hint()).startsWith("Pictures come once").doesNotContain("Press");
+            rehearsal.deactivate();
+            xray.onState();
+            assertThat(xray.hint()).as("no picture comes").isEmpty();
         });
     }
 
