@@ -70,11 +70,14 @@ final class ScanImportDialog {
     private final JTextField spacing = new JTextField();
     private final JTextField folder = new JTextField();
     private final JButton start = Dialogs.closing("Import", "Import the scan with these labels", this::accept);
+    private final JComboBox<String> numbers;
+    private int numbersChosen;
     private Start onStart = choice -> {};
 
     ScanImportDialog(Path file, ScanLabels labels) {
         this.file = file;
         this.labels = labels;
+        numbers = numbers();
         template.setSelectedItem("the virtual man");
         axes.setText(labels.axes());
         spacing.setText(labels.spacing());
@@ -168,7 +171,7 @@ final class ScanImportDialog {
         content.add(new JLabel(file.getFileName() + ", " + labels.size()), "span 3, wmin 0, wrap");
         content.add(recognised, "span 2, wmin 0, split 2, growx");
         content.add(new JLabel(NUMBERS));
-        content.add(numbers(), "wrap");
+        content.add(numbers, "wrap");
         content.add(new JScrollPane(table()), "span 3, grow, wrap");
         content.add(new JLabel("Axes"));
         content.add(axes, "span 2, wmin 0, wrap");
@@ -194,23 +197,30 @@ final class ScanImportDialog {
     }
 
     private JComboBox<String> numbers() {
-        JComboBox<String> numbers = new JComboBox<>(labels.tools().toArray(String[]::new));
-        numbers.insertItemAt(NO_TOOL, 0);
-        numbers.setSelectedIndex(0);
-        numbers.setPrototypeDisplayValue("totalsegmentator");
-        numbers.addActionListener(e -> {
-            if (numbers.getSelectedIndex() == 0) {
-                labels.guessAgain();
-            } else {
-                labels.assignByNumber((String) numbers.getSelectedItem());
-            }
-        });
+        JComboBox<String> list = new JComboBox<>(labels.tools().toArray(String[]::new));
+        list.insertItemAt(NO_TOOL, 0);
+        list.setSelectedIndex(0);
+        list.setPrototypeDisplayValue("totalsegmentator");
+        list.addActionListener(e -> assign(list.getSelectedIndex(), list.getItemAt(list.getSelectedIndex())));
         return Controls.describe(
-                numbers,
+                list,
                 NUMBERS,
                 "Assign structures by the label numbers of a segmentation tool or a public data set; "
                         + NO_TOOL
                         + " keeps those that are proposed");
+    }
+
+    /** Assigns the structures of another choice; the one that is chosen again leaves those that were edited. */
+    private void assign(int choice, String tool) {
+        if (choice == numbersChosen) {
+            return;
+        }
+        numbersChosen = choice;
+        if (choice == 0) {
+            labels.guessAgain();
+        } else {
+            labels.assignByNumber(tool);
+        }
     }
 
     private JTable table() {

@@ -114,6 +114,29 @@ class ScanImportDialogTest {
         });
     }
 
+    /** The list is opened to look, and the dialog is shown again after an import that failed. */
+    @Test
+    void aChoiceThatIsMadeAgainLeavesTheStructuresThatWereEdited(@TempDir Path folder) throws IOException {
+        Path scan = folder.resolve("scan.mha");
+        ScanSamples.writeMha(scan);
+        ScanLabels labels = ScanLabels.read(scan, VirtualThorax.ofPreset("adult-male", Resolution.LOW));
+        EventThread.run(() -> {
+            ScanImportDialog dialog = new ScanImportDialog(scan, labels);
+            labels.setValueAt("spleen", 0, ScanLabels.STRUCTURE_COLUMN);
+            numbers(dialog).setSelectedIndex(0);
+            assertThat(labels.getValueAt(0, ScanLabels.STRUCTURE_COLUMN)).isEqualTo("spleen");
+            numbers(dialog).setSelectedIndex(1);
+            Object tool = numbers(dialog).getSelectedItem();
+            assertThat(numbers(dialog).getSelectedItem()).as("shown again").isEqualTo(tool);
+            assertThat(tool).isNotEqualTo("(none)");
+        });
+    }
+
+    private static JComboBox<?> numbers(ScanImportDialog dialog) {
+        return WindowHarness.find(dialog.content(), JComboBox.class, "Label numbers as in")
+                .orElseThrow();
+    }
+
     /** A body may be meshes alone, and a table of labels lies where a scan does. */
     @Test
     void whatAnImportWritesOverIsNamed(@TempDir Path folder) throws IOException {
