@@ -124,18 +124,22 @@ final class RehearsalPreparation {
         boolean used = recording || rehearsal.stage.canStartAttempt() || rehearsal.stage == RehearsalStage.MAPPING;
         boolean held = recording && session.scenario().hold();
         if (used && (held || !breatheAlike(recorded, session.scenario()))) {
-            boolean exercised = rehearsal.exercise.isPresent();
             recordBreath();
-            if (exercised && rehearsal.exercise.isEmpty()) {
-                session.note("The exercise has another breath: practice on its target; Undo goes back to it.");
-            }
         }
     }
 
-    /** With other breathing than the exercise's its target stays, for practice, until that breathing comes again. */
+    /**
+     * With other breathing than the exercise's it is practised, on the target of the exercise unless another scene has
+     * come, until that breathing comes again.
+     */
     void followBreathing(Scenario present) {
+        boolean exercised = rehearsal.exercise.isPresent();
         left = rehearsal.exercise.or(() -> left);
         rehearsal.exercise = left.filter(exercise -> breatheAlike(exercise.scenario(), present));
+        if (exercised && rehearsal.exercise.isEmpty()) {
+            String target = rehearsed().target().isPresent() ? "its target" : "another target";
+            session.note("The exercise has another breath: practice on " + target + "; Undo goes back to it.");
+        }
     }
 
     private void recordBreath() {

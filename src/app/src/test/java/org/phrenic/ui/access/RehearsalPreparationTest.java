@@ -75,9 +75,20 @@ class RehearsalPreparationTest {
     void anExerciseIsLeftWithItsBreathAndComesAgainWithIt() {
         RehearsalPlan exercise = RehearsalPlan.exercises().get(0).with(LOW);
         IdleRehearsal.with((session, appearance, view, rehearsal) -> {
+            List<String> said = new ArrayList<>();
+            session.addListener(new Session.Listener() {
+                @Override
+                public void onMessage(SessionMessage message) {
+                    said.add(message.text());
+                }
+            });
             rehearsal.exercise = Optional.of(exercise);
             rehearsal.preparation.followBreathing(exercise.scenario().with("depth=1.5"));
             assertThat(rehearsal.exercise()).isEmpty();
+            assertThat(said)
+                    .as("another scene, as of a trace, takes the target along")
+                    .containsExactly(
+                            "The exercise has another breath: practice on another target; Undo goes back to it.");
             rehearsal.preparation.followBreathing(exercise.scenario().with("hold=true"));
             assertThat(rehearsal.exercise()).contains(exercise);
             rehearsal.preparation.startPractice();
