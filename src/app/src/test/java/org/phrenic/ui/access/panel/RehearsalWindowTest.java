@@ -349,6 +349,9 @@ class RehearsalWindowTest extends RehearsalProbeCases {
     @Test
     void anotherBreathWaitsUntilTheNeedleIsOut() throws Exception {
         sampleBeforeTheTarget();
+        until(
+                "word of the sample",
+                () -> String.valueOf(window.window().banner().message()).startsWith("Sample taken"));
         window.key("D");
         until("the note", () -> String.valueOf(window.window().banner().message())
                 .contains("Another breath would end this attempt: take the needle out first (O)."));
