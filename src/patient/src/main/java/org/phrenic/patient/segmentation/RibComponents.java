@@ -33,7 +33,7 @@ final class RibComponents {
     private static final double OVERRIDING_MM = 8;
 
     private static final int ANGLES = 72;
-    /** Two parts lie side by side if more of the shorter one is within {@link #BESIDE_MM} of the gap's width. */
+    /** Share of the shorter part within {@link #BESIDE_MM} of the gap's width from which on two lie side by side. */
     private static final double MAX_BESIDE = 0.4;
 
     private static final double BESIDE_MM = 12;

@@ -44,6 +44,15 @@ class RibNumberingTest {
         }
     }
 
+    /** Gives the front of right rib 2 the label of rib 3, which then holds parts of two ribs. */
+    private static void labelFrontOfSecondAsThird(CageVoxels cage) {
+        for (int v = 0; v < cage.labels.length; v++) {
+            boolean front = v / CageVoxels.COLUMNS % CageVoxels.ROWS < 30;
+            boolean second = (cage.labels[v] & LabelGrid.MAX_BYTE_LABEL) == CageVoxels.rib(2, true);
+            cage.labels[v] = second && front ? (byte) CageVoxels.rib(3, true) : cage.labels[v];
+        }
+    }
+
     /** The scan ends below the heads of the tenth ribs. */
     @Test
     void aCervicalRibUnderTheLabelOfTheFirstIsLeftOut() {
@@ -84,11 +93,7 @@ class RibNumberingTest {
             }
         }
         Map<String, Integer> truth = counts(from(cage, 0));
-        for (int v = 0; v < cage.labels.length; v++) {
-            boolean front = v / CageVoxels.COLUMNS % CageVoxels.ROWS < 30;
-            boolean second = (cage.labels[v] & LabelGrid.MAX_BYTE_LABEL) == CageVoxels.rib(2, true);
-            cage.labels[v] = second && front ? (byte) CageVoxels.rib(3, true) : cage.labels[v];
-        }
+        labelFrontOfSecondAsThird(cage);
         Segmentation s = from(cage, 0);
         assertThat(SegmentationRepair.numberRibs(s)).singleElement().asString().contains("holds parts of two ribs");
         assertThat(counts(s)).isEqualTo(truth);
@@ -113,11 +118,7 @@ class RibNumberingTest {
             cage.ball(36.5 + step, 53.5, 83, 1.5, CageVoxels.rib(5, step < 8));
         }
         Map<String, Integer> truth = counts(from(cage, 0));
-        for (int v = 0; v < cage.labels.length; v++) {
-            boolean front = v / CageVoxels.COLUMNS % CageVoxels.ROWS < 30;
-            boolean second = (cage.labels[v] & LabelGrid.MAX_BYTE_LABEL) == CageVoxels.rib(2, true);
-            cage.labels[v] = second && front ? (byte) CageVoxels.rib(3, true) : cage.labels[v];
-        }
+        labelFrontOfSecondAsThird(cage);
         Segmentation s = from(cage, 0);
         assertThat(SegmentationRepair.numberRibs(s)).singleElement().asString().contains("24 connected ribs");
         assertThat(counts(s)).isEqualTo(truth);
