@@ -30,7 +30,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class ReferenceHashTest {
     private static final Pattern HASH = Pattern.compile("\"state_sha256\"\\s*:\\s*\"([0-9a-f]{64})\"");
     private static final Path SHARED = Path.of("..", "shared");
-    private static final String PLAN_HASH = "ceb776152ae112baa2c0351b6306669c93c934ee0775d45722edd9ba07db81b9";
+    private static final String PLAN_HASH = "3ce09b6b895d79a08959a7c8ce9e4ca68c77f00fcc652925b8e90aa94f01dec2";
 
     record ReferenceScene(String name, String options, String hash) {
         @Override

@@ -110,12 +110,15 @@ public record BudgetPlan(
 
     /**
      * Scene of a body and a breath on a mesh of the space part. The time step, and with it the masses that are scaled
-     * for it, is proportional to the edge length, so neither adds to the error of a finer mesh.
+     * for it, is proportional to the edge length h on meshes coarser than the default, and to h² on finer ones, so that
+     * neither adds to the error of a finer mesh: springs along the sheet ask a node for a mass in proportion to step²,
+     * bending for one in proportion to (step / h)², and its area goes by h².
      */
     Scenario refined(Body body, String breath, int sheetVertices) {
         Scenario scenario = scenario(body, breath, mesh(sheetVertices));
         double relativeEdge = Math.sqrt((double) Resolution.MEDIUM.diaphragmVertices() / sheetVertices);
-        double samples = Math.ceil(BreathRunner.SAMPLE_S / (scenario.timeStepS() * relativeEdge));
+        double relativeStep = Math.min(relativeEdge, relativeEdge * relativeEdge);
+        double samples = Math.ceil(BreathRunner.SAMPLE_S / (scenario.timeStepS() * relativeStep));
         double step = BreathRunner.SAMPLE_S / samples;
         double scaled = step / scenario.timeStepS() * scenario.get(Numerics.MASS_SCALING);
         return scenario.with(

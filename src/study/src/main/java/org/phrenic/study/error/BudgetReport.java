@@ -152,8 +152,9 @@ public final class BudgetReport {
         if (!rows.isEmpty()) {
             page.section("Error in space");
             page.paragraph("The sheet with lungs and sternum that do not move it, time step in proportion to the edge"
-                    + " length; excursion of the domes by the diaphragm's number of vertices, and the fit"
-                    + " limit + c edge^order. The scatter is the standard deviation about the fit.");
+                    + " length, on meshes finer than the default to its square; excursion of the domes by the"
+                    + " diaphragm's number of vertices, and the fit limit + c edge^order. The scatter is the standard"
+                    + " deviation about the fit.");
             page.table(
                     "",
                     Column.list("body | breath | vertices | # edge, mm | # excursion, mm | # order | # scatter, mm"),

@@ -12,11 +12,12 @@ import org.phrenic.parameter.Setting;
 
 /**
  * Resistance of the diaphragm's muscle to bending. A plate of thickness h that is stretched by a membrane stiffness E h
- * has the bending stiffness D = E h · h² / 12 (1 - ν²). The default, 0.1 N mm, is that of 300 N/m and 1.9 mm, the
- * thickness of the zone of apposition at end-expiration in ultrasound; 5 mm have 0.7 N mm.
+ * has the bending stiffness D = E h · h² / 12 (1 - ν²). The default, 0.25 N mm, is that of 300 N/m and 3 mm, the
+ * thickness of which membrane stiffness and mass per area are; 1.9 mm, that of the zone of apposition at end-expiration
+ * in ultrasound, have 0.1 N mm, and 5 mm have 0.7.
  */
 public final class SheetBending extends ScenePart {
-    private static final double STIFFNESS_N_MM = 0.1;
+    private static final double STIFFNESS_N_MM = 0.25;
 
     public static final NumberSetting BENDING_STIFFNESS = Setting.named(
                     "bending_stiffness_n_mm", "Bending stiffness", Effect.ASSEMBLY)
