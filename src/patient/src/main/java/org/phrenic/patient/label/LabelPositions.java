@@ -4,8 +4,8 @@ import java.util.Set;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
- * Where the labels of a volume lie: number of voxels and centre of each label, and of some their heights in sectors
- * about the middle of all labels. Lengths are in mm, in the coordinates of the file.
+ * Where the labels of a volume lie: number of voxels, centre and variances of each label, and of some their heights in
+ * sectors about the middle of all labels. Lengths are in mm, in the coordinates of the file.
  */
 final class LabelPositions {
     /** Number of sectors about the body's axis. */
@@ -14,6 +14,7 @@ final class LabelPositions {
     private final int[] counts = new int[LabelGrid.MAX_LABEL + 1];
     private final double[][] centres = new double[LabelGrid.MAX_LABEL + 1][];
     private final double[][][] sectors = new double[LabelGrid.MAX_LABEL + 1][][];
+    private final double[][] variances = new double[LabelGrid.MAX_LABEL + 1][];
     private final boolean[] atEnd = new boolean[LabelGrid.MAX_LABEL + 1];
 
     private final double voxelVolume;
@@ -29,6 +30,7 @@ final class LabelPositions {
 
     private void findCentres(LabelGrid grid) {
         double[][] sums = new double[LabelGrid.MAX_LABEL + 1][];
+        double[][] squares = new double[LabelGrid.MAX_LABEL + 1][];
         int[] last = {grid.columns() - 1, grid.rows() - 1, grid.slices() - 1};
         int voxel = 0;
         for (int k = 0; k <= last[2]; k++) {
@@ -41,7 +43,14 @@ final class LabelPositions {
                     }
                     if (sums[label] == null) {
                         sums[label] = new double[3];
+                        squares[label] = new double[6];
                     }
+                    squares[label][0] += (double) i * i;
+                    squares[label][1] += (double) j * j;
+                    squares[label][2] += (double) k * k;
+                    squares[label][3] += (double) i * j;
+                    squares[label][4] += (double) j * k;
+                    squares[label][5] += (double) k * i;
                     sums[label][0] += i;
                     sums[label][1] += j;
                     sums[label][2] += k;
@@ -56,8 +65,29 @@ final class LabelPositions {
                 int count = counts[label];
                 centres[label] = new double[3];
                 grid.voxelToMm(sum[0] / count, sum[1] / count, sum[2] / count, centres[label]);
+                variances[label] = variances(grid.toMm(), sum, squares[label], count);
             }
         }
+    }
+
+    /**
+     * Variances of the coordinates in mm.
+     *
+     * @param squares sums of i i, j j, k k, i j, j k and k i
+     */
+    private static double[] variances(double[] toMm, double[] sums, double[] squares, int count) {
+        double[] variances = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            for (int a = 0; a < 3; a++) {
+                int b = (a + 1) % 3;
+                double own = squares[a] / count - sums[a] / count * (sums[a] / count);
+                double mixed = squares[3 + a] / count - sums[a] / count * (sums[b] / count);
+                double m = toMm[4 * axis + a];
+                variances[axis] += m * m * own + 2 * m * toMm[4 * axis + b] * mixed;
+            }
+            variances[axis] = Math.max(0, variances[axis]);
+        }
+        return variances;
     }
 
     private void findHeights(LabelGrid grid, boolean[] wanted) {
@@ -112,6 +142,11 @@ final class LabelPositions {
     /** Centre of a label of which there are voxels. */
     double[] centre(int label) {
         return centres[label];
+    }
+
+    /** Variances of the coordinates of a label of which there are voxels, mm2. */
+    double[] variance(int label) {
+        return variances[label];
     }
 
     /** Sum of heights and number of voxels of a label in each sector, of those whose heights are measured. */

@@ -17,6 +17,7 @@ import org.phrenic.mesh.voxel.LabelGrid;
  * @param structures structure by label, of the labels that the volume has
  * @param places whether these labels lie where their structures lie
  * @param volumes whether they are as large as their structures, one over another
+ * @param lungs whether they may be lungs, if lungs are all that they are
  * @param unknown number of labels that the tool does not have
  * @param lead comparisons by which it fits better than any table that makes other structures of the labels
  */
@@ -25,6 +26,7 @@ record NumberMatch(
         Map<Integer, String> structures,
         LabelPlaces places,
         LabelVolumes volumes,
+        boolean lungs,
         int unknown,
         double lead) {
     /** Least number of comparisons, if the volume does not have exactly the labels of the table nor labels from 1. */
@@ -87,6 +89,7 @@ record NumberMatch(
                 present,
                 new LabelPlaces(positions, present, table.below()),
                 LabelVolumes.of(positions, present),
+                LungNumbers.arePossible(positions, present),
                 labels - present.size(),
                 0);
     }
@@ -102,7 +105,13 @@ record NumberMatch(
                 .max()
                 .orElse(Double.NEGATIVE_INFINITY);
         return new NumberMatch(
-                best.table, best.structures, best.places, best.volumes, best.unknown, best.score(axesOf) - next);
+                best.table,
+                best.structures,
+                best.places,
+                best.volumes,
+                best.lungs,
+                best.unknown,
+                best.score(axesOf) - next);
     }
 
     /** Comparisons that hold in some axes without those that fail and without unknown labels; negative without axes. */
@@ -139,6 +148,7 @@ record NumberMatch(
     /** Whether the labels may be the tool's in the axes that the file states. */
     boolean isPossible() {
         return places.compared() > 0
+                && lungs
                 && unknown <= structures.size()
                 && places.areBones(BodyAxes.STATED)
                 && places.share() >= LEAST_OF_PLACES

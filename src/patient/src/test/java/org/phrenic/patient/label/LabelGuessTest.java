@@ -254,6 +254,21 @@ class LabelGuessTest {
         assertThat(LabelGuess.of(numbered(structures)).source()).isEqualTo(LabelGuess.Source.NONE);
     }
 
+    /** Two lungs or five lobes are few comparisons: other organs on two sides make them as well. */
+    @ParameterizedTest
+    @CsvSource({
+        "oesophagus heart lung_L lung_R aorta, lung_R",
+        "heart spleen lung_R liver kidney_R, lung_L",
+        "lung_R heart, lung_L",
+    })
+    void otherStructuresNumberedAsLungsAreNoLungs(String structures, String other) {
+        LabelGuess guess = LabelGuess.of(numbered(structures));
+        assertThat(guess.table().map(LabelTable::structures).orElse(Map.of()).values())
+                .doesNotContain(other);
+        assertThat(LabelGuess.of(numbered("lung_R lung_L")).require("scan").structures())
+                .containsEntry(1, "lung_R");
+    }
+
     /** The same numbers are ribs in another table: a spine that leans to a side is a spine. */
     @ParameterizedTest
     @ValueSource(doubles = {-0.1, 0.1})
