@@ -74,12 +74,32 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
         }
         Optional<NumberMatch> turned =
                 numbers.isPossible() ? Optional.empty() : NumberMatch.inOtherAxes(positions, NumberTable.ALL);
-        if (turned.isPresent()) {
-            BodyAxes axes = turned.get().otherAxes().orElseThrow();
-            return ofNumbers(volume, turned.get(), axes, " if the axes are " + axes.letters(volume.grid()));
+        Optional<String> letters = turned.flatMap(NumberMatch::otherAxes).map(axes -> axes.letters(volume.grid()));
+        if (turned.isPresent() && !turned.get().mayBeInAnotherOrder()) {
+            return ofNumbers(
+                    volume,
+                    turned.get(),
+                    turned.get().otherAxes().orElseThrow(),
+                    " if the axes are " + letters.orElseThrow());
         }
+        Optional<NumberMatch> exchanged =
+                numbers.isPossible() ? Optional.empty() : NumberMatch.withSidesExchanged(positions, NumberTable.ALL);
+        String fit = turned.map(match -> "fit numbers of " + match.table().title() + " if the axes are "
+                        + letters.orElseThrow() + ", but may count bones in another order as well")
+                .or(() -> exchanged.map(match -> "fit numbers of "
+                        + match.table().title() + " but for right and left structures, which are exchanged"))
+                .orElseGet(() -> fit(numbers));
         return new LabelGuess(
-                Source.NONE, Optional.empty(), numbers.share(BodyAxes.STATED), problem(volume, counts, numbers));
+                Source.NONE, Optional.empty(), numbers.share(BodyAxes.STATED), problem(volume, counts, fit));
+    }
+
+    private static String fit(NumberMatch numbers) {
+        if (!numbers.isPossible()) {
+            return "fit numbers of no known tool or data set";
+        }
+        return numbers.tellsTooLittle()
+                ? "are too few to tell whose numbers they are"
+                : "fit numbers of " + numbers.table().title() + ", but anybody may number a few structures so";
     }
 
     private static LabelGuess ofNumbers(LabelVolume volume, NumberMatch numbers, BodyAxes axes, String condition) {
@@ -93,7 +113,7 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
                         numbers.table().title(), 100 * share, numbers.compared(), condition));
     }
 
-    private static String problem(LabelVolume volume, int[] counts, NumberMatch numbers) {
+    private static String problem(LabelVolume volume, int[] counts, String fit) {
         String labels = IntStream.range(1, counts.length)
                 .filter(label -> counts[label] > 0)
                 .limit(MAX_LISTED)
@@ -104,9 +124,7 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
         }
         return "found labels " + labels
                 + (volume.names().isEmpty() ? " without names" : " with no name of a structure")
-                + (numbers.isPossible()
-                        ? ", which fit numbers of " + numbers.table().title() + ", but hardly better than others"
-                        : ", which fit numbers of no known tool or data set");
+                + ", which " + fit;
     }
 
     /**

@@ -19,9 +19,9 @@ import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
  * Whether labels lie where their structures lie in people: right ribs and lung to the right of the left ones, ribs and
- * vertebrae in descending order, lungs above the liver, upper lobes above lower ones, liver to the right of the spleen,
- * sternum and organs in front of the spine. Ribs are compared where both lie in one sector about the body's axis: of
- * ribs that the scan cuts off, middles tell nothing.
+ * vertebrae in descending order, lungs above the liver, upper lobes above lower ones, liver to the right of the spleen
+ * and in front of great vessels, sternum and organs in front of the spine. Ribs are compared where both lie in one
+ * sector about the body's axis: of ribs that the scan cuts off, middles tell nothing.
  */
 final class LabelPlaces {
     /** Least number of voxels of a sector that counts, over that of the fullest one: the rest may be specks. */
@@ -35,6 +35,7 @@ final class LabelPlaces {
     /** Share of the comparisons along a coordinate that have to hold. */
     private static final double MOST = 0.8;
 
+    private static final List<String> BEHIND_LIVER = List.of("aorta", "inferior_vena_cava", "organ_kidneys");
     private static final List<String> IN_FRONT_OF_SPINE =
             List.of("sternum", "sternum_manubrium", "sternum_body", "heart", "liver", "stomach");
 
@@ -146,6 +147,12 @@ final class LabelPlaces {
         expectPair("kidney_R", "kidney_L");
         expectPair("adrenal_gland_R", "adrenal_gland_L");
         expect("liver", "stomach", 0);
+        expect("liver", LabelTable.LUNGS, 0);
+        expect("liver", "organ_kidneys", 0);
+        expect("organ_kidneys", LabelTable.LUNGS, 2);
+        expect("urinary_bladder", "organ_kidneys", 2);
+        expect("urinary_bladder", "organ_kidneys", 1);
+        BEHIND_LIVER.forEach(behind -> expect("liver", behind, 1));
         expect("gallbladder", "stomach", 0);
         expect("gallbladder", "spleen", 0);
         expect("urinary_bladder", "heart", 2);

@@ -35,12 +35,20 @@ record NumberMatch(
     private static final double CLEAR = 2;
     /** Least number of comparisons otherwise: two lungs give one of places and one of volumes. */
     private static final int ENOUGH_OF_ALL = 2;
+    /** Greatest number of labels that the tool does not have, and share of those that it has: some may be added. */
+    private static final int MOST_UNKNOWN = 3;
+
+    private static final double MOST_UNKNOWN_SHARE = 0.1;
+    /** Labels of the table that may be absent for one label that it does not have. */
+    private static final int UNKNOWN_WEIGHT = 3;
     /** Share of its labels from which a table is hardly longer than the volume's own numbers. */
     private static final double MOST_OF_TABLE = 0.65;
     /** Least share of the comparisons of places and volumes that hold in other axes than the stated ones, of many. */
     private static final double LEAST_IN_OTHER_AXES = 0.97;
     /** Least share of the comparisons of places that hold. */
     private static final double LEAST_OF_PLACES = 0.85;
+    /** Number of comparisons of places and volumes from which some of the places may fail in labels from 1. */
+    private static final int MANY = 30;
     /** Number of comparisons of places that decide without volumes: organs of patients have other sizes. */
     private static final int DECISIVE = 12;
     /** Least share of the comparisons of places and volumes that hold. */
@@ -69,8 +77,16 @@ record NumberMatch(
         return Optional.of(best)
                 .filter(match -> match.otherAxes().isPresent()
                         && match.lead >= CLEAR
-                        && match.unknown <= match.structures.size()
+                        && match.hasFewUnknown()
                         && match.share(match.otherAxes().orElseThrow()) >= LEAST_IN_OTHER_AXES);
+    }
+
+    /**
+     * Whether the labels are 1, 2 and so on without a gap, and bones alone: counted from another end, or with the other
+     * side first, they lie as in other axes.
+     */
+    boolean mayBeInAnotherOrder() {
+        return volumes.compared() == 0 && isWithoutGap();
     }
 
     /** Axes, other than the stated ones, in which the labels lie as their structures. */
@@ -137,19 +153,43 @@ record NumberMatch(
         return isPossible() && (whole ? compared() >= ENOUGH_OF_ALL : clear);
     }
 
-    /** Whether the labels are 1, 2 and so on without a gap, as anybody numbers a few structures, of a longer table. */
+    /** Whether the labels are 1, 2 and so on without a gap, as anybody numbers a few structures, of another table. */
     private boolean isFromOne() {
-        int last = structures.keySet().stream().mapToInt(label -> label).max().orElse(0);
         return places.compared() < DECISIVE
-                && last <= structures.size() + unknown
-                && structures.size() < MOST_OF_TABLE * table.structures().size();
+                && isWithoutGap()
+                && (structures.size() < MOST_OF_TABLE * (table.structures().size() + UNKNOWN_WEIGHT * unknown)
+                        || (compared() < MANY && places.share() < 1));
+    }
+
+    private boolean hasFewUnknown() {
+        return unknown <= Math.max(MOST_UNKNOWN, MOST_UNKNOWN_SHARE * structures.size());
+    }
+
+    /** The table whose structures lie as the labels do but for right and left ones, which are exchanged. */
+    static Optional<NumberMatch> withSidesExchanged(LabelPositions positions, List<NumberTable> tables) {
+        return tables.stream()
+                .map(table -> of(table, positions))
+                .filter(match -> match.places.compared() >= DECISIVE
+                        && match.hasFewUnknown()
+                        && match.places.haveSidesExchanged())
+                .max(Comparator.comparingInt(match -> match.places.compared() - match.unknown));
+    }
+
+    private boolean isWithoutGap() {
+        int last = structures.keySet().stream().mapToInt(label -> label).max().orElse(0);
+        return last <= structures.size() + unknown;
+    }
+
+    /** Whether the comparisons are too few to tell this table from others. */
+    boolean tellsTooLittle() {
+        return compared() < ENOUGH || lead < CLEAR;
     }
 
     /** Whether the labels may be the tool's in the axes that the file states. */
     boolean isPossible() {
         return places.compared() > 0
                 && lungs
-                && unknown <= structures.size()
+                && hasFewUnknown()
                 && places.areBones(BodyAxes.STATED)
                 && places.share() >= LEAST_OF_PLACES
                 && (places.compared() >= DECISIVE

@@ -289,6 +289,48 @@ class LabelGuessTest {
                 .noneMatch(structure -> structure.startsWith("vertebra"));
     }
 
+    /** Ribs 1 to 24 from the right or from below fit RibSeg in a mirrored or turned body; they tell no axes. */
+    @Test
+    void ribsCountedInAnotherOrderTellNoAxes() {
+        LabelVolume ribs = TrunkVoxels.labelled(NumberTable.named("ribseg").get(0));
+        assertThat(List.<IntUnaryOperator>of(label -> 1 + (label + 11) % 24, label -> 1 + (36 - label) % 24))
+                .allSatisfy(order -> assertThatThrownBy(
+                                () -> LabelGuess.of(relabelled(ribs, label -> label == 0 ? 0 : order.applyAsInt(label)))
+                                        .require("scan"))
+                        .isInstanceOf(BadInputException.class)
+                        .hasMessageContaining("fit numbers of RibSeg if the axes are ")
+                        .hasMessageContaining("but may count bones in another order as well, expected --labels"));
+    }
+
+    /** Ribs on each other's sides are no structures of another tool that has the same numbers for organs. */
+    @Test
+    void ribsWhoseSidesAreExchangedAreToldAsSuch() {
+        LabelVolume trunk =
+                TrunkVoxels.labelled(NumberTable.named("totalsegmentator").get(0));
+        LabelVolume exchanged =
+                relabelled(trunk, label -> label < 92 || label > 115 ? label : label < 104 ? label + 12 : label - 12);
+        assertThatThrownBy(() -> LabelGuess.of(exchanged).require("scan"))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining(
+                        "fit numbers of TotalSegmentator 2 but for right and left structures, which are exchanged");
+    }
+
+    /** Five of CT-ORG's six labels fit many orders of structures by volume alone. */
+    @ParameterizedTest
+    @ValueSource(strings = {"heart kidney_R lungs stomach", "liver organ_kidneys lungs ribs"})
+    void structuresThatLieElsewhereAreNotThoseOfAShortTable(String structures) {
+        assertThat(LabelGuess.of(numbered(structures)).source()).isEqualTo(LabelGuess.Source.NONE);
+    }
+
+    /** Two ribs, or two of many other structures, have such numbers. */
+    @Test
+    void aFewLabelsFromOneNameNoTool() {
+        LabelVolume lungs = numbered("lung_L lung_R liver");
+        assertThat(LabelGuess.of(relabelled(lungs, label -> label == 3 ? 0 : label))
+                        .reason())
+                .doesNotContain("fit numbers of RibSeg");
+    }
+
     /** Numbers beside names are those of the reader; numbers alone, as of segments without a name, are the tool's. */
     @Test
     void numbersOfLabelsWithUnknownNamesAreOfNoTool() {
