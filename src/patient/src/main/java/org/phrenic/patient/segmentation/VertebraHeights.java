@@ -31,8 +31,18 @@ final class VertebraHeights {
     /** Least height of two vertebrae under one label over that of their neighbours; one has at most 1.25 of these. */
     private static final double DOUBLE = 1.6;
 
+    /** Greatest height of a half of a vertebra over that of its neighbours, and least and greatest one of both. */
+    private static final double HALF = 0.65;
+
+    private static final double LEAST_WHOLE = 0.8;
+    private static final double MOST_WHOLE = 1.3;
+    /** Greatest distance of two vertebrae that follow each other over that of their neighbours. */
+    private static final double NEXT = 1.5;
+
     /** By level, mm; NaN if the volume shows none. */
     private final double[] vertebraZ = new double[LAST + 1];
+
+    private final boolean[] isShown = new boolean[LAST + 1];
     /**
      * Vertical extent of the anterior half, that of an even distribution with the same variance, mm; 0 for none and
      * where the scan ends above or below in it.
@@ -52,6 +62,9 @@ final class VertebraHeights {
                 .filter(level -> !Double.isNaN(vertebraZ[level]))
                 .findFirst()
                 .orElse(NONE);
+        for (int level = 1; level <= LAST; level++) {
+            isShown[level] = !Double.isNaN(vertebraZ[level]);
+        }
         for (int level = LAST - 1; level > 0; level--) {
             vertebraZ[level] = Double.isNaN(vertebraZ[level]) ? vertebraZ[level + 1] + toNext(level) : vertebraZ[level];
         }
@@ -117,6 +130,24 @@ final class VertebraHeights {
     boolean isDouble(int level) {
         double least = Math.min(extent[level - 1], extent[level + 1]);
         return least > 0 && extent[level] > DOUBLE * Math.max(extent[level - 1], extent[level + 1]);
+    }
+
+    /** Whether a vertebra and the next one below it, between two others, are as tall as one of these. */
+    boolean areHalves(int level) {
+        double above = extent[level - 1];
+        double below = extent[level + 2];
+        double usual = 0.5 * (above + below);
+        double both = extent[level] + extent[level + 1];
+        double taller = Math.max(extent[level], extent[level + 1]);
+        boolean known = Math.min(Math.min(above, below), both - taller) > 0;
+        return known && taller < HALF * usual && both > LEAST_WHOLE * usual && both < MOST_WHOLE * usual;
+    }
+
+    /** Whether the vertebra of a level is missing between two that follow each other. */
+    boolean isSkipped(int level) {
+        boolean known = isShown[level - 2] && isShown[level - 1] && isShown[level + 1] && isShown[level + 2];
+        double usual = 0.5 * (at(level - 2) - at(level - 1) + at(level + 1) - at(level + 2));
+        return known && !isShown[level] && at(level - 1) - at(level + 1) < NEXT * usual;
     }
 
     /**

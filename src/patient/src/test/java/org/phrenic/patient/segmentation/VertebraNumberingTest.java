@@ -251,6 +251,91 @@ class VertebraNumberingTest {
         assertThat(counts(s)).isEqualTo(before);
     }
 
+    /** One vertebra under its label and that of a neighbour, those beyond which are one off; without beyond these. */
+    private static Segmentation split(int number, boolean upper) {
+        CageVoxels cage = cage();
+        int slice = CageVoxels.COLUMNS * CageVoxels.ROWS;
+        int whole = CageVoxels.vertebra(number);
+        for (int v = 0; v < cage.labels.length; v++) {
+            boolean beyond = v / slice > CageVoxels.vertebraSlice(number) == upper;
+            if (cage.labels[v] >= T12 && cage.labels[v] <= T1 && beyond) {
+                int moved = cage.labels[v] + (upper ? 1 : -1);
+                cage.labels[v] = (byte) (moved > T1 || moved < T12 ? 0 : moved);
+            }
+        }
+        assertThat(cage.labels).contains((byte) whole, (byte) (whole + (upper ? 1 : -1)));
+        return scan(cage, CageVoxels.SLICES, label -> label);
+    }
+
+    @Test
+    void theHalvesOfAVertebraUnderTwoLabelsAreJoinedAndThoseBeyondThemNumberedAnew() {
+        for (int number = 4; number < 10; number++) {
+            Segmentation upper = split(number, true);
+            String name = String.format(Locale.ROOT, "vertebra_T%02d", number);
+            String before = String.format(Locale.ROOT, "vertebra_T%02d", number - 1);
+            assertThat(SegmentationRepair.numberRibs(upper))
+                    .containsExactly(before + " and " + name + " together are as tall as one vertebra, and those above"
+                            + " lie one below the ribs of their numbers: they are numbered anew, and the two are "
+                            + name);
+            assertThat(counts(upper)).isEqualTo(truth(CageVoxels.SLICES, "vertebra_T01"));
+            assertThat(upper.labels(name))
+                    .containsExactlyInAnyOrder(CageVoxels.vertebra(number - 1), CageVoxels.vertebra(number));
+            Segmentation lower = split(number, false);
+            assertThat(SegmentationRepair.numberRibs(lower))
+                    .singleElement()
+                    .asString()
+                    .contains("those below lie one above")
+                    .endsWith("the two are " + name);
+            assertThat(counts(lower)).isEqualTo(truth(CageVoxels.SLICES, "vertebra_T12"));
+        }
+    }
+
+    @Test
+    void twoLowVertebraeAmongRightNumbersAreTwo() {
+        CageVoxels cage = cage();
+        int slice = CageVoxels.COLUMNS * CageVoxels.ROWS;
+        for (int v = 0; v < cage.labels.length; v++) {
+            int number = CageVoxels.vertebra(0) - cage.labels[v];
+            boolean low = number == 7 || number == 8;
+            if (low && Math.abs(v / slice - CageVoxels.vertebraSlice(number)) > 1) {
+                cage.labels[v] = 0;
+            }
+        }
+        Segmentation s = scan(cage, CageVoxels.SLICES, label -> label);
+        assertThat(new VertebraHeights(s).areHalves(7)).isTrue();
+        TreeMap<String, Integer> before = counts(s);
+        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(counts(s)).isEqualTo(before);
+    }
+
+    /** Vertebrae from a number on carry that of the next one beyond, so that their own is left out. */
+    @Test
+    void vertebraeBeyondANumberThatIsLeftOutAreNumberedAnew() {
+        for (int number = 4; number < 11; number++) {
+            int first = CageVoxels.vertebra(number);
+            Segmentation below = scan(
+                    cage(),
+                    CageVoxels.SLICES,
+                    label -> label < T12 || label > first ? label : label == T12 ? 0 : label - 1);
+            assertThat(SegmentationRepair.numberRibs(below))
+                    .containsExactly(String.format(Locale.ROOT, "vertebra_T%02d", number)
+                            + " is missing between two that follow each other, and those below lie one above the ribs"
+                            + " of their numbers: they are numbered anew");
+            assertThat(counts(below)).isEqualTo(truth(CageVoxels.SLICES, "vertebra_T12"));
+            Segmentation above = scan(
+                    cage(),
+                    CageVoxels.SLICES,
+                    label -> label < first || label > T1 ? label : label == T1 ? 0 : label + 1);
+            assertThat(SegmentationRepair.numberRibs(above))
+                    .singleElement()
+                    .asString()
+                    .contains("those above lie one below");
+            assertThat(counts(above)).isEqualTo(truth(CageVoxels.SLICES, "vertebra_T01"));
+            Segmentation without = scan(cage(), CageVoxels.SLICES, label -> label == first ? 0 : label);
+            assertThat(SegmentationRepair.numberRibs(without)).isEmpty();
+        }
+    }
+
     /** Slices of a chest whose lower end cuts all ribs but the first seven, with lungs up to the first ribs. */
     private static Segmentation chest(IntUnaryOperator relabel) {
         CageVoxels cage = new CageVoxels().withRibs(1).withVertebrae(1);
