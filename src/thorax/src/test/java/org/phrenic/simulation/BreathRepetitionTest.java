@@ -16,7 +16,7 @@ class BreathRepetitionTest {
     private static final Scenario SIMULATED = Scenario.defaults()
             .with(
                     "resolution=low",
-                    "mesh_vertices=3000",
+                    "mesh_vertices=3300",
                     "lungs=embedded",
                     "sternum=kinematic",
                     "rate_per_min=30",
