@@ -19,6 +19,7 @@ import org.phrenic.patient.diaphragm.BreathLevel;
 import org.phrenic.patient.diaphragm.DiaphragmCompletion;
 import org.phrenic.patient.diaphragm.SheetQuality;
 import org.phrenic.patient.label.GeometryOverride;
+import org.phrenic.patient.label.InterpolatedLabels;
 import org.phrenic.patient.label.LabelGuess;
 import org.phrenic.patient.label.LabelTable;
 import org.phrenic.patient.label.LungMoments;
@@ -86,6 +87,9 @@ public final class ImportPipeline {
     }
 
     private static LabelTable table(ImportRequest request, LabelVolume volume, ImportProgress progress) {
+        InterpolatedLabels.problem(volume.grid()).filter(p -> !volume.isImage()).ifPresent(problem -> {
+            throw new BadInputException(request.file() + ": " + problem);
+        });
         if (request.labels().isEmpty()) {
             LabelGuess guess = LabelGuess.of(volume);
             progress.stage(guess.reason());

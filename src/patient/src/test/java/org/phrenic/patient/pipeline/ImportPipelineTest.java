@@ -1,6 +1,7 @@
 package org.phrenic.patient.pipeline;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -13,6 +14,7 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.NiftiWriter;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.mesh.voxel.MeshVoxelizer;
@@ -73,5 +75,21 @@ class ImportPipelineTest {
         PatientStructure rib = body.structure("rib_01_L").orElseThrow();
         assertThat(rib.source()).isEqualTo(PatientStructure.Source.VIRTUAL);
         assertThat(rib.structure().mesh().centre()[2]).isGreaterThan(box[2] + 0.75 * (box[5] - box[2]));
+    }
+
+    /** Labels that rise and fall by one from voxel to voxel, as between 0 and 10 in an image that is made larger. */
+    @Test
+    void labelsThatWereInterpolatedAreRefusedWithAnyTable() {
+        byte[] labels = new byte[60 * 10 * 10];
+        for (int v = 0; v < labels.length; v++) {
+            labels[v] = (byte) (10 - Math.abs(10 - v % 20));
+        }
+        Path file = folder.resolve("scan.nii.gz");
+        NiftiWriter.write(file, LabelGrid.of(60, 10, 10, labels, new double[] {3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 3, 0}));
+        ImportRequest request = ImportRequest.of(
+                file, "scan", Optional.of("amos"), VirtualThorax.ofPreset("adult-male", Resolution.LOW));
+        assertThatThrownBy(() -> ImportPipeline.run(request, (count, total, structure) -> {}))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("scan.nii.gz: found layers of numbers between those of two structures");
     }
 }
