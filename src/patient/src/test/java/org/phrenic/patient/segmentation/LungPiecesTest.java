@@ -16,9 +16,15 @@ class LungPiecesTest {
 
     /** Blocks of columns under the label of the left lung. */
     private static Segmentation lung(int... firstAndEnd) {
+        return lungs(COLUMNS, COLUMNS, firstAndEnd);
+    }
+
+    /** The same and one block under the label of the right lung. */
+    private static Segmentation lungs(int first, int end, int... firstAndEnd) {
         byte[] labels = new byte[10 * SLICE];
         for (int v = 0; v < labels.length; v++) {
             int i = v % COLUMNS;
+            labels[v] = (byte) (i >= first && i < end ? 2 : 0);
             for (int block = 0; block < firstAndEnd.length; block += 2) {
                 labels[v] = i >= firstAndEnd[block] && i < firstAndEnd[block + 1] ? 1 : labels[v];
             }
@@ -27,7 +33,7 @@ class LungPiecesTest {
                 LabelGrid.of(COLUMNS, 10, 10, labels, new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}),
                 Map.of(),
                 List.of());
-        return new Segmentation(volume, new LabelTable(Map.of(1, "lung_L")), "v");
+        return new Segmentation(volume, new LabelTable(Map.of(1, "lung_L", 2, "lung_R")), "v");
     }
 
     private static int count(Segmentation s, String name) {
@@ -59,5 +65,19 @@ class LungPiecesTest {
         SegmentationRepair.mend(s);
         assertThat(LungPieces.name(s)).singleElement().asString().startsWith("lung_L: a piece of 1 ml lies apart");
         assertThat(count(s, "lung_R")).isZero();
+    }
+
+    /** The right lung has the higher columns here; a piece that touches it is its own only on its side. */
+    @Test
+    void aPieceAtTheOtherLungIsAPartOfThatOne() {
+        Segmentation touching = lungs(30, 40, 0, 12, 25, 30);
+        assertThat(LungPieces.name(touching))
+                .containsExactly("lung_L: a piece of 1 ml lies at the other lung; it is taken for a part of lung_R");
+        assertThat(count(touching, "lung_L")).isEqualTo(12 * 100);
+        assertThat(count(touching, "lung_R")).isEqualTo(15 * 100);
+        Segmentation apart = lungs(32, 40, 0, 12, 25, 30);
+        assertThat(LungPieces.name(apart)).singleElement().asString().contains("lies apart");
+        Segmentation near = lungs(20, 40, 0, 12, 13, 20);
+        assertThat(LungPieces.name(near)).singleElement().asString().contains("lies apart");
     }
 }
