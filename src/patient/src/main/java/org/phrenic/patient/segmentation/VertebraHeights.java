@@ -28,6 +28,9 @@ final class VertebraHeights {
     /** Greatest distance of a vertebral end from the median plane, mm. */
     private static final double HEAD_MM = 60;
 
+    /** Least difference in height of the vertebral ends of two ribs, mm. */
+    private static final double APART_MM = 8;
+
     /** Least height of two vertebrae under one label over that of their neighbours; one has at most 1.25 of these. */
     private static final double DOUBLE = 1.6;
 
@@ -124,6 +127,12 @@ final class VertebraHeights {
     /** Height of the vertebra of a level, mm; NaN if the volume shows none at all. */
     double at(int level) {
         return vertebraZ[level];
+    }
+
+    /** Usual height of the vertebral end of the rib of a number, mm; a thirteenth one is as far below its vertebra. */
+    double ribEnd(int number) {
+        double spacing = at(Math.max(1, number - 1)) - at(Math.max(2, number));
+        return at(number) - RibDeviations.usual(Math.min(number, RibNumbering.RIBS)) * spacing;
     }
 
     /** Whether a vertebra between two others is as tall as two of them. */
@@ -239,18 +248,42 @@ final class VertebraHeights {
     }
 
     /**
-     * Distance from the median plane and height of each voxel of a rib behind its centre, mm, and the ends of the scan
-     * that it lies at, as {@link Segmentation#ends}.
+     * Distance from the median plane and height of each voxel of a rib behind its centre, mm, the ends of the scan that
+     * it lies at, as {@link Segmentation#ends}, and its y.
      */
     static List<double[]> posterior(Segmentation s, IntList voxels, double centreY, double middle) {
         List<double[]> posterior = new ArrayList<>();
         for (int i = 0; i < voxels.size(); i++) {
             double[] p = s.point(voxels.get(i));
             if (p[1] >= centreY) {
-                posterior.add(new double[] {Math.abs(p[0] - middle), p[2], s.ends(voxels.get(i))});
+                posterior.add(new double[] {Math.abs(p[0] - middle), p[2], s.ends(voxels.get(i)), p[1]});
             }
         }
         return posterior;
+    }
+
+    /** Whether two parts are two ribs: both end beside the spine, one above the other. */
+    static boolean areTwo(Segmentation s, RibComponents.Rib a, RibComponents.Rib b, double middle) {
+        double[] endA = end(s, a, middle);
+        double[] endB = end(s, b, middle);
+        double above = Math.abs(endA[1] - endB[1]);
+        return Math.max(endA[0], endB[0]) < HEAD_MM
+                && above > APART_MM
+                && Math.abs(endA[0] - endB[0]) < above
+                && Math.abs(endA[3] - endB[3]) < above;
+    }
+
+    /** Mean of the voxels of a part's posterior half that are nearest to the spine, as {@link #posterior}. */
+    private static double[] end(Segmentation s, RibComponents.Rib part, double middle) {
+        List<double[]> nearest = nearest(posterior(s, part.voxels, part.centre[1], middle), part.voxels.size())
+                .toList();
+        double[] mean = new double[4];
+        nearest.forEach(p -> {
+            for (int i = 0; i < mean.length; i++) {
+                mean[i] += p[i] / nearest.size();
+            }
+        });
+        return mean;
     }
 
     /** Whether the posterior half of a rib ends far from the spine. */

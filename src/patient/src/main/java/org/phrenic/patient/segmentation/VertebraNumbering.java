@@ -68,7 +68,8 @@ final class VertebraNumbering {
         }
         String where = slip > 0 ? "above" : "below";
         if (!ribsAreRight(slip)) {
-            return Optional.of(RibNumbering.renumber(s, "ribs, whose vertebrae lie one " + where + " their numbers"));
+            return Optional.of(
+                    RibNumbering.renumber(s, "ribs, whose vertebrae lie one " + where + " their numbers", slip));
         }
         String beyond = SpineShift.shift(s, -slip, false, place -> true);
         return Optional.of("the vertebrae lie one " + where + " the ribs of their numbers: they are numbered anew, "
