@@ -131,12 +131,8 @@ final class VertebraHeights {
 
     /** Usual height of the vertebral end of the rib of a number, mm; a thirteenth one is as far below its vertebra. */
     double ribEnd(int number) {
-        return at(number) - RibDeviations.usual(Math.min(number, RibNumbering.RIBS)) * spacing(number);
-    }
-
-    /** Distance of the vertebra of a number from the one above it, mm; of the first from the second. */
-    double spacing(int number) {
-        return at(Math.max(1, number - 1)) - at(Math.max(2, number));
+        double spacing = at(Math.max(1, number - 1)) - at(Math.max(2, number));
+        return at(number) - RibDeviations.usual(Math.min(number, RibNumbering.RIBS)) * spacing;
     }
 
     /** Whether a vertebra between two others is as tall as two of them. */

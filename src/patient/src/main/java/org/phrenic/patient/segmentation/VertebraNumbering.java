@@ -17,7 +17,7 @@ import org.phrenic.patient.segmentation.LungPieces.LungVoxels;
  * The ribs are right if all twelve of a side are there, if the scan cuts off the first ones and the twelfth is as short
  * as a last rib ({@link CutRibCount}), or if the first is as short as a first rib and ends at the top of the lung. Then
  * the vertebrae are numbered anew, else the ribs. Where the first ribs have the number 2, ribs and vertebrae are
- * numbered one lower. Faults within the spine are {@link SpineFaults}, those of one side {@link SideSlip}.
+ * numbered one lower. Faults within the spine are {@link SpineFaults}.
  */
 final class VertebraNumbering {
     private static final StructureName NONE = new StructureName(StructureKind.OTHER, 0, Side.MIDLINE);
@@ -58,7 +58,7 @@ final class VertebraNumbering {
                     "the highest ribs have the number 2, but are as short as the first ones and end at the top"
                             + " of the lungs: ribs and vertebrae are numbered one lower");
         }
-        Optional<String> fault = SideSlip.mend(s, ribs).or(() -> SpineFaults.mend(s, ribs));
+        Optional<String> fault = SpineFaults.mend(s, ribs);
         if (fault.isPresent()) {
             return fault;
         }
