@@ -67,6 +67,10 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
                     0,
                     "found grey values, as of an image that has to be segmented first");
         }
+        return byNumbers(volume, counts);
+    }
+
+    private static LabelGuess byNumbers(LabelVolume volume, int[] counts) {
         LabelPositions positions = NumberMatch.positions(volume.grid());
         NumberMatch numbers = NumberMatch.best(positions, NumberTable.ALL);
         if (numbers.fits()) {
