@@ -57,6 +57,18 @@ final class LungBase {
     /** Neither does one the top of whose base is higher above that of the organs, mm. */
     private static final double PARTED_TOP_MM = 50;
 
+    /** A right base of which three quarters lie higher above organs, mm, is noted: a diaphragm is thinner. */
+    private static final double NOTED_MM = 15;
+
+    /**
+     * The organs below a base.
+     *
+     * @param roof top of their upper surfaces, mm
+     * @param gap height above them, mm, beyond which three quarters of the base lie
+     * @param parted whether the base does not lie on the diaphragm
+     */
+    private record Below(double roof, double gap, boolean parted) {}
+
     private final Side side;
     private final boolean inScan;
     final TriangleTree tree;
@@ -66,6 +78,10 @@ final class LungBase {
     private double dome;
     /** Height of the base above organs, mm, if it does not lie on the diaphragm; else 0. */
     private double partedMm;
+    /**
+     * Height above organs, mm, beyond which three quarters of a base lie that may have air or fluid below it; else 0.
+     */
+    private double gapMm;
     /** Whether that is known from the base of the other lung alone. */
     private boolean besideOther;
 
@@ -119,21 +135,24 @@ final class LungBase {
         if (top < middle) {
             top = dome;
         }
-        organs.flatMap(below -> roofIfParted(lung, below))
-                .filter(roof ->
-                        all.stream().allMatch(with -> roofIfParted(lung, with).isPresent()))
-                .ifPresent(roof -> {
-                    partedMm = top - roof;
-                    top = roof;
-                    dome = roof;
-                });
+        List<Below> below = Stream.concat(organs.stream(), all.stream())
+                .flatMap(with -> below(lung, with).stream())
+                .toList();
+        if (below.isEmpty() || below.size() < (all.isPresent() ? 2 : 1)) {
+            return;
+        }
+        if (below.stream().allMatch(Below::parted)) {
+            partedMm = top - below.get(0).roof();
+            top = below.get(0).roof();
+            dome = top;
+        } else if (side == Side.RIGHT) {
+            double least = below.stream().mapToDouble(Below::gap).min().orElse(0);
+            gapMm = least > NOTED_MM ? least : 0;
+        }
     }
 
-    /**
-     * Compares the base with the upper surfaces of the organs below. Returns the top of those surfaces if the lung does
-     * not lie on the diaphragm, in mm.
-     */
-    private Optional<Double> roofIfParted(TriangleMesh lung, TriangleTree below) {
+    /** Compares the base with the upper surfaces of the organs below; empty if too little of it lies above them. */
+    private Optional<Below> below(TriangleMesh lung, TriangleTree below) {
         double[] roofs = MeshMeasure.triangleNormals(below.mesh());
         TriangleTree.Hit hit = new TriangleTree.Hit();
         double[] area = new double[lung.triangleCount()];
@@ -161,8 +180,8 @@ final class LungBase {
         boolean hasRoof = Arrays.stream(level).sum() > 0;
         if (hasRoof && Arrays.stream(area).sum() > LEAST_ABOVE * base) {
             double roofTop = quantile(sorted(roof), level, roof, TOP_SHARE, Double.POSITIVE_INFINITY);
-            boolean above = quantile(sorted(gap), area, gap, 0.25, Double.POSITIVE_INFINITY) > PARTED_MM;
-            return above || top > roofTop + PARTED_TOP_MM ? Optional.of(roofTop) : Optional.empty();
+            double quarter = quantile(sorted(gap), area, gap, 0.25, Double.POSITIVE_INFINITY);
+            return Optional.of(new Below(roofTop, quarter, quarter > PARTED_MM || top > roofTop + PARTED_TOP_MM));
         }
         return Optional.empty();
     }
@@ -272,8 +291,15 @@ final class LungBase {
         top = dome;
     }
 
-    /** A note on a lung that does not lie on the diaphragm. */
+    /** A note on a lung that does not lie on the diaphragm, or perhaps not. */
     Optional<String> note() {
+        if (liesOnDiaphragm() && gapMm > 0) {
+            return Optional.of(Numbers.format(
+                    "three quarters of the base of the right lung lie more than %.0f mm above the organs below: with"
+                            + " air or fluid in the chest without a label between, the diaphragm lies lower than it"
+                            + " is laid",
+                    gapMm));
+        }
         String text = besideOther
                 ? "the base of the %s lung stands %.0f mm higher than beside the other one in people, and the scan"
                         + " labels no organ below it: the diaphragm is laid at the level of the other side, as with"

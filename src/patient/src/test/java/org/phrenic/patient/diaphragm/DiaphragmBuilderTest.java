@@ -201,6 +201,19 @@ class DiaphragmBuilderTest {
         assertThat(off.byArea().percentile95()).as("95 %%, mm").isLessThan(10);
     }
 
+    /** A gap too thick for a diaphragm and too thin to tell that the lung does not lie on it. */
+    @Test
+    void aLungThatEndsAFewCentimetresAboveTheLiverIsNoted() {
+        List<Structure> low = without(StructureKind.DIAPHRAGM).structures().stream()
+                .map(s -> s.kind() == StructureKind.LIVER ? s.withMesh(Shapes.moved(s.mesh(), 0, 0, -20)) : s)
+                .toList();
+        LungBase base = LungBase.of(new Thorax("gap", low, List.of())).get(0);
+        assertThat(base.liesOnDiaphragm()).isTrue();
+        assertThat(base.note())
+                .hasValueSatisfying(note -> assertThat(note).contains("base of the right lung", "air or fluid"));
+        assertThat(LungBase.of(FEMALE)).allMatch(own -> own.note().isEmpty());
+    }
+
     /** The scan labels no organ: the liver is a template's. */
     @Test
     void underALungThatEndsFarAboveTheOtherOneTheSheetLiesAtTheLevelOfThat() {
