@@ -11,11 +11,10 @@ import java.util.Set;
 final class LungNumbers {
     private static final String RIGHT = "lung_R";
     private static final String LEFT = "lung_L";
-    private static final double MM3_PER_ML = 1000;
     /** Greatest factor by which one lung is larger than the other. */
-    private static final double MOST_BETWEEN_LUNGS = 2.2;
-    /** Least volume of a lobe, ml. */
-    private static final double LEAST_LOBE_ML = 40;
+    private static final double MOST_BETWEEN_LUNGS = 5;
+    /** Least share of a lobe in both lungs: a middle lobe that has collapsed. */
+    private static final double LEAST_LOBE_SHARE = 0.005;
     /** Least distance of the lungs' middles from side to side, over the sum of their standard deviations that way. */
     private static final double LEAST_APART = 2;
 
@@ -63,11 +62,11 @@ final class LungNumbers {
         List<Integer> left = labels(structures, LEFT);
         boolean sides = right.stream().allMatch(r -> left.stream()
                 .allMatch(l -> positions.centre(r)[0] < positions.centre(l)[0]));
-        boolean lobes = structures.keySet().stream()
-                .allMatch(label -> positions.isAtEnd(label)
-                        || positions.count(label) * positions.voxelVolume() > LEAST_LOBE_ML * MM3_PER_ML);
         Lung one = Lung.of(positions, right);
         Lung two = Lung.of(positions, left);
+        boolean lobes = structures.keySet().stream()
+                .allMatch(label -> positions.isAtEnd(label)
+                        || positions.count(label) > LEAST_LOBE_SHARE * (one.count + two.count));
         double apart = two.mean[0] - one.mean[0];
         boolean whole = structures.keySet().stream().noneMatch(positions::isAtEnd);
         boolean alike = Math.max(one.count, two.count) < MOST_BETWEEN_LUNGS * Math.min(one.count, two.count);

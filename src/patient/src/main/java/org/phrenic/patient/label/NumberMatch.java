@@ -38,7 +38,7 @@ record NumberMatch(
     /** Greatest number of labels that the tool does not have, and share of those that it has: some may be added. */
     private static final int MOST_UNKNOWN = 3;
 
-    private static final double MOST_UNKNOWN_SHARE = 0.1;
+    private static final double MOST_UNKNOWN_SHARE = 0.25;
     /** Labels of the table that may be absent for one label that it does not have. */
     private static final int UNKNOWN_WEIGHT = 3;
     /** Share of its labels from which a table is hardly longer than the volume's own numbers. */

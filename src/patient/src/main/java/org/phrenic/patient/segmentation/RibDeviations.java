@@ -3,6 +3,7 @@ package org.phrenic.patient.segmentation;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.TreeMap;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
@@ -42,10 +43,11 @@ final class RibDeviations {
     private static final double FALL = 0.5;
 
     private static final int LEAST_RIBS = 4;
-    /** Numbers are one off if the median of the ribs deviates by so much, and most ribs are near to it. */
+    /** Numbers are one off if the median of the ribs lies from this to as much above one, and most are near to it. */
     private static final double LEAST_DEVIATION = 0.65;
+    /** The same beside vertebrae whose heights show a fault. */
+    private static final double LEAST_BESIDE_FAULT = 0.55;
 
-    private static final double MOST_DEVIATION = 1.35;
     private static final double SCATTER = 0.5;
     private static final double MOST = 0.75;
     /** Least voxels of a rib over those of the median rib; the shortest ribs 12 have 0.03. */
@@ -145,14 +147,21 @@ final class RibDeviations {
     /** 1 if the vertebrae lie one above the ribs of their numbers, -1 if one below, otherwise 0. */
     int slip() {
         double[] deviation = of(new VertebraHeights(s), FIRST, RibNumbering.RIBS);
-        if (deviation.length < LEAST_RIBS) {
-            return 0;
-        }
+        return deviation.length < LEAST_RIBS ? 0 : slip(deviation, LEAST_DEVIATION);
+    }
+
+    /** By how many numbers the ribs of these numbers are off, which deviate alike; empty for less than two. */
+    OptionalInt slip(VertebraHeights height, int from, int to) {
+        double[] deviation = of(height, from, to);
+        return deviation.length < 2 ? OptionalInt.empty() : OptionalInt.of(slip(deviation, LEAST_BESIDE_FAULT));
+    }
+
+    private static int slip(double[] deviation, double least) {
         double median = median(deviation);
         long near = Arrays.stream(deviation)
                 .filter(d -> Math.abs(d - median) < SCATTER)
                 .count();
-        boolean off = Math.abs(median) > LEAST_DEVIATION && Math.abs(median) < MOST_DEVIATION;
+        boolean off = Math.abs(median) > least && Math.abs(median) < 2 - least;
         return off && near >= MOST * deviation.length ? (int) Math.signum(median) : 0;
     }
 

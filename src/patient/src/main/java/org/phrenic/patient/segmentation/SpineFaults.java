@@ -1,6 +1,7 @@
 package org.phrenic.patient.segmentation;
 
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.mesh.IntList;
 import org.phrenic.patient.label.SpineNames;
@@ -24,7 +25,7 @@ final class SpineFaults {
     }
 
     /**
-     * Mends the first fault of each kind and numbers anew the side that is one off.
+     * Mends the first fault found and numbers anew the side that is one off.
      *
      * @return a note if there is one
      */
@@ -64,17 +65,27 @@ final class SpineFaults {
                 + " and " + other + leftOut;
     }
 
+    /**
+     * Whether the ribs above a fault lie one below their vertebrae, or those below it one above, and the others fit.
+     */
+    private static boolean isOneOff(OptionalInt above, OptionalInt below) {
+        return above.isPresent()
+                && below.isPresent()
+                && Math.min(above.getAsInt(), -below.getAsInt()) == -1
+                && above.getAsInt() * below.getAsInt() == 0;
+    }
+
     private Optional<String> joinHalves() {
         for (int level = FIRST_ABOVE + 1; level <= RibNumbering.RIBS; level++) {
             if (height.areHalves(level)) {
-                long above = ribs.off(height, FIRST_ABOVE, level - 1);
-                long below = ribs.off(height, level + 2, RibNumbering.RIBS);
-                if ((above == -1 && below == 0) || (above == 0 && below == 1)) {
+                OptionalInt above = ribs.slip(height, FIRST_ABOVE, level - 1);
+                OptionalInt below = ribs.slip(height, level + 2, RibNumbering.RIBS);
+                if (isOneOff(above, below)) {
                     int place = SpineNames.place(level);
                     String names = SpineNames.at(place) + " and " + SpineNames.at(place + 2);
                     return Optional.of(names + " together are as tall as one vertebra, and those "
-                            + moved(above == -1, place, place + 2) + ", and the two are "
-                            + SpineNames.at(above == -1 ? place + 2 : place));
+                            + moved(above.getAsInt() == -1, place, place + 2) + ", and the two are "
+                            + SpineNames.at(above.getAsInt() == -1 ? place + 2 : place));
                 }
             }
         }
@@ -84,13 +95,13 @@ final class SpineFaults {
     private Optional<String> closeGap() {
         for (int level = FIRST_ABOVE + 1; level <= RibNumbering.RIBS; level++) {
             if (height.isSkipped(level)) {
-                long above = ribs.off(height, FIRST_ABOVE, level - 1);
-                long below = ribs.off(height, level, RibNumbering.RIBS);
-                if ((above == -1 && below == 0) || (above == 0 && below == 1)) {
+                OptionalInt above = ribs.slip(height, FIRST_ABOVE, level - 1);
+                OptionalInt below = ribs.slip(height, level, RibNumbering.RIBS);
+                if (isOneOff(above, below)) {
                     int place = SpineNames.place(level);
                     return Optional.of(
                             SpineNames.at(place) + " is missing between two that follow each other, and those "
-                                    + moved(above == -1, place - 1, place + 1));
+                                    + moved(above.getAsInt() == -1, place - 1, place + 1));
                 }
             }
         }
