@@ -135,6 +135,10 @@ final class LungBase {
         if (top < middle) {
             top = dome;
         }
+        judge(lung, organs, all);
+    }
+
+    private void judge(TriangleMesh lung, Optional<TriangleTree> organs, Optional<TriangleTree> all) {
         List<Below> below = Stream.concat(organs.stream(), all.stream())
                 .flatMap(with -> below(lung, with).stream())
                 .toList();
