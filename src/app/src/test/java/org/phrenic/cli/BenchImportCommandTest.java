@@ -41,7 +41,7 @@ class BenchImportCommandTest {
                 "--out",
                 folder.resolve("out").toString());
         assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
-        assertThat(run.err()).contains("20 x 20 x 20").contains("--labels");
+        assertThat(run.err()).contains("20 x 20 x 20").contains("interpolated linearly");
         assertThat(Files.exists(folder.resolve("out"))).isFalse();
     }
 }

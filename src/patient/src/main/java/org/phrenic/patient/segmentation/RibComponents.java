@@ -190,8 +190,7 @@ final class RibComponents {
         double gap = Arrays.stream(distances).min().orElseThrow();
         boolean overriding = angle <= MAX_OVERRIDING_ANGLE && gap < OVERRIDING_MM;
         long beside = Arrays.stream(distances).filter(d -> d < gap + BESIDE_MM).count();
-        boolean near = gap < NEAR_MM && (apart || overriding || beside / (double) distances.length <= MAX_BESIDE);
-        return near && !VertebraHeights.areTwo(s, a, b, middle);
+        return gap < NEAR_MM && (apart || overriding || beside / (double) distances.length <= MAX_BESIDE);
     }
 
     /** Whether the heights of two parts, continued toward each other, meet half way. */

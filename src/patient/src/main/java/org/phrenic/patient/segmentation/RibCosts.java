@@ -13,8 +13,6 @@ final class RibCosts {
     private static final int RIBS = RibNumbering.RIBS;
     /** Weight of the labels' numbers where vertebrae are known. */
     private static final double VOTE = 0.5;
-    /** Weight of a label's own number where the vertebrae tell that most are one too low or high. */
-    private static final double SLIPPED = 0.75;
     /** Cost of a number without a rib between two ribs. */
     private static final double GAP = 0.3;
     /** Weight of the height above what is left of a rib whose vertebral end is cut off. */
@@ -34,15 +32,12 @@ final class RibCosts {
     private final boolean isCommon;
     private final RibComponents components;
     private final VertebraHeights vertebrae;
-    /** By how many numbers the vertebrae tell that labels of ribs are too low; 0 if they do not. */
-    private final int slip;
 
-    RibCosts(Segmentation s, RibComponents components, VertebraHeights vertebrae, int slip) {
+    RibCosts(Segmentation s, RibComponents components, VertebraHeights vertebrae) {
         this.s = s;
         isCommon = s.names().stream().anyMatch(LabelTable::isRibs);
         this.components = components;
         this.vertebrae = vertebrae;
-        this.slip = slip;
     }
 
     /**
@@ -86,9 +81,8 @@ final class RibCosts {
         Arrays.fill(least[0], 1, RIBS + 1, Double.POSITIVE_INFINITY);
         for (int i = 0; i < n; i++) {
             RibComponents.Rib rib = all.get(ribs.get(i));
-            boolean lumbar = i == n - 1 && isLumbar(ribs, ends);
             boolean stray = components.isStray(rib, vertebrae.showThorax() ? LIKE : 1);
-            double without = lumbar ? 0 : stray ? leftOut + rib.voxels.size() / largest : Double.POSITIVE_INFINITY;
+            double without = stray ? leftOut + rib.voxels.size() / largest : Double.POSITIVE_INFINITY;
             for (int number = 0; number <= RIBS; number++) {
                 least[i + 1][number] = least[i][number] + without;
                 before[i + 1][number] = number;
@@ -128,21 +122,6 @@ final class RibCosts {
                 .orElseThrow();
     }
 
-    /**
-     * Whether the last of more than twelve ribs from top to bottom is a lumbar one: it ends where a thirteenth would,
-     * and the one above it is as short as a twelfth.
-     */
-    boolean isLumbar(List<Integer> ribs, VertebralEnd[] ends) {
-        int n = ribs.size();
-        if (n <= RIBS || !vertebrae.showThorax() || !ends[ribs.get(n - 1)].isWhole()) {
-            return false;
-        }
-        double z = ends[ribs.get(n - 1)].z();
-        boolean below = Math.abs(z - vertebrae.ribEnd(RIBS + 1)) < Math.abs(z - vertebrae.ribEnd(RIBS));
-        List<RibComponents.Rib> all = components.ribs();
-        return below && CutRibCount.isTwelfth(s, all.get(ribs.get(n - 2)).voxels, all.get(ribs.get(n - 3)).voxels);
-    }
-
     private boolean isCut(int rib) {
         return (components.ribs().get(rib).ends & (s.endsToward(true) | s.endsToward(false))) != 0;
     }
@@ -162,24 +141,15 @@ final class RibCosts {
                 : away(ends[rib], number) + VOTE * vote;
     }
 
-    /** Share of a rib's voxels that carry another number; where labels are too low or high, than the next as well. */
+    /** Share of a rib's voxels that carry another number. */
     private double vote(int rib, int number, Side side) {
-        double share = share(rib, number, side);
-        return 1 - (slip == 0 ? share : Math.max(SLIPPED * share, share(rib, number - slip, side)));
-    }
-
-    private double share(int rib, int number, Side side) {
         int segment = s.find(RibNumbering.name(number, side));
-        return segment > 0 ? components.ribs().get(rib).share(segment) : 0;
+        return 1 - (segment > 0 ? components.ribs().get(rib).share(segment) : 0);
     }
 
-    /**
-     * Distance of a vertebral end from the vertebra of a number, or where labels slip from its usual place, in
-     * vertebrae.
-     */
+    /** Distance of a vertebral end from the vertebra of a number, in vertebrae. */
     private double away(VertebralEnd end, int number) {
-        double usual = slip == 0 ? vertebrae.at(number) : vertebrae.ribEnd(number);
-        double above = (usual - end.z()) / RibNumbering.VERTEBRA_MM;
+        double above = (vertebrae.at(number) - end.z()) / RibNumbering.VERTEBRA_MM;
         return Math.abs(above) * (end.isCut() && above > 0 ? ABOVE_CUT : 1);
     }
 }

@@ -23,9 +23,8 @@ import org.phrenic.patient.segmentation.VertebraHeights.VertebralEnd;
  * ({@link CutRibCount}). The numbers are otherwise those of least cost: the height of a rib's vertebral end above or
  * below the vertebra of its number, the share of its voxels that carry another number, and numbers left out. A stray
  * part under the label of a rib is left out where the scan cuts off ribs of its side and they would otherwise leave the
- * numbers of their labels, a lumbar rib where there are more than twelve. Of a rib whose vertebral end is cut off the
- * vertebra lies higher than what is left. Where no vertebra above the twelfth is shown, the height of the lowest rib
- * alone tells its number.
+ * numbers of their labels. Of a rib whose vertebral end is cut off the vertebra lies higher than what is left. Where no
+ * vertebra above the twelfth is shown, the height of the lowest rib alone tells its number.
  */
 final class RibNumbering {
     static final int RIBS = 12;
@@ -50,13 +49,13 @@ final class RibNumbering {
     private final VertebraHeights vertebrae;
     private final RibCosts costs;
 
-    private RibNumbering(Segmentation s, RibComponents components, int slip) {
+    private RibNumbering(Segmentation s, RibComponents components) {
         this.s = s;
         this.components = components;
         isCommon = isCommon(s);
         sides = new RibSides(s, components.ribs());
         vertebrae = new VertebraHeights(s);
-        costs = new RibCosts(s, components, vertebrae, slip);
+        costs = new RibCosts(s, components, vertebrae);
     }
 
     /**
@@ -73,18 +72,17 @@ final class RibNumbering {
             return Optional.empty();
         }
         return Optional.of(
-                isCommon(s) ? new RibNumbering(s, components, 0).renumber(reason.get()) : renumber(s, reason.get(), 0));
+                isCommon(s) ? new RibNumbering(s, components).renumber(reason.get()) : renumber(s, reason.get()));
     }
 
     /**
      * Numbers the ribs anew.
      *
      * @param found begins the note
-     * @param slip by how many numbers the vertebrae tell that labels of ribs are too low; 0 if they do not
      * @return a note
      */
-    static String renumber(Segmentation s, String found, int slip) {
-        return new RibNumbering(s, components(s, true), slip).renumber(found);
+    static String renumber(Segmentation s, String found) {
+        return new RibNumbering(s, components(s, true)).renumber(found);
     }
 
     private static boolean isCommon(Segmentation s) {
@@ -166,7 +164,9 @@ final class RibNumbering {
         apply(ribs, nameOf);
         return found + ": the " + numbered.size() + " connected ribs are numbered from top to bottom"
                 + told(ways)
-                + (leftOut.isEmpty() ? "" : "; left out, none of the twelve ribs: " + String.join(", ", leftOut))
+                + (leftOut.isEmpty()
+                        ? ""
+                        : "; left out, away from the rib of their label: " + String.join(", ", leftOut))
                 + components.parted();
     }
 
@@ -248,8 +248,7 @@ final class RibNumbering {
         int least = n
                 - (int) ribs.stream()
                         .filter(i -> components.isStray(all.get(i), 1))
-                        .count()
-                - (costs.isLumbar(ribs, ends) ? 1 : 0);
+                        .count();
         if (least > RIBS || (isUnknown(n) && !vertebrae.areShown())) {
             throw new BadInputException(found + ", which cannot be told apart: found "
                     + (least > RIBS ? least : n) + " connected ribs on the "

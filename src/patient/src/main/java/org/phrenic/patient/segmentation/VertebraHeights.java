@@ -28,24 +28,11 @@ final class VertebraHeights {
     /** Greatest distance of a vertebral end from the median plane, mm. */
     private static final double HEAD_MM = 60;
 
-    /** Least difference in height of the vertebral ends of two ribs, mm. */
-    private static final double APART_MM = 8;
-
     /** Least height of two vertebrae under one label over that of their neighbours; one has at most 1.25 of these. */
     private static final double DOUBLE = 1.6;
 
-    /** Greatest height of a half of a vertebra over that of its neighbours, and least and greatest one of both. */
-    private static final double HALF = 0.65;
-
-    private static final double LEAST_WHOLE = 0.8;
-    private static final double MOST_WHOLE = 1.3;
-    /** Greatest distance of two vertebrae that follow each other over that of their neighbours. */
-    private static final double NEXT = 1.5;
-
     /** By level, mm; NaN if the volume shows none. */
     private final double[] vertebraZ = new double[LAST + 1];
-
-    private final boolean[] isShown = new boolean[LAST + 1];
     /**
      * Vertical extent of the anterior half, that of an even distribution with the same variance, mm; 0 for none and
      * where the scan ends above or below in it.
@@ -65,9 +52,6 @@ final class VertebraHeights {
                 .filter(level -> !Double.isNaN(vertebraZ[level]))
                 .findFirst()
                 .orElse(NONE);
-        for (int level = 1; level <= LAST; level++) {
-            isShown[level] = !Double.isNaN(vertebraZ[level]);
-        }
         for (int level = LAST - 1; level > 0; level--) {
             vertebraZ[level] = Double.isNaN(vertebraZ[level]) ? vertebraZ[level + 1] + toNext(level) : vertebraZ[level];
         }
@@ -129,34 +113,10 @@ final class VertebraHeights {
         return vertebraZ[level];
     }
 
-    /** Usual height of the vertebral end of the rib of a number, mm; a thirteenth one is as far below its vertebra. */
-    double ribEnd(int number) {
-        double spacing = at(Math.max(1, number - 1)) - at(Math.max(2, number));
-        return at(number) - RibDeviations.usual(Math.min(number, RibNumbering.RIBS)) * spacing;
-    }
-
     /** Whether a vertebra between two others is as tall as two of them. */
     boolean isDouble(int level) {
         double least = Math.min(extent[level - 1], extent[level + 1]);
         return least > 0 && extent[level] > DOUBLE * Math.max(extent[level - 1], extent[level + 1]);
-    }
-
-    /** Whether a vertebra and the next one below it, between two others, are as tall as one of these. */
-    boolean areHalves(int level) {
-        double above = extent[level - 1];
-        double below = extent[level + 2];
-        double usual = 0.5 * (above + below);
-        double both = extent[level] + extent[level + 1];
-        double taller = Math.max(extent[level], extent[level + 1]);
-        boolean known = Math.min(Math.min(above, below), both - taller) > 0;
-        return known && taller < HALF * usual && both > LEAST_WHOLE * usual && both < MOST_WHOLE * usual;
-    }
-
-    /** Whether the vertebra of a level is missing between two that follow each other. */
-    boolean isSkipped(int level) {
-        boolean known = isShown[level - 2] && isShown[level - 1] && isShown[level + 1] && isShown[level + 2];
-        double usual = 0.5 * (at(level - 2) - at(level - 1) + at(level + 1) - at(level + 2));
-        return known && !isShown[level] && at(level - 1) - at(level + 1) < NEXT * usual;
     }
 
     /**
@@ -248,42 +208,18 @@ final class VertebraHeights {
     }
 
     /**
-     * Distance from the median plane and height of each voxel of a rib behind its centre, mm, the ends of the scan that
-     * it lies at, as {@link Segmentation#ends}, and its y.
+     * Distance from the median plane and height of each voxel of a rib behind its centre, mm, and the ends of the scan
+     * that it lies at, as {@link Segmentation#ends}.
      */
     static List<double[]> posterior(Segmentation s, IntList voxels, double centreY, double middle) {
         List<double[]> posterior = new ArrayList<>();
         for (int i = 0; i < voxels.size(); i++) {
             double[] p = s.point(voxels.get(i));
             if (p[1] >= centreY) {
-                posterior.add(new double[] {Math.abs(p[0] - middle), p[2], s.ends(voxels.get(i)), p[1]});
+                posterior.add(new double[] {Math.abs(p[0] - middle), p[2], s.ends(voxels.get(i))});
             }
         }
         return posterior;
-    }
-
-    /** Whether two parts are two ribs: both end beside the spine, one above the other. */
-    static boolean areTwo(Segmentation s, RibComponents.Rib a, RibComponents.Rib b, double middle) {
-        double[] endA = end(s, a, middle);
-        double[] endB = end(s, b, middle);
-        double above = Math.abs(endA[1] - endB[1]);
-        return Math.max(endA[0], endB[0]) < HEAD_MM
-                && above > APART_MM
-                && Math.abs(endA[0] - endB[0]) < above
-                && Math.abs(endA[3] - endB[3]) < above;
-    }
-
-    /** Mean of the voxels of a part's posterior half that are nearest to the spine, as {@link #posterior}. */
-    private static double[] end(Segmentation s, RibComponents.Rib part, double middle) {
-        List<double[]> nearest = nearest(posterior(s, part.voxels, part.centre[1], middle), part.voxels.size())
-                .toList();
-        double[] mean = new double[4];
-        nearest.forEach(p -> {
-            for (int i = 0; i < mean.length; i++) {
-                mean[i] += p[i] / nearest.size();
-            }
-        });
-        return mean;
     }
 
     /** Whether the posterior half of a rib ends far from the spine. */

@@ -63,7 +63,7 @@ class RibNumberingTest {
         Segmentation s = from(cage, 40);
         assertThat(SegmentationRepair.numberRibs(s))
                 .containsExactly("label 104 holds parts of two ribs: the 20 connected ribs are numbered from top to"
-                        + " bottom by their vertebrae; left out, none of the twelve ribs: a part of label 104 at"
+                        + " bottom by their vertebrae; left out, away from the rib of their label: a part of label 104 at"
                         + " the height of C7 on the right");
         assertThat(counts(s)).isEqualTo(truth);
     }
@@ -193,73 +193,6 @@ class RibNumberingTest {
         Segmentation s = cage.segmentation(CageVoxels.table(true));
         assertThat(s.names()).contains(LabelTable.RIBS);
         SegmentationRepair.numberRibs(s);
-        assertThat(counts(s)).isEqualTo(truth);
-    }
-
-    /** Right ribs from the second on carry the number of the one above, and a lumbar one that of the twelfth. */
-    @Test
-    void ribsCountedFromALumbarOneAreNumberedByTheirVertebrae() {
-        CageVoxels cage = CageVoxels.withFloatingRibs().withVertebrae(1);
-        Map<String, Integer> truth = counts(from(cage, 0));
-        for (int v = 0; v < cage.labels.length; v++) {
-            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
-            boolean low = label > CageVoxels.rib(1, true) && label <= CageVoxels.rib(12, true);
-            cage.labels[v] = (byte) (low ? label - 1 : label);
-        }
-        arc(cage, 16, 0.3, CageVoxels.rib(12, true));
-        Segmentation s = from(cage, 0);
-        assertThat(SegmentationRepair.numberRibs(s))
-                .singleElement()
-                .asString()
-                .endsWith("; left out, none of the twelve ribs: a part of label 115 at the height of L1 on the right");
-        assertThat(counts(s)).isEqualTo(truth);
-    }
-
-    /** It curves more tightly than the second, so that the two are near each other with their vertebral ends alone. */
-    @Test
-    void aFirstRibUnderTheLabelOfTheSecondIsARibOfItsOwn() {
-        CageVoxels cage = CageVoxels.withFloatingRibs().withVertebrae(1);
-        clear(cage, CageVoxels.rib(1, true));
-        for (int step = 0; step <= 400; step++) {
-            double angle = Math.PI * step / 400;
-            double x = 38.5 - 10 * StrictMath.sin(angle);
-            cage.ball(
-                    x,
-                    37 + 15 * StrictMath.cos(angle),
-                    116 + 3 * (1 - StrictMath.cos(angle)),
-                    1.6,
-                    CageVoxels.rib(1, true));
-        }
-        Map<String, Integer> truth = counts(from(cage, 0));
-        for (int v = 0; v < cage.labels.length; v++) {
-            boolean first = (cage.labels[v] & LabelGrid.MAX_BYTE_LABEL) == CageVoxels.rib(1, true);
-            cage.labels[v] = first ? (byte) CageVoxels.rib(2, true) : cage.labels[v];
-        }
-        Segmentation s = from(cage, 0);
-        assertThat(SegmentationRepair.numberRibs(s)).singleElement().asString().contains("holds parts of two ribs");
-        assertThat(counts(s)).isEqualTo(truth);
-    }
-
-    /** The first have no label; the heads lie half a vertebra above the middle of theirs, as in people. */
-    @Test
-    void ribsThatAllHaveTheNumberOfTheOneAboveAreNumberedByTheirVertebrae() {
-        CageVoxels cage = CageVoxels.withFloatingRibs();
-        for (int number = 1; number <= 12; number++) {
-            cage.ball(44.5, 50, 120 - 8 * number, 3.2, CageVoxels.vertebra(number));
-        }
-        clear(cage, CageVoxels.rib(1, true));
-        clear(cage, CageVoxels.rib(1, false));
-        Map<String, Integer> truth = counts(from(cage, 0));
-        for (int v = 0; v < cage.labels.length; v++) {
-            int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
-            cage.labels[v] =
-                    (byte) (label >= CageVoxels.rib(1, false) && label <= CageVoxels.rib(12, true) ? label - 1 : label);
-        }
-        Segmentation s = from(cage, 0);
-        assertThat(SegmentationRepair.numberRibs(s))
-                .singleElement()
-                .asString()
-                .startsWith("ribs, whose vertebrae lie one above their numbers");
         assertThat(counts(s)).isEqualTo(truth);
     }
 }
