@@ -139,18 +139,20 @@ final class LungBase {
     }
 
     private void judge(TriangleMesh lung, Optional<TriangleTree> organs, Optional<TriangleTree> all) {
-        List<Below> below = Stream.concat(organs.stream(), all.stream())
-                .flatMap(with -> below(lung, with).stream())
-                .toList();
-        if (below.isEmpty() || below.size() < (all.isPresent() ? 2 : 1)) {
+        Optional<Below> near = organs.flatMap(with -> below(lung, with));
+        if (near.isEmpty() || (!near.get().parted() && side != Side.RIGHT)) {
             return;
         }
-        if (below.stream().allMatch(Below::parted)) {
-            partedMm = top - below.get(0).roof();
-            top = below.get(0).roof();
+        Optional<Below> any = all.isPresent() ? all.flatMap(with -> below(lung, with)) : near;
+        if (any.isEmpty()) {
+            return;
+        }
+        if (near.get().parted() && any.get().parted()) {
+            partedMm = top - near.get().roof();
+            top = near.get().roof();
             dome = top;
         } else if (side == Side.RIGHT) {
-            double least = below.stream().mapToDouble(Below::gap).min().orElse(0);
+            double least = Math.min(near.get().gap(), any.get().gap());
             gapMm = least > NOTED_MM ? least : 0;
         }
     }

@@ -87,9 +87,11 @@ public final class ImportPipeline {
     }
 
     private static LabelTable table(ImportRequest request, LabelVolume volume, ImportProgress progress) {
-        InterpolatedLabels.problem(volume.grid()).filter(p -> !volume.isImage()).ifPresent(problem -> {
-            throw new BadInputException(request.file() + ": " + problem);
-        });
+        if (!volume.isImage()) {
+            InterpolatedLabels.problem(volume.grid()).ifPresent(problem -> {
+                throw new BadInputException(request.file() + ": " + problem);
+            });
+        }
         if (request.labels().isEmpty()) {
             LabelGuess guess = LabelGuess.of(volume);
             progress.stage(guess.reason());

@@ -32,51 +32,77 @@ public final class LungPieces {
      */
     public static List<String> name(Segmentation s) {
         List<String> notes = new ArrayList<>();
-        giveToOther(s, "lung_R", "lung_L", notes);
-        giveToOther(s, "lung_L", "lung_R", notes);
-        for (String lung : List.of("lung_R", "lung_L")) {
-            if (s.find(lung) > 0) {
-                name(s, lung, notes);
-            }
+        Optional<Pieces> right = Pieces.of(s, "lung_R");
+        right.ifPresent(pieces -> giveToOther(s, pieces, "lung_L", notes));
+        Optional<Pieces> left = Pieces.of(s, "lung_L");
+        left.ifPresent(pieces -> giveToOther(s, pieces, "lung_R", notes));
+        if (!notes.isEmpty()) {
+            right = Pieces.of(s, "lung_R");
+            left = Pieces.of(s, "lung_L");
         }
+        right.ifPresent(pieces -> name(s, pieces, notes));
+        left.ifPresent(pieces -> name(s, pieces, notes));
         return notes;
     }
 
-    private static void giveToOther(Segmentation s, String lung, String other, List<String> notes) {
-        Optional<LungVoxels> beyond = LungVoxels.of(s, other);
-        if (beyond.isEmpty() || s.find(lung) == 0) {
+    /**
+     * The connected pieces of a lung.
+     *
+     * @param marks number of the piece of each cell of the region, from {@value #FIRST} on
+     * @param sizes number of voxels by number
+     */
+    private record Pieces(String lung, VoxelRegion region, byte[] marks, int[] sizes) {
+        static final int FIRST = 2;
+
+        static Optional<Pieces> of(Segmentation s, String lung) {
+            if (s.find(lung) == 0) {
+                return Optional.empty();
+            }
+            VoxelRegion region = new VoxelRegion(s, s.find(lung));
+            byte[] marks = new byte[region.cells()];
+            return Optional.of(new Pieces(lung, region, marks, region.connectedComponents(0, marks)));
+        }
+
+        int largest() {
+            return IntStream.range(0, sizes.length)
+                    .reduce((a, b) -> sizes[b] > sizes[a] ? b : a)
+                    .orElse(0);
+        }
+
+        int[] voxels(int wanted) {
+            return IntStream.range(0, marks.length)
+                    .filter(cell -> marks[cell] == wanted)
+                    .map(region::voxel)
+                    .toArray();
+        }
+    }
+
+    private static void giveToOther(Segmentation s, Pieces pieces, String other, List<String> notes) {
+        if (pieces.sizes.length < Pieces.FIRST + 2) {
             return;
         }
-        VoxelRegion region = new VoxelRegion(s, s.find(lung));
-        byte[] piece = new byte[region.cells()];
-        int[] sizes = region.connectedComponents(0, piece);
-        int largest = IntStream.range(0, sizes.length)
-                .reduce((a, b) -> sizes[b] > sizes[a] ? b : a)
-                .orElse(0);
-        double middle = 0.5 * (beyond.get().centre()[0] + meanAcross(s, region, piece, largest));
+        Optional<LungVoxels> beyond = LungVoxels.of(s, other);
+        if (beyond.isEmpty()) {
+            return;
+        }
+        int largest = pieces.largest();
+        double middle = 0.5 * (beyond.get().centre()[0] + meanAcross(s, pieces.voxels(largest)));
         boolean otherIsLeft = beyond.get().centre()[0] > middle;
-        for (int wanted = 2; wanted < sizes.length; wanted++) {
-            if (wanted != largest && isOf(s, other, voxels(region, piece, wanted), middle, otherIsLeft)) {
-                region.assign(piece, wanted, s.find(other));
+        for (int wanted = Pieces.FIRST; wanted < pieces.sizes.length; wanted++) {
+            if (wanted != largest && isOf(s, other, pieces.voxels(wanted), middle, otherIsLeft)) {
+                pieces.region.assign(pieces.marks, wanted, s.find(other));
                 notes.add(String.format(
                         Locale.ROOT,
                         "%s: a piece of %.0f ml lies at the other lung; it is taken for a part of %s",
-                        lung,
-                        s.grid().volumeMl(sizes[wanted]),
+                        pieces.lung,
+                        s.grid().volumeMl(pieces.sizes[wanted]),
                         other));
             }
         }
     }
 
-    private static int[] voxels(VoxelRegion region, byte[] piece, int wanted) {
-        return IntStream.range(0, piece.length)
-                .filter(cell -> piece[cell] == wanted)
-                .map(region::voxel)
-                .toArray();
-    }
-
-    private static double meanAcross(Segmentation s, VoxelRegion region, byte[] piece, int wanted) {
-        return Arrays.stream(voxels(region, piece, wanted))
+    private static double meanAcross(Segmentation s, int[] voxels) {
+        return Arrays.stream(voxels)
                 .mapToDouble(v -> s.coordinate(v, 0))
                 .average()
                 .orElse(0);
@@ -85,25 +111,26 @@ public final class LungPieces {
     /** Whether a piece lies on the other lung's side of a sagittal plane and has many faces in common with it. */
     private static boolean isOf(Segmentation s, String other, int[] piece, double middle, boolean otherIsLeft) {
         int own = s.segmentAt(piece[0]);
+        int wanted = s.find(other);
+        int[] steps = s.steps();
         int across = 0;
         int faces = 0;
         int shared = 0;
         for (int voxel : piece) {
             across += s.coordinate(voxel, 0) > middle == otherIsLeft ? 1 : 0;
-            for (int step : s.steps()) {
+            for (int step : steps) {
                 int next = voxel + step;
                 int beside = next < 0 || next >= s.voxels.length ? 0 : s.segmentAt(next);
                 faces += beside == own ? 0 : 1;
-                shared += beside == s.find(other) ? 1 : 0;
+                shared += beside == wanted ? 1 : 0;
             }
         }
         return across > BEYOND * piece.length && shared > TOUCHING * faces;
     }
 
-    private static void name(Segmentation s, String lung, List<String> notes) {
-        VoxelRegion region = new VoxelRegion(s, s.find(lung));
-        byte[] piece = new byte[region.cells()];
-        int[] sizes = region.connectedComponents(0, piece);
+    private static void name(Segmentation s, Pieces pieces, List<String> notes) {
+        String lung = pieces.lung;
+        int[] sizes = pieces.sizes;
         int total = Arrays.stream(sizes).sum();
         List<Integer> large = IntStream.range(0, sizes.length)
                 .filter(p -> sizes[p] > LEAST_SHARE * total)
@@ -113,7 +140,7 @@ public final class LungPieces {
         for (int rank = 1; rank < large.size(); rank++) {
             int wanted = large.get(rank);
             String name = lung + "_" + (rank + 1);
-            region.assign(piece, wanted, s.segment(name));
+            pieces.region.assign(pieces.marks, wanted, s.segment(name));
             s.inheritFrom(name, lung);
             notes.add(String.format(
                     Locale.ROOT,
