@@ -348,6 +348,8 @@ class RehearsalWindowTest extends RehearsalProbeCases {
     /** Another breath would be recorded anew, without the needle. */
     @Test
     void anotherBreathWaitsUntilTheNeedleIsOut() throws Exception {
+        // The word of a former test's sample may still be shown.
+        WindowHarness.doOnEdt(() -> window.session().note("No sample yet."));
         sampleBeforeTheTarget();
         until(
                 "word of the sample",
