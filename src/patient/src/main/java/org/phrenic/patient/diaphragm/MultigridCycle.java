@@ -115,23 +115,33 @@ final class MultigridCycle {
             Arrays.fill(x, 0);
             System.arraycopy(b, 0, residual, 0, b.length);
             smooth(x);
+            updateResidual();
             restrict();
             coarser.apply(right, found);
             interpolate();
-            add(x);
+            addChange(x);
+            updateResidual();
             smooth(x);
         }
 
-        /** Adds the change to x and takes its product from the residual. */
-        private void add(double[] x) {
-            matrix.multiply(change, product);
+        private void addChange(double[] x) {
             for (int i = 0; i < x.length; i++) {
                 x[i] += change[i];
+            }
+        }
+
+        /** Takes the product of the change from the residual. */
+        private void updateResidual() {
+            matrix.multiply(change, product);
+            for (int i = 0; i < residual.length; i++) {
                 residual[i] -= product[i];
             }
         }
 
-        /** Chebyshev iteration (Saad 2003, doi 10.1137/1.9780898718003, algorithm 12.1). */
+        /**
+         * Chebyshev iteration (Saad 2003, doi 10.1137/1.9780898718003, algorithm 12.1). The residual is that before the
+         * last change.
+         */
         private void smooth(double[] x) {
             double upper = ThinPlateMatrix.GREATEST_EIGENVALUE;
             double lower = upper / SMOOTHED;
@@ -141,15 +151,16 @@ final class MultigridCycle {
             for (int i = 0; i < x.length; i++) {
                 change[i] = residual[i] / (theta * diagonal[i]);
             }
-            add(x);
+            addChange(x);
             for (int k = 1; k < DEGREE; k++) {
+                updateResidual();
                 double next = 1 / (2 * theta / delta - rho);
                 double keep = next * rho;
                 double step = 2 * next / delta;
                 for (int i = 0; i < x.length; i++) {
                     change[i] = keep * change[i] + step * residual[i] / diagonal[i];
                 }
-                add(x);
+                addChange(x);
                 rho = next;
             }
         }
