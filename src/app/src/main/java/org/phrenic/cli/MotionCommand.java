@@ -75,11 +75,14 @@ final class MotionCommand extends ReportingCommand {
         OrderedValues report;
         Thorax thorax = SimulationRun.loadThorax(scenario);
         thorax.notes().forEach(progress::note);
-        try (Simulation simulation = Simulation.of(scenario, thorax, UserCache.ofUser(), progress);
-                BodyMotion motion = new BodyMotion(simulation, options.organs(), options.lungs(), scenario.threads())) {
+        try (Simulation simulation = Simulation.of(scenario, thorax, UserCache.ofUser(), progress)) {
             double lastS = Math.max(simulation.stepTimes().lastS(), simulation.durationS());
+            // Wrong times are refused before the body is divided into regions, which takes longer.
             double[] times = options.times(simulation.breathDurationS(), lastS);
-            report = new MotionExport(simulation, motion, request, out, progress).write(times);
+            try (BodyMotion motion =
+                    new BodyMotion(simulation, options.organs(), options.lungs(), scenario.threads())) {
+                report = new MotionExport(simulation, motion, request, out, progress).write(times);
+            }
         } finally {
             progress.end();
         }
