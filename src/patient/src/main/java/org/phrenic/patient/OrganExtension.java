@@ -71,9 +71,7 @@ public final class OrganExtension {
             labels[cell] = (byte) (inside ? 1 : 0);
         }
         LabelGrid grid = LabelGrid.of(box.columns(), box.rows(), box.slices(), labels, box.toMm());
-        return onScan(new SegmentMesher(grid, new int[] {0, 1}, MeshingSettings.PAPER)
-                .mesh(1, edge(scan))
-                .mesh());
+        return onScan(new SegmentMesher(grid, new int[] {0, 1}, MeshingSettings.PAPER).surface(1, edge(scan)));
     }
 
     /** A box around two others. */

@@ -60,6 +60,18 @@ public final class SegmentMesher {
         return mesh(pieces(ConnectedComponents.of(voxels.surface(segment))), pieces(shells), shells, edgeMm);
     }
 
+    /** Only the surface of {@link #mesh(int, double)}, not compared with the voxels, which is faster. */
+    public TriangleMesh surface(int segment, double edgeMm) {
+        return meshed(largest(ConnectedComponents.of(smooth.surface(segment))), edgeMm)
+                .mesh();
+    }
+
+    /** Only the surface of {@link #meshAll(int, double)}, not compared with the voxels, which is faster. */
+    TriangleMesh surfaceOfAll(int segment, double edgeMm) {
+        return meshed(pieces(ConnectedComponents.of(smooth.surface(segment))), edgeMm)
+                .mesh();
+    }
+
     private static TriangleMesh pieces(List<TriangleMesh> shells) {
         return shells.size() == 1
                 ? shells.get(0)
@@ -75,6 +87,22 @@ public final class SegmentMesher {
                 .filter(volume -> volume > 0)
                 .toArray();
         double discarded = DoubleStream.of(pieces).sum() - MeshMeasure.signedVolume(whole);
+        Meshed made = meshed(whole, edgeMm);
+        return new MeshedSegment(
+                made.mesh(),
+                label.vertexCount(),
+                made.decimatedVertices(),
+                SurfaceComparison.summaryByArea(made.mesh(), label),
+                MeshQuality.of(made.mesh()),
+                made.passBand(),
+                pieces.length,
+                discarded);
+    }
+
+    /** @param passBand pass band of the second smoothing */
+    private record Meshed(TriangleMesh mesh, int decimatedVertices, double passBand) {}
+
+    private Meshed meshed(TriangleMesh whole, double edgeMm) {
         int wanted = Math.max(MIN_VERTICES, (int) Math.round(settings.keptFraction() * whole.vertexCount()));
         TriangleMesh few = Decimator.toVertexCount(whole, wanted, settings.maxDeviationVoxels() * voxelMm);
         double passBand = settings.passBand();
@@ -86,15 +114,7 @@ public final class SegmentMesher {
         if (edgeMm > 0) {
             mesh = Remesher.toEdgeLength(mesh, edgeMm);
         }
-        return new MeshedSegment(
-                mesh,
-                label.vertexCount(),
-                few.vertexCount(),
-                SurfaceComparison.summaryByArea(mesh, label),
-                MeshQuality.of(mesh),
-                passBand,
-                pieces.length,
-                discarded);
+        return new Meshed(mesh, few.vertexCount(), passBand);
     }
 
     private static double lost(TriangleMesh mesh, TriangleMesh of) {

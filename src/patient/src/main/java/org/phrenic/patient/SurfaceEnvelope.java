@@ -42,12 +42,12 @@ public final class SurfaceEnvelope {
      * @param edgeMm edge of the triangles
      */
     public TriangleMesh closed(double radiusMm, double wallMm, double edgeMm) {
-        return mesher(radiusMm, wallMm).mesh(1, edgeMm).mesh();
+        return mesher(radiusMm, wallMm).surface(1, edgeMm);
     }
 
     /** The closed surfaces around all parts of what is marked, as {@link #closed}. */
     TriangleMesh closedParts(double radiusMm, double wallMm, double edgeMm) {
-        return mesher(radiusMm, wallMm).meshAll(1, edgeMm).mesh();
+        return mesher(radiusMm, wallMm).surfaceOfAll(1, edgeMm);
     }
 
     private SegmentMesher mesher(double radiusMm, double wallMm) {
