@@ -3,6 +3,7 @@ package org.phrenic.study.body;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.mesh.TriangleMesh;
@@ -70,18 +71,18 @@ final class BreathCheck {
 
     /** One breath from rest. */
     private BreathResult breathe(BreathDepth depth) {
-        Frame now = surfaces.newFrame();
         Frame lowest = surfaces.newFrame();
-        double[] rest = now.values().clone();
-        List<TriangleMesh> atRest = meshes(surfaces.surfaces(), now);
+        double[] rest = lowest.values().clone();
+        List<TriangleMesh> atRest = meshes(surfaces.surfaces(), lowest);
         OrganCrossing restCrossing = crossing.measure(surfaces.surfaces(), atRest);
         if (depth == BreathDepth.QUIET) {
             witness.seen(body, "rest", surfaces.surfaces(), atRest);
         }
+        double[] end;
         try {
-            breathe(simulation, surfaces, now, () -> {
-                if (domes(now.values()) < domes(lowest.values())) {
-                    lowest.copyFrom(now);
+            end = breathe(simulation, surfaces, now -> {
+                if (domes(now) < domes(lowest.values())) {
+                    surfaces.write(lowest);
                 }
             });
         } catch (DivergenceException e) {
@@ -96,7 +97,7 @@ final class BreathCheck {
                         value("dome_right_mm", rest) - value("dome_right_mm", lowest.values()),
                         value("dome_left_mm", rest) - value("dome_left_mm", lowest.values()),
                         value("lung_volume_change_ml", lowest.values()) - value("lung_volume_change_ml", rest),
-                        value("from_rest_rms_mm", now.values())),
+                        value("from_rest_rms_mm", end)),
                 restCrossing,
                 Optional.of(crossing.measure(surfaces.surfaces(), inspired)));
     }
@@ -104,18 +105,22 @@ final class BreathCheck {
     /**
      * Simulates a period of the breath.
      *
-     * @param now receives each sample, before it is seen
+     * @param seen receives the observables of each sample, of which {@code surfaces} then writes a frame
+     * @return observables of the last sample
      */
-    static void breathe(Simulation simulation, SceneSurfaces surfaces, Frame now, Runnable seen) {
+    static double[] breathe(Simulation simulation, SceneSurfaces surfaces, Consumer<double[]> seen) {
         double end = simulation.breathPeriodS();
         long chunk = Math.max(1, Math.round(SAMPLE_S / simulation.stepper().dt()));
+        double[] now = surfaces.observe();
         while (simulation.time() < end - 0.5 * simulation.stepper().dt()) {
             for (long i = 0; i < chunk; i++) {
                 simulation.step();
             }
-            surfaces.capture(now);
-            seen.run();
+            now = surfaces.observe();
+            surfaces.read(now);
+            seen.accept(now);
         }
+        return now;
     }
 
     /** The surfaces of a scene in a frame of it. */

@@ -79,8 +79,9 @@ final class InspiredBody {
     private static List<Frame> descent(Simulation simulation, SceneSurfaces surfaces) {
         Frame now = surfaces.newFrame();
         List<Frame> frames = new ArrayList<>(List.of(now.copy()));
-        BreathCheck.breathe(simulation, surfaces, now, () -> {
-            if (BreathCheck.domes(now.values()) < lowest(frames)) {
+        BreathCheck.breathe(simulation, surfaces, values -> {
+            if (BreathCheck.domes(values) < lowest(frames)) {
+                surfaces.write(now);
                 frames.add(now.copy());
             }
         });
