@@ -32,7 +32,6 @@ import org.phrenic.scenario.Assignment;
 import org.phrenic.scene.NeedleMarkers;
 import org.phrenic.ui.access.AttemptHistory;
 import org.phrenic.ui.access.PickMode;
-import org.phrenic.ui.access.RehearsalStage;
 import org.phrenic.ui.access.UltrasoundShot;
 import org.phrenic.ui.view.RenderedFrame;
 import org.phrenic.ui.view.SceneViewport;
@@ -313,9 +312,6 @@ abstract class RehearsalProbeCases extends RehearsalInputCases {
                 .isPresent());
         clinic.ready();
         assertThat(target().diameterMm()).isEqualTo(14);
-        WindowHarness.doOnEdt(() -> window.session().change("Rate", Assignment.parse("rate_per_min=70")));
-        clinic.until("the rate", () -> rehearsal().stage() != RehearsalStage.READY);
-        clinic.ready();
     }
 
     private static JLabel labelOf(java.awt.Container at, String beginning) {

@@ -237,19 +237,21 @@ class RehearsalWindowTest extends RehearsalProbeCases {
         }
     }
 
-    /** The moments of a breath that was changed on the way would be those of no breath that goes on. */
+    /**
+     * The moments of a breath that was changed on the way would be those of no breath that goes on. The breath that is
+     * recorded at first is that of the other tests, and that of the end.
+     */
     @Test
     void aBreathThatIsChangedAndChangedBackWhileItIsRecordedIsRecordedAnew() throws Exception {
+        List<BreathMoment> whole = cycle();
         record("1.3");
-        List<BreathMoment> whole = WindowHarness.onEdt(
-                () -> rehearsal().study().orElseThrow().map().cycle());
-        record("1");
-        changeWhileRecording("1.3", "1", "1.3");
+        assertThat(cycle().get(1).frame().positions(liverIndex()))
+                .as("another breath")
+                .isNotEqualTo(whole.get(1).frame().positions(liverIndex()));
+        changeWhileRecording("1", "1.3", "1");
         clinic.goOn();
         clinic.ready();
-        List<BreathMoment> again = WindowHarness.onEdt(
-                () -> rehearsal().study().orElseThrow().map().cycle());
-        record("1");
+        List<BreathMoment> again = cycle();
         assertThat(again).hasSameSizeAs(whole);
         int liver = liverIndex();
         for (int i = 0; i < whole.size(); i++) {
@@ -257,6 +259,10 @@ class RehearsalWindowTest extends RehearsalProbeCases {
                     .as("moment %d", i)
                     .isEqualTo(whole.get(i).frame().positions(liver));
         }
+    }
+
+    private static List<BreathMoment> cycle() {
+        return WindowHarness.onEdt(() -> rehearsal().study().orElseThrow().map().cycle());
     }
 
     private static int liverIndex() {
@@ -510,7 +516,7 @@ class RehearsalWindowTest extends RehearsalProbeCases {
     void aBadPlanIsOneSentenceAndNothingIsLost() throws Exception {
         Path outside = Files.writeString(
                 folder.resolve("outside.yaml"),
-                "set: {preset: rapid-shallow, rate_per_min: 69, resolution: low, mesh_vertices: 2000, lungs: embedded,"
+                "set: {preset: rapid-shallow, rate_per_min: 68, resolution: low, mesh_vertices: 2000, lungs: embedded,"
                         + " sternum: kinematic, threads: 1}\n"
                         + "target: {rest_mm: [200, 0, 0], diameter_mm: 20}\nsteps: []\n");
         Path wrong = Files.writeString(folder.resolve("wrong.yaml"), "target: {rest_mm: [1, 2]}\nsteps: []\n");
