@@ -121,7 +121,8 @@ final class RehearsalPreparation {
      */
     void recordBreathIfChanged() {
         boolean recording = rehearsal.stage == RehearsalStage.RECORDING_BREATH;
-        boolean used = recording || rehearsal.stage.canStartAttempt() || rehearsal.stage == RehearsalStage.MAPPING;
+        boolean used = rehearsal.body.isPresent()
+                && (recording || rehearsal.stage.canStartAttempt() || rehearsal.stage == RehearsalStage.MAPPING);
         boolean held = recording && session.scenario().hold();
         if (used && (held || !breatheAlike(recorded, session.scenario()))) {
             recordBreath();
