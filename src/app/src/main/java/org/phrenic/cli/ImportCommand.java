@@ -81,8 +81,9 @@ final class ImportCommand extends ReportingCommand {
             names = "--labels",
             paramLabel = "MAP",
             description = "Which label is which structure: a CSV file, the name of a tool or data set such as "
-                    + "totalsegmentator or vista3d, or lungs (label 1 is both lungs). Without it, the volume's "
-                    + "own names, or the numbers that fit.")
+                    + "totalsegmentator or vista3d, lungs (label 1 is both lungs), or names of labels as of nnU-Net "
+                    + "(dataset.json), ITK-SNAP or 3D Slicer. Without it, the names in the volume or beside it, or "
+                    + "the numbers that fit.")
     private String labels;
 
     @Option(names = "--out", paramLabel = "DIR", required = true, description = "The thorax folder to write.")

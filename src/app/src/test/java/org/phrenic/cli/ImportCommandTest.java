@@ -97,6 +97,28 @@ class ImportCommandTest {
         assertThat(second.out()).contains("\"fixed_part\": \"apex and posterior medial surface of the lungs\"");
     }
 
+    /** The scan without its names, in the form of nnU-Net: its data set names the labels. */
+    @Test
+    void namesOfADataSetBesideTheScanAreTakenAndSaid() throws IOException {
+        Path file = folder.resolve("case_001.mha");
+        ScanSamples.writeMha(file);
+        Files.writeString(
+                folder.resolve("dataset.json"), "{\"labels\": {\"background\": 0, \"lungs\": 1, \"liver\": 5}}");
+        CommandLineRun info = CommandLineRun.of("info", file.toString());
+        assertThat(info.out()).contains("5 liver", "dataset.json names the labels");
+        CommandLineRun run = CommandLineRun.of(
+                "import",
+                file.toString(),
+                "--complete",
+                "none",
+                "--edge",
+                "16",
+                "--out",
+                folder.resolve("patient").toString());
+        assertThat(run.exitCode()).as(run.err()).isEqualTo(ExitCode.SUCCESS);
+        assertThat(run.out()).contains("lung_R", "liver", "dataset.json names the labels");
+    }
+
     @Test
     void aTableSaysWhichLabelsAreLeftOut() throws IOException {
         Path out = folder.resolve("two");

@@ -30,6 +30,7 @@ import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.parameter.Parameter;
 import org.phrenic.parameter.Setting;
+import org.phrenic.patient.label.NamesBeside;
 import org.phrenic.scenario.RunSettings;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.Settings;
@@ -62,7 +63,7 @@ public final class FileInfo {
             putScenario(info, Scenario.read(file), YamlDocument.read(file).keys());
         } else if (LabelVolumeFiles.isVolume(file)) {
             info.put("kind", "label volume");
-            putVolume(info, LabelVolumeFiles.read(file));
+            putVolume(info, NamesBeside.added(file, LabelVolumeFiles.read(file)));
         } else if (MeshFiles.isMesh(file)) {
             info.put("kind", "mesh");
             putMesh(info, MeshFiles.read(file));

@@ -21,6 +21,7 @@ import org.phrenic.patient.label.GeometryOverride;
 import org.phrenic.patient.label.LabelGuess;
 import org.phrenic.patient.label.LabelTable;
 import org.phrenic.patient.label.LungMoments;
+import org.phrenic.patient.label.NamesBeside;
 import org.phrenic.patient.label.StatedAxes;
 import org.phrenic.ui.session.NumberFormats;
 
@@ -78,7 +79,7 @@ final class ScanLabels extends AbstractTableModel {
      * @throws BadInputException if the file is no label volume
      */
     static ScanLabels read(Path file, Thorax usual) {
-        LabelVolume volume = LabelVolumeFiles.read(file);
+        LabelVolume volume = NamesBeside.added(file, LabelVolumeFiles.read(file));
         return new ScanLabels(volume, LabelGuess.of(volume).table(), usual);
     }
 

@@ -54,6 +54,17 @@ class ScanLabelsTest {
                 .isEqualTo(new GeometryOverride(Optional.of("RAS"), Optional.of("4, 4, 5")));
     }
 
+    /** A data set beside the scan names the labels. */
+    @Test
+    void namesBesideTheScanAreProposed() throws IOException {
+        Path file = folder.resolve("case.mha");
+        ScanSamples.writeMha(file);
+        Files.writeString(folder.resolve("dataset.json"), "{\"labels\": {\"lungs\": 1, \"liver\": 5}}");
+        ScanLabels labels = ScanLabels.read(file, USUAL);
+        assertThat(labels.getValueAt(1, 1)).isEqualTo("liver");
+        assertThat(labels.getValueAt(0, ScanLabels.STRUCTURE_COLUMN)).isEqualTo("lungs");
+    }
+
     /** A table with such a name is refused by the import, after the dialog with all its answers is gone. */
     @Test
     void aNameThatIsNoStructureIsTold() throws IOException {

@@ -43,7 +43,7 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
                     Source.NAMES,
                     Optional.of(new LabelTable(known).withRest(volume)),
                     (double) known.size() / present.size(),
-                    "labels are taken by their names in the file, of which " + known.size() + " of " + present.size()
+                    "labels are taken by their names, of which " + known.size() + " of " + present.size()
                             + " are known");
         }
         List<String> unknown = present.values().stream()

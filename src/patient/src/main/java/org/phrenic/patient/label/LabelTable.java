@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -17,6 +18,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.document.CsvTable;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 
@@ -86,8 +88,9 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
 
     /**
      * The table that {@code --labels} asks for: {@link #LUNGS} for a mask of both lungs, the name of a tool or a data
-     * set ({@link #byTool}) in upper or lower case, or a file. Names of the volume that are the tool's tell its labels;
-     * if there are none, that one of the tool's versions does whose numbers fit the volume.
+     * set ({@link #byTool}) in upper or lower case, or a file: a table ({@link #read}) or the names of labels
+     * ({@link NameFile}). Names of the volume that are the tool's tell its labels; if there are none, that one of the
+     * tool's versions does whose numbers fit the volume.
      *
      * @throws BadInputException as {@link #read}
      */
@@ -102,7 +105,7 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
                         + " expected a CSV file, " + LUNGS + " or one of "
                         + String.join(", ", NumberTable.distinctNames()));
             }
-            return read(Path.of(asked), volume);
+            return ofFile(Path.of(asked), volume);
         }
         Map<Integer, String> named = new TreeMap<>();
         Map<Integer, String> names = new TreeMap<>(volume.names());
@@ -118,6 +121,31 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         NumberMatch match = NumberMatch.best(NumberMatch.positions(volume.grid()), tables);
         LabelTable table = new LabelTable(match.table().structures());
         return match.structures().isEmpty() ? table : table.withRest(volume);
+    }
+
+    private static LabelTable ofFile(Path file, LabelVolume volume) {
+        String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
+        Optional<Map<Integer, String>> names = name.endsWith(".csv") ? Optional.empty() : NameFile.read(file);
+        if (names.isEmpty() && NameFile.isJson(file)) {
+            throw new BadInputException(file + ": found no names of labels, expected \"labels\" with a number for each"
+                    + " name, or a name for each number");
+        }
+        return names.map(read -> ofNames(file, new LabelVolume(volume.grid(), read, volume.notes())))
+                .orElseGet(() -> read(file, volume));
+    }
+
+    private static LabelTable ofNames(Path file, LabelVolume volume) {
+        NamedLabels named = NamedLabels.of(volume);
+        if (named.structures().isEmpty()) {
+            throw new BadInputException(file + ": found "
+                    + (named.names().isEmpty()
+                            ? "no name for a label of the volume"
+                            : "no name of a structure for a label of the volume, as "
+                                    + Numbers.quote(
+                                            named.names().values().iterator().next()))
+                    + ", expected some such as liver or lung_L");
+        }
+        return new LabelTable(named.structures()).withRest(volume);
     }
 
     /** Structures by label for each tool and public data set whose label numbers are known, by its name. */

@@ -23,6 +23,7 @@ import org.phrenic.patient.label.InterpolatedLabels;
 import org.phrenic.patient.label.LabelGuess;
 import org.phrenic.patient.label.LabelTable;
 import org.phrenic.patient.label.LungMoments;
+import org.phrenic.patient.label.NamesBeside;
 import org.phrenic.patient.label.StatedAxes;
 import org.phrenic.patient.registration.BodyCompletion;
 import org.phrenic.patient.registration.ScanAlignment;
@@ -48,7 +49,8 @@ public final class ImportPipeline {
             return result(request, Optional.empty(), folder.body(), progress).withStatements(folder.statements());
         }
 
-        LabelVolume volume = request.geometry().apply(LabelVolumeFiles.read(request.file()), file);
+        LabelVolume stored = request.geometry().apply(LabelVolumeFiles.read(request.file()), file);
+        LabelVolume volume = request.labels().isEmpty() ? NamesBeside.added(request.file(), stored) : stored;
         LabelTable table = table(request, volume, progress);
         checkAxes(request, volume, table);
         PatientBody scanned = new ScanImport(volume, file, MeshingSettings.PAPER, request.edgeMm(), progress)

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Pattern;
 import java.util.zip.ZipException;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
@@ -15,6 +16,8 @@ import org.phrenic.file.InputBytes;
 public final class VolumeFormats {
     /** Extensions of the formats that can be read. */
     public static final List<String> READABLE = List.of("nii", "nii.gz", "nrrd", "nhdr", "mha", "mhd");
+
+    private static final Pattern PACKED = Pattern.compile("\\.(zip|tar|tgz|tbz2?|txz|7z|rar|tar\\.\\w+)$");
 
     private VolumeFormats() {}
 
@@ -42,8 +45,11 @@ public final class VolumeFormats {
         if (name.endsWith(".mha") || name.endsWith(".mhd")) {
             return read(file, "MetaImage", in -> MetaImageReader.read(source, in, use));
         }
-        throw new BadInputException(
-                file + ": found another ending, expected one of " + String.join(", ", READABLE) + ", dcm");
+        String expected = "expected one of " + String.join(", ", READABLE) + ", dcm";
+        throw new BadInputException(file
+                + (PACKED.matcher(name).find()
+                        ? ": found a packed folder, " + expected + ": unpack it first"
+                        : ": found another ending, " + expected));
     }
 
     private interface Format<T> {

@@ -8,6 +8,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
@@ -193,6 +194,9 @@ class DamagedVolumeTest {
     @Test
     void otherFilesAreRefusedByTheirNameOrContent() {
         assertRefused("another ending", "scan.img", new byte[200]);
+        for (String packed : List.of("masks.zip", "masks.tar", "masks.tar.gz", "masks.TGZ")) {
+            assertRefused("unpack it first", packed, new byte[200]);
+        }
         assertRefused("NRRD000", "text.nrrd", text("hello\n\n"));
         assertRefused("key = value", "text.mha", text("hello\n"));
     }

@@ -1,0 +1,93 @@
+package org.phrenic.patient.label;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.phrenic.document.TextFile;
+import org.phrenic.document.YamlDocument;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/**
+ * Names of labels in a file of their own: {@code dataset.json} of nnU-Net or any JSON of names and numbers, the label
+ * descriptions of ITK-SNAP, the colour tables of 3D Slicer.
+ */
+final class NameFile {
+    private static final String LABELS = "labels";
+    private static final Pattern NUMBER = Pattern.compile("\\d{1,5}");
+    /** Number, red, green, blue, opacity, whether it is seen and meshed, name. */
+    private static final Pattern DESCRIPTION =
+            Pattern.compile("\\s*(\\d{1,5})\\s+\\d+\\s+\\d+\\s+\\d+\\s+[\\d.]+\\s+\\d\\s+\\d\\s+\"(.*)\"\\s*");
+    /** Number, name, red, green, blue and mostly opacity. */
+    private static final Pattern COLOUR = Pattern.compile(
+            "\\s*(\\d{1,5})\\s+(\\S(?:.*\\S)?)\\s+\\d{1,3}\\s+\\d{1,3}\\s+\\d{1,3}(?:\\s+\\d{1,3})?\\s*");
+
+    private NameFile() {}
+
+    /**
+     * The names by label; empty if the file is none of these.
+     *
+     * @throws BadInputException if it cannot be read, or gives a label two names
+     */
+    static Optional<Map<Integer, String>> read(Path file) {
+        String text = TextFile.read(file, "names of labels");
+        return Optional.of(isJson(file) ? ofJson(file, text) : ofLines(file, text))
+                .filter(names -> !names.isEmpty());
+    }
+
+    static boolean isJson(Path file) {
+        return String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT).endsWith(".json");
+    }
+
+    /** Names of {@code labels}, or of the whole file, as a number by name or a name by number. */
+    private static Map<Integer, String> ofJson(Path file, String text) {
+        Map<String, Object> all =
+                YamlDocument.parse(file.toString(), text.replace('\t', ' ')).toMap();
+        Map<Integer, String> names = new TreeMap<>();
+        Map<?, ?> rows = all.get(LABELS) instanceof Map<?, ?> labels ? labels : all;
+        rows.forEach((key, value) -> {
+            String name = String.valueOf(key);
+            if (value instanceof List<?> numbers && numbers.size() == 1) {
+                put(file, names, String.valueOf(numbers.get(0)), name);
+            } else if (value instanceof String words && NUMBER.matcher(name).matches()) {
+                put(file, names, name, words);
+            } else {
+                put(file, names, String.valueOf(value), name);
+            }
+        });
+        return names;
+    }
+
+    private static Map<Integer, String> ofLines(Path file, String text) {
+        Map<Integer, String> names = new TreeMap<>();
+        text.lines().filter(line -> !line.isBlank() && !line.startsWith("#")).forEach(line -> {
+            Matcher description = DESCRIPTION.matcher(line);
+            Matcher colour = COLOUR.matcher(line);
+            if (description.matches()) {
+                put(file, names, description.group(1), description.group(2));
+            } else if (colour.matches()) {
+                put(file, names, colour.group(1), colour.group(2));
+            }
+        });
+        return names;
+    }
+
+    /** Adds a name, unless the number is none of a label, as that of the background. */
+    private static void put(Path file, Map<Integer, String> names, String number, String name) {
+        int label = NUMBER.matcher(number).matches() ? Integer.parseInt(number) : 0;
+        if (label < 1 || label > LabelGrid.MAX_LABEL) {
+            return;
+        }
+        String words = name.strip().replaceAll("^\"(.*)\"$", "$1").replaceFirst(":$", "");
+        String before = names.put(label, words);
+        if (before != null && !before.equals(words)) {
+            throw new BadInputException(
+                    file + ": found label " + label + " for '" + before + "' and '" + words + "', expected one name");
+        }
+    }
+}

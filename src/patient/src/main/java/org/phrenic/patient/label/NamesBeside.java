@@ -1,0 +1,86 @@
+package org.phrenic.patient.label;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.raster.VolumeSource;
+import org.phrenic.mesh.io.volume.LabelVolume;
+
+/**
+ * Names that lie beside a volume without names: label descriptions of ITK-SNAP or a colour table under the volume's own
+ * name, else {@code dataset.json} of nnU-Net in its folder or the one above.
+ */
+public final class NamesBeside {
+    private static final String DATA_SET = "dataset.json";
+    private static final List<String> ENDINGS = List.of(".txt", ".label", ".ctbl");
+    private static final Pattern VOLUME = Pattern.compile("(?i)(\\.seg)?\\.(nii(\\.gz)?|nrrd|nhdr|mha|mhd)$");
+
+    private NamesBeside() {}
+
+    /**
+     * The volume with the names of the first such file that names each of its labels, and one of them as a structure;
+     * unchanged if it has names or there is no such file. A note tells each file that is taken or left aside.
+     *
+     * @param file the file or folder of the volume
+     */
+    public static LabelVolume added(Path file, LabelVolume volume) {
+        if (!volume.names().values().stream().allMatch(LabelVolume::isNumber) || volume.isImage()) {
+            return volume;
+        }
+        List<String> notes = new ArrayList<>(volume.notes());
+        for (Path beside : candidates(file)) {
+            Optional<Map<Integer, String>> names;
+            try {
+                names = NameFile.read(beside);
+            } catch (BadInputException unreadable) {
+                notes.add(unreadable.getMessage() + "; it is left aside");
+                continue;
+            }
+            if (names.isPresent()) {
+                LabelVolume named = new LabelVolume(volume.grid(), names.get(), notes);
+                Optional<String> problem = problem(named);
+                notes.add(beside.getFileName()
+                        + problem.map(why -> " is left aside: " + why).orElse(" names the labels"));
+                if (problem.isEmpty()) {
+                    return new LabelVolume(volume.grid(), names.get(), notes);
+                }
+            }
+        }
+        return new LabelVolume(volume.grid(), volume.names(), notes);
+    }
+
+    private static Optional<String> problem(LabelVolume named) {
+        int[] counts = named.grid().counts();
+        List<String> without = IntStream.range(1, counts.length)
+                .filter(label -> counts[label] > 0 && !named.names().containsKey(label))
+                .mapToObj(String::valueOf)
+                .toList();
+        if (!without.isEmpty()) {
+            return Optional.of("it has no name for label " + without.get(0)
+                    + (without.size() > 1 ? " and " + (without.size() - 1) + " others" : ""));
+        }
+        return NamedLabels.of(named).structures().isEmpty()
+                ? Optional.of("it has no name of a structure for a label of the volume")
+                : Optional.empty();
+    }
+
+    private static List<Path> candidates(Path named) {
+        Path file = VolumeSource.of(named).path().toAbsolutePath();
+        Path folder = Files.isDirectory(file) ? file : file.getParent();
+        List<Path> all = new ArrayList<>();
+        if (!folder.equals(file)) {
+            String stem = VOLUME.matcher(String.valueOf(file.getFileName())).replaceAll("");
+            ENDINGS.forEach(ending -> all.add(folder.resolve(stem + ending)));
+        }
+        Stream.of(folder, folder.getParent()).filter(Objects::nonNull).forEach(at -> all.add(at.resolve(DATA_SET)));
+        return all.stream().filter(Files::isRegularFile).toList();
+    }
+}

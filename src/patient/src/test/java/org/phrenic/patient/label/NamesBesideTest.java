@@ -1,0 +1,130 @@
+package org.phrenic.patient.label;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.file.BadInputException;
+import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.voxel.LabelGrid;
+
+/** Names of labels that a file of its own states. */
+class NamesBesideTest {
+    private static final String DESCRIPTIONS = "################\n# ITK-SnAP Label Description File\n################\n"
+            + "    0     0    0    0        0  0  0    \"Clear Label\"\n"
+            + "    1   20    0    0        1  1  1    \"Right lung\"\n    2   40  0  0  0.5  1  1    \"Liver\"\n"
+            + "    9   40    0    0        1  1  1    \"Spleen\"\n";
+    private static final String COLOURS =
+            "# Color table file lungs.ctbl\n0 background 0 0 0 0\n1 right_lung 1 2 3 255\n2 liver 4 5 6 255\n";
+
+    @TempDir
+    Path folder;
+
+    private static LabelVolume volume(Map<Integer, String> names) {
+        LabelGrid grid = LabelGrid.of(3, 1, 1, new byte[] {1, 2, 0}, new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+        return new LabelVolume(grid, names, List.of());
+    }
+
+    private Map<Integer, String> structures(String path) {
+        return LabelGuess.of(NamesBeside.added(folder.resolve(path), volume(Map.of())))
+                .table()
+                .map(LabelTable::structures)
+                .orElse(Map.of());
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "{'labels': {'background': 0, 'lung_right': 1, 'liver': 2, 'spleen': 3}, 'numTraining': 1}",
+                "{'labels': {'0': 'background', '1': 'lung_right', '2': 'liver'}}",
+                "{\n\t'labels': {'background': 0, 'lung_right': [1], 'liver': 2, 'trunk': [1, 2]}}",
+            })
+    void aDataSetNamesTheLabelsInItsFolderAndTheOnesIn(String json) throws IOException {
+        Files.writeString(folder.resolve("dataset.json"), json.replace('\'', '"'));
+        assertThat(structures("case.nii.gz")).isEqualTo(Map.of(1, "lung_R", 2, "liver"));
+        assertThat(structures("labelsTr/case.nii.gz")).isEqualTo(Map.of(1, "lung_R", 2, "liver"));
+        assertThat(structures("a/b/case.nii.gz")).isEmpty();
+        assertThat(NamesBeside.added(folder.resolve("case.nii.gz"), volume(Map.of()))
+                        .notes())
+                .containsExactly("dataset.json names the labels");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"case.nii.gz, case.txt", "case.seg.nrrd, case.label", "case.mha#1, case.ctbl"})
+    void aFileOfTheSameNameNamesTheLabelsBeforeADataSet(String name, String beside) throws IOException {
+        Files.writeString(folder.resolve("dataset.json"), "{\"labels\": {\"heart\": 1, \"spleen\": 2}}");
+        Files.writeString(folder.resolve(beside), beside.endsWith("ctbl") ? COLOURS : DESCRIPTIONS);
+        assertThat(structures(name)).isEqualTo(Map.of(1, "lung_R", 2, "liver"));
+    }
+
+    @Test
+    void aFileThatDoesNotMatchIsLeftAsideWithANote() throws IOException {
+        Path file = folder.resolve("case.nii.gz");
+        Files.writeString(folder.resolve("case.txt"), "Seen by A. B. on 3 May 2020\n");
+        Files.writeString(folder.resolve("dataset.json"), "{\"labels\": {\"liver\": 1}}");
+        LabelVolume aside = NamesBeside.added(file, volume(Map.of()));
+        assertThat(aside.names()).isEmpty();
+        assertThat(aside.notes()).containsExactly("dataset.json is left aside: it has no name for label 2");
+        Files.writeString(folder.resolve("dataset.json"), "{\"labels\": {\"quux\": 1, \"quuz\": 2}}");
+        assertThat(NamesBeside.added(file, volume(Map.of())).notes())
+                .containsExactly("dataset.json is left aside: it has no name of a structure for a label of the volume");
+        Files.writeString(folder.resolve("dataset.json"), "{\"labels\"");
+        assertThat(NamesBeside.added(file, volume(Map.of())).notes())
+                .singleElement()
+                .satisfies(note -> assertThat(note).contains("dataset.json: ").endsWith("it is left aside"));
+    }
+
+    @Test
+    void namesInTheVolumeComeFirst() throws IOException {
+        Files.writeString(folder.resolve("dataset.json"), "{\"labels\": {\"heart\": 1, \"spleen\": 2}}");
+        Path file = folder.resolve("case.nii.gz");
+        LabelVolume named = volume(Map.of(1, "liver", 2, "Segment_2"));
+        assertThat(NamesBeside.added(file, named)).isEqualTo(named);
+        assertThat(NamesBeside.added(file, volume(Map.of(1, "Segment_1"))).names())
+                .isEqualTo(Map.of(1, "heart", 2, "spleen"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "a.json | {\"1\": \"right lung\", \"2\": \"liver\"}",
+                "a.json | {\"right lung\": 1, \"liver\": 2, \"spleen\": 7}",
+                "a.json | {\"labels\": {\"right lung\": 1, \"liver\": 2}}",
+                "a.txt | `1 7 0 0 1 1 1 \"Right lung\"\n2 8 0 0 1 1 1 \"Liver\"\n`",
+                "a.ctbl | `1 right_lung 1 2 3 255\n2 liver 1 2 3 255\n`",
+                "LUT.txt | `1 Right-Lung: 1 2 3 0\n2 \"Liver\" 1 2 3 0\n`",
+                "a.txt | `label,structure\n1,lung_R\n2,liver\n`",
+            })
+    void aFileOfNamesMayBeAskedFor(String name, String text) throws IOException {
+        Path file = Files.writeString(folder.resolve(name), text);
+        LabelVolume volume = volume(Map.of(1, "heart", 2, "spleen"));
+        assertThat(LabelTable.of(file.toString(), volume).structures()).isEqualTo(Map.of(1, "lung_R", 2, "liver"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "{'liver': 7} | found no name for a label of the volume, expected some such as liver",
+                "{'quux': 1} | found no name of a structure for a label of the volume, as 'quux', expected",
+                "{'liver': 1, 'spleen': 1} | found label 1 for 'liver' and 'spleen', expected one name",
+                "{'liver': 'big'} | found no names of labels, expected \"labels\" with a number for each name",
+            })
+    void aFileOfNamesThatTellsNoLabelIsRefused(String json, String problem) throws IOException {
+        Path file = Files.writeString(folder.resolve("a.json"), json.replace('\'', '"'));
+        assertThatThrownBy(() -> LabelTable.of(file.toString(), volume(Map.of())))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("a.json: " + problem);
+    }
+}
