@@ -260,6 +260,7 @@ final class ScanImportDialog {
                                 GeometryOverride.isSpacing(spacing.getText()),
                                 "three sizes in mm, each from 0.1 to 50, such as 1.75, 1.75, 1.25"),
                         check(folder, hasFolder, "a folder that can be written"),
+                        labels.refusal().map(why -> Controls.capitalise(why) + "."),
                         Optional.of(NO_STRUCTURE).filter(sentence -> labels.recognised() == 0))
                 .flatMap(Optional::stream)
                 .findFirst();

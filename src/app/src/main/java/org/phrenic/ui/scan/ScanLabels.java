@@ -49,24 +49,26 @@ final class ScanLabels extends AbstractTableModel {
     private final String axes;
     private final Optional<StatedAxes> contradicted;
     private final String spacing;
+    private final Optional<String> refusal;
     private boolean edited;
 
-    private ScanLabels(LabelVolume volume, Optional<LabelTable> table, Thorax usual) {
-        Map<Integer, String> guess = table.map(LabelTable::structures).orElse(Map.of());
+    private ScanLabels(LabelVolume volume, LabelGuess guess, Thorax usual) {
+        refusal = Optional.of(guess).filter(LabelGuess::isRefused).map(LabelGuess::reason);
+        Map<Integer, String> table = guess.table().map(LabelTable::structures).orElse(Map.of());
         numbered = LabelTable.byTool(volume);
         int[] counts = volume.grid().counts();
         for (int label = 1; label < counts.length; label++) {
             if (counts[label] > 0) {
                 double millilitres = volume.grid().volumeMl(counts[label]);
                 rows.add(new Row(label, volume.names().getOrDefault(label, ""), millilitres));
-                structures.add(guess.getOrDefault(label, NONE));
+                structures.add(table.getOrDefault(label, NONE));
             }
         }
         guessed = List.copyOf(structures);
         size = volume.grid().columns() + " x " + volume.grid().rows() + " x "
                 + volume.grid().slices() + " voxels";
         axes = StatedAxes.letters(volume);
-        contradicted = table.flatMap(t -> StatedAxes.contradicted(volume, t, LungMoments.of(usual)));
+        contradicted = guess.table().flatMap(t -> StatedAxes.contradicted(volume, t, LungMoments.of(usual)));
         spacing = IntStream.range(0, 3)
                 .mapToObj(direction -> NumberFormats.format(volume.grid().spacing(direction), 4))
                 .collect(Collectors.joining(", "));
@@ -80,7 +82,7 @@ final class ScanLabels extends AbstractTableModel {
      */
     static ScanLabels read(Path file, Thorax usual) {
         LabelVolume volume = NamesBeside.added(file, LabelVolumeFiles.read(file));
-        return new ScanLabels(volume, LabelGuess.of(volume).table(), usual);
+        return new ScanLabels(volume, LabelGuess.of(volume), usual);
     }
 
     /** Columns, rows and slices of the volume, as text. */
@@ -96,6 +98,11 @@ final class ScanLabels extends AbstractTableModel {
     /** What the structures say against the axes of the file, one sentence without a full stop. */
     Optional<String> axesProblem() {
         return contradicted.map(StatedAxes::sentence);
+    }
+
+    /** Why the volume cannot be imported with any table, one sentence without a full stop. */
+    Optional<String> refusal() {
+        return refusal;
     }
 
     /** Size of a voxel along columns, rows and slices by the file, mm. */

@@ -14,6 +14,8 @@ import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
+import org.phrenic.mesh.io.volume.NiftiWriter;
+import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.ScanSamples;
 import org.phrenic.patient.label.GeometryOverride;
 import org.phrenic.patient.label.LabelTable;
@@ -52,6 +54,21 @@ class ScanLabelsTest {
         assertThat(labels.geometry(" lps", labels.spacing())).isEqualTo(GeometryOverride.NONE);
         assertThat(labels.geometry("RAS", "4, 4, 5"))
                 .isEqualTo(new GeometryOverride(Optional.of("RAS"), Optional.of("4, 4, 5")));
+    }
+
+    /** The import refuses such a volume with any table. */
+    @Test
+    void labelsThatWereInterpolatedAreToldBeforeTheImport() throws IOException {
+        byte[] labels = new byte[60 * 10 * 10];
+        for (int v = 0; v < labels.length; v++) {
+            labels[v] = (byte) (10 - Math.abs(10 - v % 20));
+        }
+        Path file = folder.resolve("waves.nii.gz");
+        NiftiWriter.write(file, LabelGrid.of(60, 10, 10, labels, new double[] {3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 3, 0}));
+        assertThat(ScanLabels.read(file, USUAL).refusal())
+                .hasValueSatisfying(why -> assertThat(why).contains("were interpolated linearly"));
+        ScanSamples.writeMha(folder.resolve("scan.mha"));
+        assertThat(ScanLabels.read(folder.resolve("scan.mha"), USUAL).refusal()).isEmpty();
     }
 
     /** A data set beside the scan names the labels. */

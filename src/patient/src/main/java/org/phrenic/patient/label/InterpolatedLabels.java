@@ -2,6 +2,7 @@ package org.phrenic.patient.label;
 
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.voxel.LabelGrid;
 
@@ -14,6 +15,8 @@ public final class InterpolatedLabels {
     private static final double MOST = 0.1;
     /** Greatest share of one number in the middle: a thin shell, as of skin, has one. */
     private static final double MOST_OF_ONE = 0.6;
+    /** Least share of the voxels of a number with neighbours of that number alone, of a structure that is no shell. */
+    private static final double LEAST_INNER = 0.5;
 
     private InterpolatedLabels() {}
 
@@ -23,14 +26,32 @@ public final class InterpolatedLabels {
         long borders = count(grid, middle);
         long between = Arrays.stream(middle).sum();
         boolean many = between > MOST * borders;
-        boolean ofMany = Arrays.stream(middle).max().orElse(0) < MOST_OF_ONE * between;
-        return many && ofMany
+        long ofOne = Arrays.stream(middle).max().orElse(0);
+        return many
+                        && (ofOne < MOST_OF_ONE * between
+                                || isSolid(
+                                        grid,
+                                        IntStream.range(0, middle.length)
+                                                .filter(label -> middle[label] == ofOne)
+                                                .findFirst()
+                                                .orElseThrow()))
                 ? Optional.of(Numbers.format(
                         "found layers of numbers between those of two structures at %.0f %% of the borders, as of"
                                 + " labels that were interpolated linearly, expected each voxel with the label of the"
                                 + " nearest one",
                         100.0 * between / borders))
                 : Optional.empty();
+    }
+
+    /** Whether most voxels of a number lie in its inside, as of a lung whose number is that of a shell as well. */
+    private static boolean isSolid(LabelGrid grid, int label) {
+        int[] steps = {1, grid.columns(), grid.columns() * grid.rows()};
+        long inner = IntStream.range(steps[2], grid.voxelCount() - steps[2])
+                .filter(v -> grid.label(v) == label)
+                .filter(v -> Arrays.stream(steps)
+                        .allMatch(step -> grid.label(v - step) == label && grid.label(v + step) == label))
+                .count();
+        return inner > LEAST_INNER * grid.counts()[label];
     }
 
     /**

@@ -31,9 +31,14 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
     }
 
     private static final int MAX_LISTED = 8;
+    private static final String EXPECTED = ", expected ";
 
     /** Guesses the table of a volume. */
     public static LabelGuess of(LabelVolume volume) {
+        Optional<String> interpolated = volume.isImage() ? Optional.empty() : InterpolatedLabels.problem(volume.grid());
+        if (interpolated.isPresent()) {
+            return none(interpolated.get());
+        }
         int[] counts = volume.grid().counts();
         NamedLabels named = NamedLabels.of(volume);
         Map<Integer, String> present = named.names();
@@ -50,24 +55,17 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
                 .filter(name -> !LabelVolume.isNumber(name))
                 .toList();
         if (!unknown.isEmpty()) {
-            return new LabelGuess(
-                    Source.NONE,
-                    Optional.empty(),
-                    0,
-                    "found labels with no name of a structure: "
-                            + unknown.stream()
-                                    .limit(MAX_LISTED)
-                                    .map(Numbers::quote)
-                                    .collect(Collectors.joining(", ")));
+            return none("found labels with no name of a structure: "
+                    + unknown.stream().limit(MAX_LISTED).map(Numbers::quote).collect(Collectors.joining(", ")));
         }
         if (volume.isImage()) {
-            return new LabelGuess(
-                    Source.NONE,
-                    Optional.empty(),
-                    0,
-                    "found grey values, as of an image that has to be segmented first");
+            return none("found grey values, as of an image that has to be segmented first");
         }
         return byNumbers(volume, counts);
+    }
+
+    private static LabelGuess none(String reason) {
+        return new LabelGuess(Source.NONE, Optional.empty(), 0, reason);
     }
 
     private static LabelGuess byNumbers(LabelVolume volume, int[] counts) {
@@ -131,6 +129,11 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
                 + ", which " + fit;
     }
 
+    /** Whether no table helps: the volume itself has to be another one. */
+    public boolean isRefused() {
+        return reason.contains(EXPECTED);
+    }
+
     /**
      * The table.
      *
@@ -138,8 +141,10 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
      * @throws BadInputException if there is no guess
      */
     public LabelTable require(String file) {
-        return table.orElseThrow(() -> new BadInputException(
-                file + ": " + reason + ", expected --labels with a table of label and structure, such as 1,lungs, or"
-                        + " with one of " + String.join(", ", NumberTable.distinctNames())));
+        String expected = isRefused()
+                ? ""
+                : EXPECTED + "--labels with a table of label and structure, such as 1,lungs, or with one of "
+                        + String.join(", ", NumberTable.distinctNames());
+        return table.orElseThrow(() -> new BadInputException(file + ": " + reason + expected));
     }
 }

@@ -9,6 +9,8 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.IntStream;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.StructureName;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
@@ -49,6 +51,8 @@ record NumberMatch(
     private static final double LEAST_OF_PLACES = 0.85;
     /** Number of comparisons of places and volumes from which some of the places may fail in labels from 1. */
     private static final int MANY = 30;
+    /** Number of structures from which they may do so as well. */
+    private static final int SEVERAL = 8;
     /** Number of comparisons of places that decide without volumes: organs of patients have other sizes. */
     private static final int DECISIVE = 12;
     /** Least share of the comparisons of places and volumes that hold. */
@@ -86,7 +90,15 @@ record NumberMatch(
      * side first, they lie as in other axes.
      */
     boolean mayBeInAnotherOrder() {
-        return volumes.compared() == 0 && isWithoutGap();
+        return isWithoutGap() && structures.values().stream().allMatch(NumberMatch::isBone);
+    }
+
+    private static boolean isBone(String structure) {
+        return StructureName.parse(structure)
+                .filter(name -> name.kind() == StructureKind.VERTEBRA
+                        || name.kind() == StructureKind.RIB
+                        || name.kind() == StructureKind.BONE)
+                .isPresent();
     }
 
     /** Axes, other than the stated ones, in which the labels lie as their structures. */
@@ -158,7 +170,7 @@ record NumberMatch(
         return places.compared() < DECISIVE
                 && isWithoutGap()
                 && (structures.size() < MOST_OF_TABLE * (table.structures().size() + UNKNOWN_WEIGHT * unknown)
-                        || (compared() < MANY && places.share() < 1));
+                        || (compared() < MANY && structures.size() < SEVERAL && places.share() < 1));
     }
 
     private boolean hasFewUnknown() {

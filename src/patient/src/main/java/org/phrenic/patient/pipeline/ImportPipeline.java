@@ -89,15 +89,15 @@ public final class ImportPipeline {
     }
 
     private static LabelTable table(ImportRequest request, LabelVolume volume, ImportProgress progress) {
-        if (!volume.isImage()) {
-            InterpolatedLabels.problem(volume.grid()).ifPresent(problem -> {
-                throw new BadInputException(request.file() + ": " + problem);
-            });
-        }
         if (request.labels().isEmpty()) {
             LabelGuess guess = LabelGuess.of(volume);
             progress.stage(guess.reason());
             return guess.require(request.file().toString());
+        }
+        if (!volume.isImage()) {
+            InterpolatedLabels.problem(volume.grid()).ifPresent(problem -> {
+                throw new BadInputException(request.file() + ": " + problem);
+            });
         }
         return LabelTable.of(request.labels().get(), volume);
     }

@@ -11,11 +11,11 @@ class InterpolatedLabelsTest {
         return LabelGrid.of(as.columns(), as.rows(), as.slices(), labels, as.toMm());
     }
 
-    /** Each number becomes the mean of its own and that of the voxel before, as half a voxel farther on. */
-    private static byte[] halfWay(LabelGrid grid) {
+    /** Each number becomes the mean of its own and that of a voxel before, as half a voxel farther on. */
+    private static byte[] halfWay(LabelGrid grid, int step) {
         byte[] labels = new byte[grid.voxelCount()];
-        for (int v = 1; v < labels.length; v++) {
-            labels[v] = (byte) Math.round(0.5 * (grid.label(v - 1) + grid.label(v)));
+        for (int v = step; v < labels.length; v++) {
+            labels[v] = (byte) Math.round(0.5 * (grid.label(v - step) + grid.label(v)));
         }
         return labels;
     }
@@ -25,11 +25,21 @@ class InterpolatedLabelsTest {
         LabelGrid organs =
                 TrunkVoxels.labelled(NumberTable.named("amos").get(0)).grid();
         assertThat(InterpolatedLabels.problem(organs)).isEmpty();
-        assertThat(InterpolatedLabels.problem(grid(organs, halfWay(organs))))
+        assertThat(InterpolatedLabels.problem(grid(organs, halfWay(organs, 1))))
                 .hasValueSatisfying(problem -> assertThat(problem).contains("were interpolated linearly"));
         assertThat(InterpolatedLabels.problem(
                         new CageVoxels().withRibs(1).withVertebrae(1).volume().grid()))
                 .isEmpty();
+    }
+
+    /** The left lung, 2, has a shell with the number of the right one. */
+    @Test
+    void aShellWithTheNumberOfAnotherStructureIsFoundWhereThereIsOneNumberBetween() {
+        LabelGrid lungs =
+                TrunkVoxels.labelled(NumberTable.named("lungmask").get(0)).grid();
+        assertThat(InterpolatedLabels.problem(lungs)).isEmpty();
+        assertThat(InterpolatedLabels.problem(grid(lungs, halfWay(lungs, 1 + lungs.columns() * (1 + lungs.rows())))))
+                .isPresent();
     }
 
     /** A skin of one voxel about fat. */

@@ -325,10 +325,63 @@ class LabelGuessTest {
     /** Two ribs, or two of many other structures, have such numbers. */
     @Test
     void aFewLabelsFromOneNameNoTool() {
+        assertThat(LabelGuess.of(numbered("liver spleen")).reason())
+                .isEqualTo("found labels 1, 2 without names, which are too few to tell whose numbers they are");
         LabelVolume lungs = numbered("lung_L lung_R liver");
         assertThat(LabelGuess.of(relabelled(lungs, label -> label == 3 ? 0 : label))
                         .reason())
                 .doesNotContain("fit numbers of RibSeg");
+    }
+
+    /** Organs of FLARE that are all cut off, so that no volumes are compared, and two small ones exchanged. */
+    @Test
+    void onePlaceMayFailWhereSeveralStructuresLieAsTheToolsDo() {
+        LabelVolume cut = cutOff(TrunkVoxels.labelled(NumberTable.named("flare").get(0)));
+        LabelGuess guess = LabelGuess.of(relabelled(cut, label -> label == 7 ? 8 : label == 8 ? 7 : label));
+        assertThat(guess.require("scan").structures()).containsEntry(1, "liver").containsEntry(9, "gallbladder");
+        assertThat(guess.confidence()).isLessThan(1);
+    }
+
+    /** A volume with a voxel of each label in its first slice, so that no organ is whole. */
+    private static LabelVolume cutOff(LabelVolume volume) {
+        LabelGrid grid = volume.grid();
+        int[] counts = grid.counts();
+        byte[] labels = new byte[grid.voxelCount()];
+        for (int v = 0; v < labels.length; v++) {
+            labels[v] = (byte) (v < counts.length && counts[v] > 0 && v > 0 ? v : grid.label(v));
+        }
+        LabelGrid cut = LabelGrid.of(grid.columns(), grid.rows(), grid.slices(), labels, grid.toMm());
+        return new LabelVolume(cut, volume.names(), volume.notes());
+    }
+
+    /** Organs tell axes, also where none is whole and no volumes are compared. */
+    @Test
+    void organsThatAreCutOffAreNoBonesInAnotherOrder() {
+        LabelVolume trunk =
+                cutOff(TrunkVoxels.labelled(NumberTable.named("cads").get(0)));
+        LabelVolume down = GeometryOverride.axes(trunk, "LPI");
+        assertThat(LabelGuess.of(down).reason())
+                .startsWith("labels are taken for numbers of TotalSegmentator 1:")
+                .endsWith("fit if the axes are LPS");
+    }
+
+    /** Numbers half way between those of two structures are of no tool. */
+    @Test
+    void interpolatedLabelsHaveNoTable() {
+        LabelVolume trunk = TrunkVoxels.labelled(NumberTable.named("amos").get(0));
+        LabelGrid grid = trunk.grid();
+        int[] voxel = {0};
+        LabelVolume halfWay = relabelled(trunk, label -> {
+            int before = voxel[0] == 0 ? 0 : grid.label(voxel[0] - 1);
+            voxel[0]++;
+            return (int) Math.round(0.5 * (before + label));
+        });
+        LabelGuess guess = LabelGuess.of(halfWay);
+        assertThat(guess.isRefused()).isTrue();
+        assertThatThrownBy(() -> guess.require("scan"))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageStartingWith("scan: found layers of numbers between those of two structures")
+                .hasMessageEndingWith("expected each voxel with the label of the nearest one");
     }
 
     /** Numbers beside names are those of the reader; numbers alone, as of segments without a name, are the tool's. */

@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
@@ -97,6 +99,23 @@ class LabelTableTest {
         assertThat(LabelGuess.of(trunk).source()).isEqualTo(LabelGuess.Source.NONE);
         assertThat(LabelTable.of("flare21", trunk).structures())
                 .isEqualTo(Map.of(1, "liver", 2, "organ_kidneys", 3, "spleen", 4, "pancreas"));
+    }
+
+    /** Few structures, or the order of another table upside down: as many files of others have such numbers. */
+    @ParameterizedTest
+    @CsvSource({
+        "segthor, 0, 2, heart",
+        "covid-19-ct-seg, 0, 1, lung_L",
+        "mm-whs, 0, 820, aorta",
+        "cads, 0, 16, lung_R",
+        "cads, 1, 6, vertebra_T12",
+    })
+    void tablesThatFitOthersAsWellAreTakenWhereTheyAreAskedFor(String name, int which, int label, String structure) {
+        NumberTable table = NumberTable.named(name).get(which);
+        assertThat(NumberTable.ALL).doesNotContain(table);
+        assertThat(table.structures().values()).allMatch(LabelTable::isStructure);
+        LabelVolume trunk = TrunkVoxels.labelled(table);
+        assertThat(LabelTable.of(name, trunk).structures()).containsEntry(label, structure);
     }
 
     @Test

@@ -126,7 +126,10 @@ class ShippedLabelsTest {
                 "amos.csv",
                 "btcv.csv",
                 "flare.csv",
-                "word.csv"
+                "word.csv",
+                "chaos.csv",
+                "covid-19-ct-seg.csv",
+                "cads-organs.csv"
             })
     void whatIsNamedLeftOrRightBecomesAStructureOfThatSide(String file) throws IOException {
         for (String row : rows(file)) {

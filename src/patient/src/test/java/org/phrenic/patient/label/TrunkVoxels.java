@@ -3,6 +3,7 @@ package org.phrenic.patient.label;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 
@@ -54,6 +55,11 @@ final class TrunkVoxels {
                     switch (structure) {
                         case "lungs" -> List.of("lung_R", "lung_L");
                         case "organ_kidneys" -> List.of("kidney_R", "kidney_L");
+                        case "ribs" ->
+                            IntStream.rangeClosed(1, 24)
+                                    .mapToObj(
+                                            rib -> String.format("rib_%02d_%s", (rib + 1) / 2, rib % 2 > 0 ? "R" : "L"))
+                                    .toList();
                         default -> List.of(structure);
                     };
             parts.forEach(part -> {
