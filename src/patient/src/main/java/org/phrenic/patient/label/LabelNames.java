@@ -77,6 +77,13 @@ public final class LabelNames {
     /** An organ less a target volume in the names of TG-263, such as "Lungs-GTV", or less anything else. */
     private static final Pattern LESS =
             Pattern.compile("(?i)(.+?)( ?[-\u2013] ?(i?[gcp]|i)tv|[ _](minus|without|excluding)[ _]).*");
+    /** Margins about organs, rings, doses and the chest wall in a plan of radiotherapy: no obstacles. */
+    private static final Pattern PLANNING = Pattern.compile(
+            "\\bprv\\d*\\b|^rings?\\d*\\b|\\b(iso)?doses?\\d*\\b" + "|^chest ?wall( ?\\d.*)?$|^cw ?\\d+ ?(mm|cm)$");
+
+    private static final Pattern CHEST_WALL = Pattern.compile("^(chestwall|cw(?=\\d))");
+    /** Words of structures by which such a plan is optimised: an organ less a margin, or an aid. */
+    private static final Pattern OPTIMISED = Pattern.compile("^z (?=[a-z])|\\bopt\\d*\\b(?! (nerve|nrv|chiasm|tract))");
     /** Words for what lies in or beside an organ and is no part of it. */
     private static final Pattern BESIDE =
             Pattern.compile("effusion|fluid|(pneumo|hydro|ha?emo)thorax|empyema|arter(y|i)|\\bveins?\\b|\\bvenae?\\b"
@@ -192,7 +199,7 @@ public final class LabelNames {
         if (ofTool != null) {
             return Optional.of(ofTool);
         }
-        Optional<String> organ = organWithoutTarget(name);
+        Optional<String> organ = organWithoutTarget(name).or(() -> optimised(plain));
         if (organ.isPresent()) {
             return organ;
         }
@@ -201,13 +208,16 @@ public final class LabelNames {
         Side side = side(words);
         String suffix = side == Side.RIGHT ? "_R" : side == Side.LEFT ? "_L" : "";
         String rest = String.join(" ", words);
-        boolean lesion = LESION.matcher(rest).find();
+        boolean lesion = LESION.matcher(rest).find()
+                || PLANNING.matcher(rest).find()
+                || OPTIMISED.matcher(plain).find();
         boolean beside = BESIDE.matcher(rest).find();
         if (LabelTable.isStructure(name) && (isNamed(name) || !(lesion || beside))) {
             return Optional.of(LabelTable.usual(name));
         }
         if (lesion) {
-            return Optional.of("lesion_" + String.join("_", words) + suffix);
+            String joined = CHEST_WALL.matcher(String.join("_", words)).replaceFirst("chest_wall");
+            return Optional.of("lesion_" + joined.replaceFirst("^chest_wall(?=\\d)", "chest_wall_") + suffix);
         }
         if (ASCITES.matcher(rest).matches()) {
             return Optional.of(OrganNames.OTHER_PREFIX + "ascites" + suffix);
@@ -222,6 +232,12 @@ public final class LabelNames {
                 ? structure(less.group(1).equalsIgnoreCase("e") ? "external" : less.group(1))
                         .filter(organ -> !organ.startsWith("lesion_"))
                 : Optional.empty();
+    }
+
+    /** The organ of a name such as "zLiver_opt". */
+    private static Optional<String> optimised(String plain) {
+        String bare = OPTIMISED.matcher(plain).replaceAll("").strip();
+        return bare.equals(plain) || bare.isEmpty() ? Optional.empty() : structure(bare);
     }
 
     private static boolean isNamed(String structure) {
@@ -257,7 +273,10 @@ public final class LabelNames {
 
     /** Whether a word says what lies in or beside a structure. */
     static boolean isOfAnatomy(String word) {
-        return LESION.matcher(word).find() || BESIDE.matcher(word).find() || FILLERS.contains(word);
+        return LESION.matcher(word).find()
+                || PLANNING.matcher(word).find()
+                || BESIDE.matcher(word).find()
+                || FILLERS.contains(word);
     }
 
     /** English words of a name in lower case, with a space between them. */

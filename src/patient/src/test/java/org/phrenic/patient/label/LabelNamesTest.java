@@ -23,7 +23,6 @@ class LabelNamesTest {
                 "gastric body",
                 "vertebrae_body",
                 "body fluid",
-                "Skin_PRV05",
                 "thyroid_cartilage",
                 "cricoid_cartilage",
                 "tracheal artery",
@@ -37,7 +36,6 @@ class LabelNamesTest {
                 "left lung lymph nodes",
                 "left lung artery",
                 "left lung pleura",
-                "Lung_L_PRV05",
                 "pericardial_effusion",
                 "pleural_effusion",
                 "great cardiac vein",
@@ -139,6 +137,41 @@ class LabelNamesTest {
     })
     void aLesionIsNotTheOrganAboutIt(String name, String structure) {
         assertThat(LabelNames.structure(name)).contains(structure);
+    }
+
+    /** Margins and aids of a plan of radiotherapy, which no needle has to avoid. */
+    @ParameterizedTest
+    @CsvSource({
+        "Skin_PRV05, lesion_skin_prv05",
+        "Lung_L_PRV05, lesion_lung_prv05_L",
+        "SpinalCord_PRV05, lesion_spinal_cord_prv05",
+        "PRV of spinal cord, lesion_prv_of_spinal_cord",
+        "Ring, lesion_ring",
+        "Ring_2cm, lesion_ring_2cm",
+        "zRing1, lesion_ring1",
+        "z_Aid, lesion_z_aid",
+        "opt_1, lesion_opt_1",
+        "zOpt, lesion_z_opt",
+        "Dose 95[%], lesion_dose_95",
+        "Isodose_50Gy, lesion_isodose_50gy",
+        "50 % isodose, lesion_50_isodose",
+        "Chestwall_R, lesion_chest_wall_R",
+        "Chest wall left, lesion_chest_wall_L",
+        "Chestwall3cm, lesion_chest_wall_3cm",
+        "CW2cm, lesion_chest_wall_2cm",
+        "PTV_opt, lesion_ptv",
+        "Liver_opt, liver",
+        "zLung_L_opt, lung_L",
+        "opt Heart, heart",
+    })
+    void aVolumeOfAPlanIsNoObstacle(String name, String structure) {
+        assertThat(LabelNames.structure(name)).contains(structure);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"opt_nerve_L", "mitral ring", "ringer", "z1", "chest wall muscles", "CW", "overdosed"})
+    void whatOnlySharesAWordWithAPlanIsUnknown(String name) {
+        assertThat(LabelNames.structure(name)).isEmpty();
     }
 
     @ParameterizedTest
