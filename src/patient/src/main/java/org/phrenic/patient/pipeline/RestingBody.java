@@ -51,10 +51,15 @@ public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean
         return new RestingBody(BodyCompletion.complete(rest, template), level, true, raised.domesMm());
     }
 
-    /** The same with its diaphragm and skin. A body left at inspiration gets a note, and one whose domes stand high. */
+    /**
+     * The same with its diaphragm and skin. A body left at inspiration gets a note, and so do one whose domes stand
+     * high and one of unknown level.
+     */
     RestingBody with(PatientBody whole) {
         String note = "";
-        if (isInspired() && !moved) {
+        if (level.isEmpty()) {
+            note = "the scan does not tell how deep the breath is, and is taken for one at end-expiration";
+        } else if (isInspired() && !moved) {
             note = "the scan is one at inspiration, "
                     + level.orElseThrow().stated()
                     + ", and is left as it is: it breathes less than from end-expiration";

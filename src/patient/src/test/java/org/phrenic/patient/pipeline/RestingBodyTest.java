@@ -71,10 +71,16 @@ class RestingBodyTest {
         assertThat(notes(-0.2, false)).containsExactly("first");
         assertThat(notes(0.1, false)).containsExactly("first");
         assertThat(notes(0.6, true)).containsExactly("first");
+    }
+
+    @Test
+    void aBodyOfUnknownLevelIsSaidToBeTakenForOneAtRest() {
         assertThat(new RestingBody(BODY, Optional.empty(), false, 0)
                         .with(BODY)
                         .body()
                         .notes())
-                .containsExactly("first");
+                .containsExactly(
+                        "first",
+                        "the scan does not tell how deep the breath is, and is taken for one at end-expiration");
     }
 }
