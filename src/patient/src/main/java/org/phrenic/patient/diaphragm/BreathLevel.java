@@ -87,6 +87,11 @@ public record BreathLevel(
     /** Share up to which domes stand high: below those of the bodies of {@code bench bodies} at rest, -0.21 or more. */
     private static final double HIGH = -0.3;
 
+    /** Vertebrae by which the left dome stands lower than the right one, in the mean. */
+    private static final double LEFT_BELOW_RIGHT = 1;
+    /** Least difference from that, vertebrae, which the domes of few people have. */
+    private static final double UNEQUAL = 2;
+
     /** Steps of a stated level in a vertebra. */
     private static final double TENTHS = 10;
 
@@ -171,6 +176,11 @@ public record BreathLevel(
      */
     public boolean standsHigh() {
         return share <= HIGH && mark != Mark.LOWER_BORDERS;
+    }
+
+    /** Whether the two domes stand at heights that differ as those of few people do. */
+    public boolean isUnequal() {
+        return mark != Mark.LOWER_BORDERS && Math.abs(left - right - LEFT_BELOW_RIGHT) >= UNEQUAL;
     }
 
     /** Whether the scan shows an organ below the diaphragm, so that a lung lifted by fluid is told from a high dome. */

@@ -1,5 +1,6 @@
 package org.phrenic.patient.pipeline;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.phrenic.anatomy.MedianFrame;
@@ -53,24 +54,29 @@ public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean
 
     /**
      * The same with its diaphragm and skin. A body left at inspiration gets a note, and so do one whose domes stand
-     * high and one of unknown level.
+     * high or at unequal heights and one of unknown level.
      */
     RestingBody with(PatientBody whole) {
-        String note = "";
+        List<String> notes = new ArrayList<>();
         if (level.isEmpty()) {
-            note = "the scan does not tell how deep the breath is, and is taken for one at end-expiration";
+            notes.add("the scan does not tell how deep the breath is, and is taken for one at end-expiration");
         } else if (isInspired() && !moved) {
-            note = "the scan is one at inspiration, "
+            notes.add("the scan is one at inspiration, "
                     + level.orElseThrow().stated()
-                    + ", and is left as it is: it breathes less than from end-expiration";
+                    + ", and is left as it is: it breathes less than from end-expiration");
         } else if (level.filter(BreathLevel::standsHigh).isPresent()) {
-            note = "the scan is one with high domes, "
+            notes.add("the scan is one with high domes, "
                     + level.orElseThrow().stated()
                     + ", and is left as it is: they stand so in pregnancy, obesity, ascites or a paresis, or "
                     + (BreathLevel.showsOrgansBelow(body.thorax()) ? "" : "fluid or collapse lifts the lungs, or ")
-                    + "ribs or vertebrae are numbered one too low";
+                    + "ribs or vertebrae are numbered one too low");
         }
-        return new RestingBody(note.isEmpty() ? whole : whole.withNotes(List.of(note)), level, moved, raisedMm);
+        level.filter(BreathLevel::isUnequal)
+                .ifPresent(found -> notes.add("the two sides of the scan differ, "
+                        + found.stated()
+                        + ": gas of the stomach or the bowel may have the label of a lung, or one side is paretic or"
+                        + " lifted"));
+        return new RestingBody(notes.isEmpty() ? whole : whole.withNotes(notes), level, moved, raisedMm);
     }
 
     /** What a view of the body states, such as "end-expiration (domes raised by 41 mm)". */

@@ -73,6 +73,29 @@ class RestingBodyTest {
         assertThat(notes(0.6, true)).containsExactly("first");
     }
 
+    private static List<String> notesOfSides(BreathLevel.Mark mark, double right, double left) {
+        BreathLevel level = new BreathLevel(mark, right, left, 1, 0.3, 20, Optional.empty());
+        return new RestingBody(BODY, Optional.of(level), true, 20)
+                .with(BODY)
+                .body()
+                .notes();
+    }
+
+    /** Gas of the stomach under the label of the left lung ends three vertebrae below the right dome. */
+    @Test
+    void domesOfUnequalHeightGetANote() {
+        assertThat(notesOfSides(BreathLevel.Mark.ORGANS, 8, 11.2))
+                .hasSize(2)
+                .last()
+                .asString()
+                .contains("the two sides of the scan differ", "T8.0 on the right and T11.2 on the left", "gas of");
+        assertThat(notesOfSides(BreathLevel.Mark.DOMES, 9.5, 8)).hasSize(2);
+        assertThat(notesOfSides(BreathLevel.Mark.DOMES, 11.5, 12)).containsExactly("first");
+        assertThat(notesOfSides(BreathLevel.Mark.DOMES, 8, 10.5)).containsExactly("first");
+        assertThat(notesOfSides(BreathLevel.Mark.DOMES, 8, Double.NaN)).containsExactly("first");
+        assertThat(notesOfSides(BreathLevel.Mark.LOWER_BORDERS, 8, 12)).containsExactly("first");
+    }
+
     @Test
     void aBodyOfUnknownLevelIsSaidToBeTakenForOneAtRest() {
         assertThat(new RestingBody(BODY, Optional.empty(), false, 0)
