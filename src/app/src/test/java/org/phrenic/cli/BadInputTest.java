@@ -110,6 +110,7 @@ class BadInputTest {
         return Stream.of(
                 bad("missing mesh", "none.ply", f -> List.of("info", f + "/none.ply")),
                 bad("file of unknown kind", "x.docx", info("x.docx", "hello")),
+                bad("packed folder", "unpack it first", info("masks.zip", "hello")),
                 bad("folder as a mesh", "expected", f -> {
                     f.resolve("d.ply").toFile().mkdir();
                     return List.of("bench", "--mesh", f + "/d.ply", "--fixed", "a", "--loaded", "b");

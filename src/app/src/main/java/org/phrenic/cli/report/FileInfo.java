@@ -24,6 +24,7 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
+import org.phrenic.mesh.io.raster.VolumeFormats;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.mesh.voxel.LabelGrid;
@@ -71,7 +72,8 @@ public final class FileInfo {
             throw new BadInputException(
                     file + ": found no mesh, volume, scenario or folder, expected a name that ends in yaml, "
                             + String.join(", ", MeshFiles.READABLE) + " or "
-                            + String.join(", ", LabelVolumeFiles.READABLE));
+                            + String.join(", ", LabelVolumeFiles.READABLE)
+                            + (VolumeFormats.isPacked(file) ? ": unpack it first" : ""));
         }
         return info;
     }

@@ -20,6 +20,8 @@ import org.phrenic.mesh.voxel.LabelGrid;
 final class NameFile {
     private static final String LABELS = "labels";
     private static final Pattern NUMBER = Pattern.compile("\\d{1,5}");
+    /** What JSON may hold and YAML does not. */
+    private static final Pattern ESCAPED_SLASH = Pattern.compile("(?<!\\\\)((?:\\\\\\\\)*)\\\\/");
     /** Number, red, green, blue, opacity, whether it is seen and meshed, name. */
     private static final Pattern DESCRIPTION =
             Pattern.compile("\\s*(\\d{1,5})\\s+\\d+\\s+\\d+\\s+\\d+\\s+[\\d.]+\\s+\\d\\s+\\d\\s+\"(.*)\"\\s*");
@@ -46,8 +48,8 @@ final class NameFile {
 
     /** Names of {@code labels}, or of the whole file, as a number by name or a name by number. */
     private static Map<Integer, String> ofJson(Path file, String text) {
-        Map<String, Object> all =
-                YamlDocument.parse(file.toString(), text.replace('\t', ' ')).toMap();
+        String yaml = ESCAPED_SLASH.matcher(text.replace('\t', ' ')).replaceAll("$1/");
+        Map<String, Object> all = YamlDocument.parse(file.toString(), yaml).toMap();
         Map<Integer, String> names = new TreeMap<>();
         Map<?, ?> rows = all.get(LABELS) instanceof Map<?, ?> labels ? labels : all;
         rows.forEach((key, value) -> {

@@ -20,6 +20,9 @@ import org.phrenic.mesh.io.volume.LabelVolume;
  */
 public final class NamesBeside {
     private static final String DATA_SET = "dataset.json";
+    /** A text of this size is no list of names. */
+    private static final long MOST_BYTES = 1 << 24;
+
     private static final List<String> ENDINGS = List.of(".txt", ".label", ".ctbl");
     private static final Pattern VOLUME = Pattern.compile("(?i)(\\.seg)?\\.(nii(\\.gz)?|nrrd|nhdr|mha|mhd)$");
 
@@ -81,6 +84,8 @@ public final class NamesBeside {
             ENDINGS.forEach(ending -> all.add(folder.resolve(stem + ending)));
         }
         Stream.of(folder, folder.getParent()).filter(Objects::nonNull).forEach(at -> all.add(at.resolve(DATA_SET)));
-        return all.stream().filter(Files::isRegularFile).toList();
+        return all.stream()
+                .filter(path -> Files.isRegularFile(path) && path.toFile().length() < MOST_BYTES)
+                .toList();
     }
 }

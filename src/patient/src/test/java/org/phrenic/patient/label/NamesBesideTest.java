@@ -46,6 +46,7 @@ class NamesBesideTest {
             strings = {
                 "{'labels': {'background': 0, 'lung_right': 1, 'liver': 2, 'spleen': 3}, 'numTraining': 1}",
                 "{'labels': {'0': 'background', '1': 'lung_right', '2': 'liver'}}",
+                "{'reference': 'http:\\/\\/a.b', 'labels': {'lung\\u005fright': 1, 'liver': 2}}",
                 "{\n\t'labels': {'background': 0, 'lung_right': [1], 'liver': 2, 'trunk': [1, 2]}}",
             })
     void aDataSetNamesTheLabelsInItsFolderAndTheOnesIn(String json) throws IOException {

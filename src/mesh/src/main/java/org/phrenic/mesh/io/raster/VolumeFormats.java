@@ -27,6 +27,11 @@ public final class VolumeFormats {
         return READABLE.stream().anyMatch(ending -> name.endsWith("." + ending));
     }
 
+    /** Whether the name of a file is that of an archive, which holds a folder. */
+    public static boolean isPacked(Path file) {
+        return PACKED.matcher(name(file)).find();
+    }
+
     /**
      * Opens a volume and reads its voxels.
      *
@@ -47,7 +52,7 @@ public final class VolumeFormats {
         }
         String expected = "expected one of " + String.join(", ", READABLE) + ", dcm";
         throw new BadInputException(file
-                + (PACKED.matcher(name).find()
+                + (isPacked(file)
                         ? ": found a packed folder, " + expected + ": unpack it first"
                         : ": found another ending, " + expected));
     }
