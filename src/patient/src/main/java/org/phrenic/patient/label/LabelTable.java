@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -124,8 +123,7 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     }
 
     private static LabelTable ofFile(Path file, LabelVolume volume) {
-        String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
-        Optional<Map<Integer, String>> names = name.endsWith(".csv") ? Optional.empty() : NameFile.read(file);
+        Optional<Map<Integer, String>> names = NameFile.read(file);
         if (names.isEmpty() && NameFile.isJson(file)) {
             throw new BadInputException(file + ": found no names of labels, expected \"labels\" with a number for each"
                     + " name, or a name for each number");

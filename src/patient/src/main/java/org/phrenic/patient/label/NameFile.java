@@ -8,6 +8,8 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import org.phrenic.document.CsvTable;
 import org.phrenic.document.TextFile;
 import org.phrenic.document.YamlDocument;
 import org.phrenic.file.BadInputException;
@@ -19,6 +21,9 @@ import org.phrenic.mesh.voxel.LabelGrid;
  */
 final class NameFile {
     private static final String LABELS = "labels";
+    /** Columns of labels and names; the second pair is that of 3D Slicer. */
+    private static final Map<String, String> COLUMNS = Map.of("label", "name", "LabelValue", "Name");
+
     private static final Pattern NUMBER = Pattern.compile("\\d{1,5}");
     /** What JSON may hold and YAML does not. */
     private static final Pattern ESCAPED_SLASH = Pattern.compile("(?<!\\\\)((?:\\\\\\\\)*)\\\\/");
@@ -37,13 +42,35 @@ final class NameFile {
      * @throws BadInputException if it cannot be read, or gives a label two names
      */
     static Optional<Map<Integer, String>> read(Path file) {
-        String text = TextFile.read(file, "names of labels");
-        return Optional.of(isJson(file) ? ofJson(file, text) : ofLines(file, text))
-                .filter(names -> !names.isEmpty());
+        Map<Integer, String> names;
+        if (ends(file, ".csv")) {
+            names = ofTable(file, CsvTable.read(file));
+        } else {
+            String text = TextFile.read(file, "names of labels");
+            names = isJson(file) ? ofJson(file, text) : ofLines(file, text);
+        }
+        return Optional.of(names).filter(found -> !found.isEmpty());
     }
 
     static boolean isJson(Path file) {
-        return String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT).endsWith(".json");
+        return ends(file, ".json");
+    }
+
+    private static boolean ends(Path file, String ending) {
+        return String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT).endsWith(ending);
+    }
+
+    /** Names of a table of labels and names without their structures. */
+    private static Map<Integer, String> ofTable(Path file, CsvTable table) {
+        Map<Integer, String> names = new TreeMap<>();
+        for (Map.Entry<String, String> columns : COLUMNS.entrySet()) {
+            if (!table.has("structure") && table.has(columns.getKey()) && table.has(columns.getValue())) {
+                List<String> labels = table.texts(columns.getKey());
+                List<String> words = table.texts(columns.getValue());
+                IntStream.range(0, labels.size()).forEach(row -> put(file, names, labels.get(row), words.get(row)));
+            }
+        }
+        return names;
     }
 
     /** Names of {@code labels}, or of the whole file, as a number by name or a name by number. */

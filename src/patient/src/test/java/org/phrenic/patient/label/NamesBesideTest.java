@@ -105,6 +105,9 @@ class NamesBesideTest {
                 "a.txt | `1 7 0 0 1 1 1 \"Right lung\"\n2 8 0 0 1 1 1 \"Liver\"\n`",
                 "a.ctbl | `1 right_lung 1 2 3 255\n2 liver 1 2 3 255\n`",
                 "LUT.txt | `1 Right-Lung: 1 2 3 0\n2 \"Liver\" 1 2 3 0\n`",
+                "a.csv | `label,name\n1,right lung\n2,liver\n`",
+                "a.csv | `LabelValue,Name,Color_R\n0,none,0\n1,right lung,3\n2,liver,4\n`",
+                "a.csv | `label,name,structure\n1,heart,lung_R\n2,spleen,liver\n`",
                 "a.txt | `label,structure\n1,lung_R\n2,liver\n`",
             })
     void aFileOfNamesMayBeAskedFor(String name, String text) throws IOException {
