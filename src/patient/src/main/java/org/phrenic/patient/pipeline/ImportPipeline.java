@@ -51,6 +51,7 @@ public final class ImportPipeline {
 
         LabelVolume stored = request.geometry().apply(LabelVolumeFiles.read(request.file()), file);
         LabelVolume volume = request.labels().isEmpty() ? NamesBeside.added(request.file(), stored) : stored;
+        volume.notes().stream().skip(stored.notes().size()).forEach(progress::stage);
         LabelTable table = table(request, volume, progress);
         checkAxes(request, volume, table);
         PatientBody scanned = new ScanImport(volume, file, MeshingSettings.PAPER, request.edgeMm(), progress)
