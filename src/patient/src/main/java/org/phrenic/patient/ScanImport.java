@@ -132,6 +132,9 @@ public final class ScanImport {
         List<String> built = new ArrayList<>();
         for (int segment = 1; segment < counts.length; segment++) {
             String structure = segmentation.names().get(segment - 1);
+            if (LabelTable.isOfPlan(structure)) {
+                continue;
+            }
             if (counts[segment] >= MIN_VOXELS) {
                 built.add(structure);
             } else if (counts[segment] > 0) {
@@ -271,18 +274,22 @@ public final class ScanImport {
         int[] counts = volume.grid().counts();
         List<String> unused = new ArrayList<>();
         List<String> unknown = new ArrayList<>();
+        List<String> ofPlan = new ArrayList<>();
         for (int label = 1; label < counts.length; label++) {
             if (counts[label] > 0) {
                 String structure = table.structures().getOrDefault(label, LabelTable.IGNORE);
                 String name = volume.names().get(label);
                 if (structure.equals(LabelTable.IGNORE)) {
                     unused.add(name == null ? String.valueOf(label) : label + " (" + name + ")");
+                } else if (LabelTable.isOfPlan(structure)) {
+                    ofPlan.add(name == null ? structure : name);
                 } else if (structure.startsWith(OrganNames.OTHER_PREFIX)) {
                     unknown.add(structure);
                 }
             }
         }
         note("labels that the table maps to no structure: ", unused);
+        note("margins and aids of a radiotherapy plan, left out: ", ofPlan);
         note("labels of unknown structures, kept as obstacles: ", unknown);
     }
 

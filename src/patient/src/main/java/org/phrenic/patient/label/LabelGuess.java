@@ -43,7 +43,7 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
         NamedLabels named = NamedLabels.of(volume);
         Map<Integer, String> present = named.names();
         Map<Integer, String> known = named.structures();
-        if (!known.isEmpty()) {
+        if (named.areKnown()) {
             return new LabelGuess(
                     Source.NAMES,
                     Optional.of(new LabelTable(known).withRest(volume)),

@@ -50,24 +50,10 @@ public final class LabelNames {
     private static final Pattern MASK =
             Pattern.compile("(?i)^(mask|seg|segmentation)[ _-]+|[ _-]+(mask|seg|segmentation)$");
     /** Words that add nothing to the name of a structure. */
-    private static final List<String> FILLERS = List.of(
-            "vertebra",
-            "vertebrae",
-            "vertebral",
-            "vb",
-            "body",
-            "corpus",
-            "thoracic",
-            "dorsal",
-            "lumbar",
-            "cervical",
-            "upper",
-            "middle",
-            "lower",
-            "superior",
-            "inferior",
-            "of",
-            "the");
+    private static final List<String> FILLERS =
+            List.of(("vertebra vertebrae vertebral vb body corpus thoracic dorsal lumbar "
+                            + "cervical upper middle lower superior inferior of the")
+                    .split(" ", -1));
 
     /** Lesions, and the target volumes of radiotherapy. */
     private static final Pattern LESION =
@@ -77,13 +63,21 @@ public final class LabelNames {
     /** An organ less a target volume in the names of TG-263, such as "Lungs-GTV", or less anything else. */
     private static final Pattern LESS =
             Pattern.compile("(?i)(.+?)( ?[-\u2013] ?(i?[gcp]|i)tv|[ _](minus|without|excluding)[ _]).*");
-    /** Margins about organs, rings, doses and the chest wall in a plan of radiotherapy: no obstacles. */
-    private static final Pattern PLANNING = Pattern.compile(
-            "\\bprv\\d*\\b|^rings?\\d*\\b|\\b(iso)?doses?\\d*\\b" + "|^chest ?wall( ?\\d.*)?$|^cw ?\\d+ ?(mm|cm)$");
 
-    private static final Pattern CHEST_WALL = Pattern.compile("^(chestwall|cw(?=\\d))");
-    /** Words of structures by which such a plan is optimised: an organ less a margin, or an aid. */
-    private static final Pattern OPTIMISED = Pattern.compile("^z (?=[a-z])|\\bopt\\d*\\b(?! (nerve|nrv|chiasm|tract))");
+    private static final String TARGET = "(i?[gcp]|i)tv\\w*";
+    /**
+     * Aids of a plan of radiotherapy: margins about organs, rings, doses, what a plan is optimised by, and the rind of
+     * the chest wall.
+     */
+    private static final Pattern PLANNING = Pattern.compile("(.* )?prv\\d*( .*)?|(.* )?isodoses?\\d*( .*)?"
+            + "|(z )?((" + TARGET + " )*rings?|doses?)\\d*( (\\d\\w*|c?gy|[cm]m|inner|outer|" + TARGET + "))*"
+            + "|(\\d+ )+(percent |c?gy )?dose|(\\d+c?gy )+dose|z? ?(opt|aid)\\d*( \\d+)*"
+            + "|chest ?wall( ?\\d.*)?|cw ?\\d+ ?[cm]m");
+    /** Words by which an organ in a plan is one less a margin: before it, or after it. */
+    private static final Pattern OPTIMISED =
+            Pattern.compile("^z (opt\\d* )?|^opt\\d* |opt\\d*(?=( (left|right|[lr]))?$)");
+    /** A word that is no abbreviation, as "N" for the optic nerve is. */
+    private static final Pattern WHOLE_WORD = Pattern.compile("[a-z]{3}");
     /** Words for what lies in or beside an organ and is no part of it. */
     private static final Pattern BESIDE =
             Pattern.compile("effusion|fluid|(pneumo|hydro|ha?emo)thorax|empyema|arter(y|i)|\\bveins?\\b|\\bvenae?\\b"
@@ -208,16 +202,16 @@ public final class LabelNames {
         Side side = side(words);
         String suffix = side == Side.RIGHT ? "_R" : side == Side.LEFT ? "_L" : "";
         String rest = String.join(" ", words);
-        boolean lesion = LESION.matcher(rest).find()
-                || PLANNING.matcher(rest).find()
-                || OPTIMISED.matcher(plain).find();
+        boolean lesion = LESION.matcher(rest).find();
         boolean beside = BESIDE.matcher(rest).find();
         if (LabelTable.isStructure(name) && (isNamed(name) || !(lesion || beside))) {
             return Optional.of(LabelTable.usual(name));
         }
+        if (PLANNING.matcher(rest).matches()) {
+            return Optional.of(LabelTable.OF_PLAN + String.join("_", words) + suffix);
+        }
         if (lesion) {
-            String joined = CHEST_WALL.matcher(String.join("_", words)).replaceFirst("chest_wall");
-            return Optional.of("lesion_" + joined.replaceFirst("^chest_wall(?=\\d)", "chest_wall_") + suffix);
+            return Optional.of("lesion_" + String.join("_", words) + suffix);
         }
         if (ASCITES.matcher(rest).matches()) {
             return Optional.of(OrganNames.OTHER_PREFIX + "ascites" + suffix);
@@ -234,10 +228,12 @@ public final class LabelNames {
                 : Optional.empty();
     }
 
-    /** The organ of a name such as "zLiver_opt". */
+    /** The organ of a name such as "zLiver_opt"; targets and aids keep their whole names. */
     private static Optional<String> optimised(String plain) {
         String bare = OPTIMISED.matcher(plain).replaceAll("").strip();
-        return bare.equals(plain) || bare.isEmpty() ? Optional.empty() : structure(bare);
+        return bare.equals(plain) || !WHOLE_WORD.matcher(bare).find()
+                ? Optional.empty()
+                : structure(bare).filter(organ -> !organ.startsWith("lesion_") && !LabelTable.isOfPlan(organ));
     }
 
     private static boolean isNamed(String structure) {
@@ -273,10 +269,7 @@ public final class LabelNames {
 
     /** Whether a word says what lies in or beside a structure. */
     static boolean isOfAnatomy(String word) {
-        return LESION.matcher(word).find()
-                || PLANNING.matcher(word).find()
-                || BESIDE.matcher(word).find()
-                || FILLERS.contains(word);
+        return LESION.matcher(word).find() || BESIDE.matcher(word).find() || FILLERS.contains(word);
     }
 
     /** English words of a name in lower case, with a space between them. */

@@ -50,6 +50,8 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     static final String SKIN = "skin";
     /** A label that is left out. */
     public static final String IGNORE = "ignore";
+    /** Begins the names of the aids of a plan of radiotherapy, such as rings and doses, which are no part of a body. */
+    static final String OF_PLAN = OrganNames.OTHER_PREFIX + "planning_";
     /** The name of TotalSegmentator's tables. */
     public static final String TOTALSEGMENTATOR = "totalsegmentator";
 
@@ -134,7 +136,7 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
 
     private static LabelTable ofNames(Path file, LabelVolume volume) {
         NamedLabels named = NamedLabels.of(volume);
-        if (named.structures().isEmpty()) {
+        if (!named.areKnown()) {
             throw new BadInputException(file + ": found "
                     + (named.names().isEmpty()
                             ? "no name for a label of the volume"
@@ -264,6 +266,11 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     /** The name of all ribs of a side, right or left, under one label. */
     static String ribsOf(Side side) {
         return side == Side.RIGHT ? RIGHT_RIBS : LEFT_RIBS;
+    }
+
+    /** Whether a structure is an aid of a plan of radiotherapy. An import leaves it out. */
+    public static boolean isOfPlan(String structure) {
+        return structure.startsWith(OF_PLAN);
     }
 
     /** Whether a structure is several bones under one name, which are no pieces of each other. */

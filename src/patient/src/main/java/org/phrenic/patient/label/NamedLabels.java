@@ -36,4 +36,10 @@ record NamedLabels(Map<Integer, String> names, Map<Integer, String> structures) 
         });
         return new NamedLabels(names, structures);
     }
+
+    /** Whether a name is that of a part of a body. */
+    boolean areKnown() {
+        return structures.values().stream()
+                .anyMatch(known -> !LabelTable.isOfPlan(known) && !known.equals(LabelTable.IGNORE));
+    }
 }

@@ -70,9 +70,9 @@ public final class NamesBeside {
             return Optional.of("it has no name for label " + without.get(0)
                     + (without.size() > 1 ? " and " + (without.size() - 1) + " others" : ""));
         }
-        return NamedLabels.of(named).structures().isEmpty()
-                ? Optional.of("it has no name of a structure for a label of the volume")
-                : Optional.empty();
+        return NamedLabels.of(named).areKnown()
+                ? Optional.empty()
+                : Optional.of("it has no name of a structure for a label of the volume");
     }
 
     private static List<Path> candidates(Path named) {

@@ -127,8 +127,9 @@ final class SharedWords {
         for (int n = 0; n < names.size(); n++) {
             String before = LabelNames.structure(names.get(n)).orElse("");
             String after = LabelNames.structure(bare.get(n)).orElse("");
-            boolean lesions = before.startsWith(LESION) && after.startsWith(LESION);
-            if (!before.isEmpty() && !before.equals(after) && !lesions) {
+            boolean keepsKind = (before.startsWith(LESION) && after.startsWith(LESION))
+                    || (LabelTable.isOfPlan(before) && LabelTable.isOfPlan(after));
+            if (!before.isEmpty() && !before.equals(after) && !keepsKind) {
                 return false;
             }
             foundOne |= before.isEmpty() && !after.isEmpty() && !COMMON.contains(after);
@@ -211,7 +212,9 @@ final class SharedWords {
         }
         boolean ofAnatomy = OF_ANATOMY.contains(letters)
                 || LabelNames.isOfAnatomy(letters)
-                || LabelNames.structure(word).isPresent();
+                || LabelNames.structure(word)
+                        .filter(known -> !LabelTable.isOfPlan(known))
+                        .isPresent();
         if (ofAnatomy) {
             return false;
         }

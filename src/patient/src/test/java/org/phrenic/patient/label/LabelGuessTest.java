@@ -19,6 +19,14 @@ import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.segmentation.CageVoxels;
 
 class LabelGuessTest {
+    @Test
+    void aidsOfAPlanAloneAreNoBody() {
+        LabelGrid grid = LabelGrid.of(2, 1, 1, new byte[] {1, 2}, new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+        LabelGuess guess = LabelGuess.of(new LabelVolume(grid, Map.of(1, "Ring_2cm", 2, "Isodose_50"), List.of()));
+        assertThat(guess.table()).isEmpty();
+        assertThat(guess.reason()).contains("no name of a structure: 'Ring_2cm'");
+    }
+
     @ParameterizedTest
     @CsvSource({
         "Right Lung, lung_R",

@@ -139,37 +139,86 @@ class LabelNamesTest {
         assertThat(LabelNames.structure(name)).contains(structure);
     }
 
-    /** Margins and aids of a plan of radiotherapy, which no needle has to avoid. */
+    /** Margins and aids of a plan of radiotherapy, which are neither obstacles nor lesions. */
     @ParameterizedTest
     @CsvSource({
-        "Skin_PRV05, lesion_skin_prv05",
-        "Lung_L_PRV05, lesion_lung_prv05_L",
-        "SpinalCord_PRV05, lesion_spinal_cord_prv05",
-        "PRV of spinal cord, lesion_prv_of_spinal_cord",
-        "Ring, lesion_ring",
-        "Ring_2cm, lesion_ring_2cm",
-        "zRing1, lesion_ring1",
-        "z_Aid, lesion_z_aid",
-        "opt_1, lesion_opt_1",
-        "zOpt, lesion_z_opt",
-        "Dose 95[%], lesion_dose_95",
-        "Isodose_50Gy, lesion_isodose_50gy",
-        "50 % isodose, lesion_50_isodose",
-        "Chestwall_R, lesion_chest_wall_R",
-        "Chest wall left, lesion_chest_wall_L",
-        "Chestwall3cm, lesion_chest_wall_3cm",
-        "CW2cm, lesion_chest_wall_2cm",
-        "PTV_opt, lesion_ptv",
+        "Skin_PRV05, skin_prv05",
+        "Lung_L_PRV05, lung_prv05_L",
+        "SpinalCord_PRV05, spinal_cord_prv05",
+        "PRV of spinal cord, prv_of_spinal_cord",
+        "Ring, ring",
+        "Ring_2cm, ring_2cm",
+        "Ring_PTV, ring_ptv",
+        "PTV_Ring_2cm, ptv_ring_2cm",
+        "Ring inner, ring_inner",
+        "zRing1, z_ring1",
+        "z_Aid, z_aid",
+        "opt_1, opt_1",
+        "zOpt, z_opt",
+        "Dose, dose",
+        "Dose 95[%], dose_95",
+        "95% dose, 95_dose",
+        "Dose_GTV, dose_gtv",
+        "Isodose_50Gy, isodose_50gy",
+        "50 % isodose, 50_isodose",
+        "Chestwall_R, chestwall_R",
+        "Chest wall left, chest_wall_L",
+        "Chestwall3cm, chestwall3cm",
+        "CW2cm, cw2cm",
+        "CW_2cm, cw_2cm",
+    })
+    void anAidOfAPlanIsNoPartOfABody(String name, String words) {
+        String structure = "other_planning_" + words;
+        assertThat(LabelNames.structure(name)).contains(structure);
+        assertThat(LabelTable.isOfPlan(structure)).isTrue();
+        assertThat(LabelTable.isStructure(structure)).isTrue();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
         "Liver_opt, liver",
         "zLung_L_opt, lung_L",
+        "Spleen_opt1, spleen",
         "opt Heart, heart",
+        "Kidney_opt_L, kidney_L",
+        "PTV_opt, lesion_ptv_opt",
+        "zPTV_60, lesion_z_ptv_60",
+        "low_dose_lung_left, lung_L",
+        "low_dose_rib_left_5, rib_05_L",
+        "low_dose_heart, heart",
+        "LowDose_Lung_L, lung_L",
+        "Dose_Heart, heart",
+        "PTV_low_dose, lesion_ptv_low_dose",
     })
-    void aVolumeOfAPlanIsNoObstacle(String name, String structure) {
+    void aWordOfAPlanLeavesAnOrganOrATargetAsItIs(String name, String structure) {
         assertThat(LabelNames.structure(name)).contains(structure);
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"opt_nerve_L", "mitral ring", "ringer", "z1", "chest wall muscles", "CW", "overdosed"})
+    @ValueSource(
+            strings = {
+                "opt_nerve_L",
+                "nerve_opt_L",
+                "Opt_N_L",
+                "OptN_R",
+                "opt_ns",
+                "Opt_Disc_L",
+                "Opt. radiation",
+                "opt_T1",
+                "Z line",
+                "Z_line",
+                "mitral ring",
+                "Ring_mitral",
+                "ring implant",
+                "Ring pessary",
+                "ring catheter",
+                "ringer",
+                "z1",
+                "chest wall muscles",
+                "CW",
+                "overdosed",
+                "low dose spleen"
+            })
     void whatOnlySharesAWordWithAPlanIsUnknown(String name) {
         assertThat(LabelNames.structure(name)).isEmpty();
     }

@@ -36,6 +36,9 @@ class NamedLabelsTest {
                 "patient 7 ct %s",
                 "00012_%s",
                 "%s.manual",
+                "OPT_003_%s",
+                "RING01_%s",
+                "DOSE2_%s",
             })
     void wordsForACaseOrAFileAreNoPartOfNames(String pattern) {
         List<String> names = List.of("liver", "lung_left", "kidney_right", "rib_left_12", "vertebrae_T5", "spleen");
@@ -68,6 +71,15 @@ class NamedLabelsTest {
         assertThat(structures(List.of("MR_T1_spleen", "MR_T1_kidney_left"))).containsExactly("spleen", "kidney_L");
         assertThat(structures(List.of("L4_body", "L4_spine"))).containsExactly("vertebra_L04", "-");
         assertThat(structures(List.of("L3_muscle", "L3_bone"))).containsExactly("-", "-");
+    }
+
+    /** A case may be left out beside margins and aids of a plan as well. */
+    @Test
+    void aidsOfAPlanHaveACaseAsOrgansHave() {
+        assertThat(structures(List.of("S1_liver", "S1_Cord_PRV05", "S1_Ring_2cm")))
+                .containsExactly("liver", "other_planning_cord_prv05", "other_planning_ring_2cm");
+        assertThat(structures(List.of("Ring_1", "Ring_2")))
+                .containsExactly("other_planning_ring_1", "other_planning_ring_2");
     }
 
     /** The number of one structure is not taken for that of a case, by which it would be several structures or none. */

@@ -17,6 +17,7 @@ import org.phrenic.patient.ImportProgress;
 import org.phrenic.patient.MeshingSettings;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.ScanImport;
+import org.phrenic.patient.label.LabelGuess;
 import org.phrenic.patient.label.LabelTable;
 
 /** A liver of a ball with a vessel through it, a lesion at its surface, and a vena cava beside it; voxels of 2 mm. */
@@ -109,6 +110,24 @@ class EnclosedStructuresTest {
         TriangleMesh vessel = mesh(body, "liver_vessels");
         double[] bounds = vessel.bounds();
         assertThat(bounds[3] - bounds[0]).isCloseTo(2 * radiusMm, within(8.0));
+    }
+
+    /** A ring of a plan takes no part of the liver, and is no structure of the body. */
+    @Test
+    void anAidOfAPlanIsLeftOutAndTheLiverIsWhole() {
+        Map<Integer, String> names = Map.of(1, "Liver", 2, "Ring_2cm", 3, "GTV", 4, "IVC");
+        LabelVolume plan = new LabelVolume(volume().grid(), names, List.of());
+        ImportProgress silent = (count, total, structure) -> {};
+        PatientBody body = new ScanImport(plan, "plan", MeshingSettings.PAPER, Optional.empty(), silent)
+                .run(LabelGuess.of(plan).require("plan"), "body");
+        assertThat(body.structures())
+                .extracting(s -> s.structure().name())
+                .containsExactly("inferior_vena_cava", "lesion_gtv", "liver");
+        assertThat(body.notes())
+                .contains("margins and aids of a radiotherapy plan, left out: Ring_2cm")
+                .noneMatch(note -> note.contains("kept as obstacles"));
+        double ball = 4.0 / 3 * Math.PI * Math.pow(2 * RADIUS, 3);
+        assertThat(MeshMeasure.signedVolume(mesh(body, "liver"))).isCloseTo(ball, within(0.03 * ball));
     }
 
     private static TriangleMesh mesh(PatientBody body, String name) {
