@@ -21,6 +21,7 @@ import org.phrenic.mesh.voxel.LabelGrid;
  */
 final class NameFile {
     private static final String LABELS = "labels";
+    private static final String WHAT = "names of labels";
     /** Columns of labels and names; the second pair is that of 3D Slicer. */
     private static final Map<String, String> COLUMNS = Map.of("label", "name", "LabelValue", "Name");
 
@@ -30,9 +31,10 @@ final class NameFile {
     /** Number, red, green, blue, opacity, whether it is seen and meshed, name. */
     private static final Pattern DESCRIPTION =
             Pattern.compile("\\s*(\\d{1,5})\\s+\\d+\\s+\\d+\\s+\\d+\\s+[\\d.]+\\s+\\d\\s+\\d\\s+\"(.*)\"\\s*");
+    /** A name in quotes, or words of which each has a letter: the numbers after it are colours. */
+    private static final String NAME = "\"[^\"]*\"|\\S*\\p{L}\\S*(?:\\s+\\S*\\p{L}\\S*)*";
     /** Number, name, red, green, blue and mostly opacity. */
-    private static final Pattern COLOUR = Pattern.compile(
-            "\\s*(\\d{1,5})\\s+(\\S(?:.*\\S)?)\\s+\\d{1,3}\\s+\\d{1,3}\\s+\\d{1,3}(?:\\s+\\d{1,3})?\\s*");
+    private static final Pattern COLOUR = Pattern.compile("\\s*(\\d{1,5})\\s+(" + NAME + ")(?:\\s+\\d{1,3}){3,4}\\s*");
 
     private NameFile() {}
 
@@ -46,10 +48,34 @@ final class NameFile {
         if (ends(file, ".csv")) {
             names = ofTable(file, CsvTable.read(file));
         } else {
-            String text = TextFile.read(file, "names of labels");
-            names = isJson(file) ? ofJson(file, text) : ofLines(file, text);
+            String text = TextFile.read(file, WHAT);
+            names = isJson(file) ? ofJson(file, json(file, text)) : ofLines(file, text);
         }
         return Optional.of(names).filter(found -> !found.isEmpty());
+    }
+
+    /**
+     * The names of a file that lies beside a volume; empty if it is none of names. A data set has to have
+     * {@code labels}, whose names may all be of several labels. A text that cannot be read is a note of somebody.
+     *
+     * @throws BadInputException if it cannot be read, or gives a label two names
+     */
+    static Optional<Map<Integer, String>> beside(Path file) {
+        if (isJson(file)) {
+            return Optional.of(json(file, TextFile.read(file, WHAT)))
+                    .filter(all -> all.get(LABELS) instanceof Map<?, ?>)
+                    .map(all -> ofJson(file, all));
+        }
+        String text;
+        try {
+            text = TextFile.read(file, WHAT);
+        } catch (BadInputException unreadable) {
+            if (ends(file, ".txt")) {
+                return Optional.empty();
+            }
+            throw unreadable;
+        }
+        return Optional.of(ofLines(file, text)).filter(found -> !found.isEmpty());
     }
 
     static boolean isJson(Path file) {
@@ -73,10 +99,13 @@ final class NameFile {
         return names;
     }
 
-    /** Names of {@code labels}, or of the whole file, as a number by name or a name by number. */
-    private static Map<Integer, String> ofJson(Path file, String text) {
+    private static Map<String, Object> json(Path file, String text) {
         String yaml = ESCAPED_SLASH.matcher(text.replace('\t', ' ')).replaceAll("$1/");
-        Map<String, Object> all = YamlDocument.parse(file.toString(), yaml).toMap();
+        return YamlDocument.parse(file.toString(), yaml).toMap();
+    }
+
+    /** Names of {@code labels}, or of the whole file, as a number by name or a name by number. */
+    private static Map<Integer, String> ofJson(Path file, Map<String, Object> all) {
         Map<Integer, String> names = new TreeMap<>();
         Map<?, ?> rows = all.get(LABELS) instanceof Map<?, ?> labels ? labels : all;
         rows.forEach((key, value) -> {
@@ -92,17 +121,23 @@ final class NameFile {
         return names;
     }
 
+    /** Names of rows of either form; none if the first row is of neither. */
     private static Map<Integer, String> ofLines(Path file, String text) {
         Map<Integer, String> names = new TreeMap<>();
-        text.lines().filter(line -> !line.isBlank() && !line.startsWith("#")).forEach(line -> {
-            Matcher description = DESCRIPTION.matcher(line);
-            Matcher colour = COLOUR.matcher(line);
+        List<String> rows = text.lines()
+                .filter(line -> !line.isBlank() && !line.stripLeading().startsWith("#"))
+                .toList();
+        for (int row = 0; row < rows.size(); row++) {
+            Matcher description = DESCRIPTION.matcher(rows.get(row));
+            Matcher colour = COLOUR.matcher(rows.get(row));
             if (description.matches()) {
                 put(file, names, description.group(1), description.group(2));
             } else if (colour.matches()) {
                 put(file, names, colour.group(1), colour.group(2));
+            } else if (row == 0) {
+                return names;
             }
-        });
+        }
         return names;
     }
 

@@ -5,18 +5,17 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.raster.VolumeSource;
 import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 
 /**
  * Names that lie beside a volume without names: label descriptions of ITK-SNAP or a colour table under the volume's own
- * name, else {@code dataset.json} of nnU-Net in its folder or the one above.
+ * name, else {@code dataset.json} of nnU-Net in its folder or, if that is called after labels, in the one above.
  */
 public final class NamesBeside {
     private static final String DATA_SET = "dataset.json";
@@ -32,24 +31,27 @@ public final class NamesBeside {
      * The volume with the names of the first such file that names each of its labels, and one of them as a structure;
      * unchanged if it has names or there is no such file. A note tells each file that is taken or left aside.
      *
-     * @param file the file or folder of the volume
+     * @param named the file or folder of the volume; the masks of a folder are numbered as their files come
      */
-    public static LabelVolume added(Path file, LabelVolume volume) {
-        if (!volume.names().values().stream().allMatch(LabelVolume::isNumber) || volume.isImage()) {
+    public static LabelVolume added(Path named, LabelVolume volume) {
+        Path file = VolumeSource.of(named).path().toAbsolutePath().normalize();
+        boolean ofMasks = Files.isDirectory(file) && !volume.names().isEmpty();
+        if (ofMasks || !volume.names().values().stream().allMatch(LabelVolume::isNumber) || volume.isImage()) {
             return volume;
         }
         List<String> notes = new ArrayList<>(volume.notes());
         for (Path beside : candidates(file)) {
             Optional<Map<Integer, String>> names;
             try {
-                names = NameFile.read(beside);
+                names = NameFile.beside(beside);
             } catch (BadInputException unreadable) {
                 notes.add(unreadable.getMessage() + "; it is left aside");
                 continue;
             }
             if (names.isPresent()) {
-                LabelVolume named = new LabelVolume(volume.grid(), names.get(), notes);
-                Optional<String> problem = problem(named);
+                LabelVolume renamed = new LabelVolume(volume.grid(), names.get(), notes);
+                Optional<String> problem =
+                        problem(renamed).or(() -> beside.endsWith(DATA_SET) ? otherNumbers(renamed) : Optional.empty());
                 notes.add(beside.getFileName()
                         + problem.map(why -> " is left aside: " + why).orElse(" names the labels"));
                 if (problem.isEmpty()) {
@@ -75,15 +77,26 @@ public final class NamesBeside {
                 : Optional.of("it has no name of a structure for a label of the volume");
     }
 
+    /** Tells a data set of another task, beside labels of a tool. */
+    private static Optional<String> otherNumbers(LabelVolume named) {
+        NumberMatch numbers = NumberMatch.best(NumberMatch.positions(named.grid()), NumberTable.ALL);
+        return numbers.contradicts(named.grid(), NamedLabels.of(named).structures())
+                ? Optional.of("labels lie as those of " + numbers.table().title() + " and not as those that it names")
+                : Optional.empty();
+    }
+
     private static List<Path> candidates(Path named) {
-        Path file = VolumeSource.of(named).path().toAbsolutePath();
+        Path file = LabelVolumeFiles.onlyVolume(named).orElse(named);
         Path folder = Files.isDirectory(file) ? file : file.getParent();
         List<Path> all = new ArrayList<>();
         if (!folder.equals(file)) {
             String stem = VOLUME.matcher(String.valueOf(file.getFileName())).replaceAll("");
             ENDINGS.forEach(ending -> all.add(folder.resolve(stem + ending)));
         }
-        Stream.of(folder, folder.getParent()).filter(Objects::nonNull).forEach(at -> all.add(at.resolve(DATA_SET)));
+        all.add(folder.resolve(DATA_SET));
+        if (LabelVolumeFiles.isCalledLabels(folder)) {
+            all.add(folder.resolveSibling(DATA_SET));
+        }
         return all.stream()
                 .filter(path -> Files.isRegularFile(path) && path.toFile().length() < MOST_BYTES)
                 .toList();

@@ -165,6 +165,16 @@ record NumberMatch(
         return isPossible() && (whole ? compared() >= ENOUGH_OF_ALL : clear);
     }
 
+    /** Whether the labels are taken for the tool's and are no others that lie as well where these are in people. */
+    boolean contradicts(LabelGrid grid, Map<Integer, String> others) {
+        if (!fits()
+                || others.entrySet().stream().allMatch(other -> other.getValue()
+                        .equals(structures.getOrDefault(other.getKey(), other.getValue())))) {
+            return false;
+        }
+        return new LabelPlaces(grid, others).share() < LEAST_OF_PLACES;
+    }
+
     /** Whether the labels are 1, 2 and so on without a gap, as anybody numbers a few structures, of another table. */
     private boolean isFromOne() {
         return places.compared() < DECISIVE

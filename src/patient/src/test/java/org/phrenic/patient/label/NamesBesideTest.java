@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.io.volume.NiftiWriter;
 import org.phrenic.mesh.voxel.LabelGrid;
 
 /** Names of labels that a file of its own states. */
@@ -25,6 +26,9 @@ class NamesBesideTest {
             + "    9   40    0    0        1  1  1    \"Spleen\"\n";
     private static final String COLOURS =
             "# Color table file lungs.ctbl\n0 background 0 0 0 0\n1 right_lung 1 2 3 255\n2 liver 4 5 6 255\n";
+    private static final String ROWS =
+            "1 spleen 157 108 162 255|2 kidney_right 185 102 83 255|5 rib_5_left 12 13 14 255"
+                    + "|6 vertebrae_T5 12 13 14 255|7 \"Right lung\" 1 2 3 0|8 Stomach: 9 9 9 0|9 Left lung 1 2 3 255";
 
     @TempDir
     Path folder;
@@ -53,10 +57,93 @@ class NamesBesideTest {
         Files.writeString(folder.resolve("dataset.json"), json.replace('\'', '"'));
         assertThat(structures("case.nii.gz")).isEqualTo(Map.of(1, "lung_R", 2, "liver"));
         assertThat(structures("labelsTr/case.nii.gz")).isEqualTo(Map.of(1, "lung_R", 2, "liver"));
-        assertThat(structures("a/b/case.nii.gz")).isEmpty();
+        assertThat(structures("labelsTr/./case.nii.gz")).isEqualTo(Map.of(1, "lung_R", 2, "liver"));
+        assertThat(structures("a/../labels/case.nii.gz")).isEqualTo(Map.of(1, "lung_R", 2, "liver"));
+        assertThat(structures("labelsTr/a/case.nii.gz")).isEmpty();
+        assertThat(structures("labelsTr/../../case.nii.gz")).isEmpty();
+        assertThat(structures("lungs/case.nii.gz")).isEmpty();
         assertThat(NamesBeside.added(folder.resolve("case.nii.gz"), volume(Map.of()))
                         .notes())
                 .containsExactly("dataset.json names the labels");
+    }
+
+    /** Colours are no part of a name: with and without opacity, with quotes or a colon. */
+    @ParameterizedTest
+    @ValueSource(strings = {"", " 255"})
+    void aColourTableGivesNamesWithoutColours(String opacity) throws IOException {
+        String rows = ROWS.replaceAll(" (0|255)(?=\\||$)", opacity).replace('|', '\n');
+        Path file = Files.writeString(
+                folder.resolve("case.ctbl"), "  # colours\n0 background 0 0 0" + opacity + "\n" + rows);
+        LabelGrid grid = LabelGrid.of(
+                7, 1, 1, new byte[] {1, 8, 2, 9, 5, 7, 6}, new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+        LabelVolume volume = new LabelVolume(grid, Map.of(), List.of());
+        LabelVolume named = NamesBeside.added(folder.resolve("case.nii.gz"), volume);
+        assertThat(named.names())
+                .hasToString("{1=spleen, 2=kidney_right, 5=rib_5_left, 6=vertebrae_T5, 7=Right lung, 8=Stomach,"
+                        + " 9=Left lung}");
+        String structures = "{1=spleen, 2=kidney_R, 5=rib_05_L, 6=vertebra_T05, 7=lung_R, 8=stomach, 9=lung_L}";
+        assertThat(LabelGuess.of(named).require("case").structures()).hasToString(structures);
+        assertThat(LabelTable.of(file.toString(), volume).structures()).hasToString(structures);
+    }
+
+    /** Notes and numbers of somebody under the name of the volume, and a data set that names no labels. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "case.txt | ``",
+                "case.txt | `1 10 20 30 40\n2 11 21 31 41`",
+                "case.txt | `1 2 3 4 5 6\n1 4 5 6 7 8`",
+                "case.txt | `Labels of A. B.\n1 liver 1 2 3 255\n2 spleen 1 2 3 255`",
+                "dataset.json | {\"channel_names\": {\"0\": \"CT\"}, \"numTraining\": 20, \"numTest\": 20}",
+                "dataset.json | {\"labels\": [\"liver\", \"spleen\"], \"numTraining\": 1, \"liver\": 2}",
+            })
+    void aFileThatNamesNoLabelsIsPassedOver(String name, String text) throws IOException {
+        Files.writeString(folder.resolve(name), text == null ? "" : text);
+        LabelVolume volume = volume(Map.of());
+        assertThat(NamesBeside.added(folder.resolve("case.nii.gz"), volume)).isEqualTo(volume);
+        Files.write(folder.resolve("case.txt"), new byte[] {'M', (byte) 0xFC, 'l', 'l', 'e', 'r'});
+        Files.deleteIfExists(folder.resolve("dataset.json"));
+        assertThat(NamesBeside.added(folder.resolve("case.nii.gz"), volume)).isEqualTo(volume);
+    }
+
+    /** Beside labels of a tool may lie the data set of another task: what it names lies elsewhere in people. */
+    @ParameterizedTest
+    @CsvSource({
+        "lung_right, lung_left, dataset.json names the labels",
+        "liver, tumor, dataset.json is left aside: labels lie as those of lungmask and not as those that it names",
+        "lung_left, lung_right,"
+                + " dataset.json is left aside: labels lie as those of lungmask and not as those that it names",
+        "kidney_right, kidney_left, dataset.json names the labels",
+    })
+    void aDataSetOfAnotherTaskIsLeftAside(String first, String second, String note) throws IOException {
+        LabelVolume lungs = TrunkVoxels.labelled(NumberTable.named("lungmask").get(0));
+        Files.writeString(
+                folder.resolve("dataset.json"),
+                String.format("{\"labels\": {\"background\": 0, \"%s\": 1, \"%s\": 2}}", first, second));
+        LabelVolume named = NamesBeside.added(folder.resolve("case.nii.gz"), lungs);
+        assertThat(named.notes()).last().isEqualTo(note);
+        assertThat(named.names().isEmpty()).isEqualTo(note.contains("aside"));
+    }
+
+    /** Masks are numbered as their files come: label_10 before label_2. */
+    @Test
+    void aFolderOfMasksHasTheNamesOfItsFilesAlone() throws IOException {
+        Files.writeString(folder.resolve("dataset.json"), "{\"labels\": {\"heart\": 1, \"spleen\": 2}}");
+        LabelVolume masks = volume(Map.of(1, "label_10", 2, "label_2"));
+        assertThat(NamesBeside.added(folder, masks)).isEqualTo(masks);
+    }
+
+    /** The folder of one volume is read as the volume is. */
+    @Test
+    void theFolderOfOneVolumeHasTheNamesBesideTheVolume() throws IOException {
+        LabelVolume volume = volume(Map.of());
+        NiftiWriter.write(folder.resolve("case.nii.gz"), volume.grid());
+        Files.writeString(folder.resolve("case.txt"), DESCRIPTIONS);
+        assertThat(structures("")).isEqualTo(Map.of(1, "lung_R", 2, "liver"));
+        NiftiWriter.write(folder.resolve("other.nii.gz"), volume.grid());
+        assertThat(structures("")).isEmpty();
     }
 
     @ParameterizedTest
@@ -75,6 +162,9 @@ class NamesBesideTest {
         LabelVolume aside = NamesBeside.added(file, volume(Map.of()));
         assertThat(aside.names()).isEmpty();
         assertThat(aside.notes()).containsExactly("dataset.json is left aside: it has no name for label 2");
+        Files.writeString(folder.resolve("dataset.json"), "{\"labels\": {\"trunk\": [1, 2]}}");
+        assertThat(NamesBeside.added(file, volume(Map.of())).notes())
+                .containsExactly("dataset.json is left aside: it has no name for label 1 and 1 others");
         Files.writeString(folder.resolve("dataset.json"), "{\"labels\": {\"quux\": 1, \"quuz\": 2}}");
         assertThat(NamesBeside.added(file, volume(Map.of())).notes())
                 .containsExactly("dataset.json is left aside: it has no name of a structure for a label of the volume");

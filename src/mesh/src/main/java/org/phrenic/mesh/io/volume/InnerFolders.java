@@ -95,14 +95,17 @@ final class InnerFolders {
 
     /** The only folder with volumes in a folder that is called as folders of labels are; empty without one. */
     static Optional<Path> calledLabels(Path folder) {
-        List<Path> called = ofVolumes(folder).stream()
-                .filter(path -> isCalled(path, LABELS))
-                .toList();
+        List<Path> called =
+                ofVolumes(folder).stream().filter(InnerFolders::isCalledLabels).toList();
         return called.size() == 1 ? Optional.of(called.get(0)) : Optional.empty();
     }
 
+    static boolean isCalledLabels(Path folder) {
+        return isCalled(folder, LABELS);
+    }
+
     private static boolean isCalled(Path folder, Pattern names) {
-        return names.matcher(folder.getFileName().toString()).matches();
+        return names.matcher(String.valueOf(folder.getFileName())).matches();
     }
 
     private static boolean holdsLabels(Path folder) {
