@@ -27,17 +27,18 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
         NAMES,
         /** Numbers of a tool or a public data set. */
         NUMBERS,
-        NONE
+        NONE,
+        /** Labels with which no table helps: the volume itself has to be another one. */
+        REFUSED
     }
 
     private static final int MAX_LISTED = 8;
-    private static final String EXPECTED = ", expected ";
 
     /** Guesses the table of a volume. */
     public static LabelGuess of(LabelVolume volume) {
         Optional<String> interpolated = volume.isImage() ? Optional.empty() : InterpolatedLabels.problem(volume.grid());
         if (interpolated.isPresent()) {
-            return none(interpolated.get());
+            return new LabelGuess(Source.REFUSED, Optional.empty(), 0, interpolated.get());
         }
         int[] counts = volume.grid().counts();
         NamedLabels named = NamedLabels.of(volume);
@@ -131,7 +132,7 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
 
     /** Whether no table helps: the volume itself has to be another one. */
     public boolean isRefused() {
-        return reason.contains(EXPECTED);
+        return source == Source.REFUSED;
     }
 
     /**
@@ -143,7 +144,7 @@ public record LabelGuess(Source source, Optional<LabelTable> table, double confi
     public LabelTable require(String file) {
         String expected = isRefused()
                 ? ""
-                : EXPECTED + "--labels with a table of label and structure, such as 1,lungs, or with one of "
+                : ", expected --labels with a table of label and structure, such as 1,lungs, or with one of "
                         + String.join(", ", NumberTable.distinctNames());
         return table.orElseThrow(() -> new BadInputException(file + ": " + reason + expected));
     }

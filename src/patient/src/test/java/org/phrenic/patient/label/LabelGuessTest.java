@@ -19,6 +19,15 @@ import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.segmentation.CageVoxels;
 
 class LabelGuessTest {
+    /** Words of a message in a name are no refusal of the volume. */
+    @Test
+    void aVolumeOfUnknownNamesMayHaveATable() {
+        LabelGrid grid = LabelGrid.of(2, 1, 1, new byte[] {1, 2}, new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+        LabelGuess guess = LabelGuess.of(new LabelVolume(grid, Map.of(1, "quux, expected quuz"), List.of()));
+        assertThat(guess.isRefused()).isFalse();
+        assertThatThrownBy(() -> guess.require("case")).hasMessageContaining(", expected --labels with a table");
+    }
+
     @Test
     void aidsOfAPlanAloneAreNoBody() {
         LabelGrid grid = LabelGrid.of(2, 1, 1, new byte[] {1, 2}, new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
