@@ -62,6 +62,15 @@ public final class NamesBeside {
         return new LabelVolume(volume.grid(), volume.names(), notes);
     }
 
+    /**
+     * The same for an import: names are added where no table is asked for, or one of names alone ({@code --labels}).
+     *
+     * @param asked tool, data set or file
+     */
+    public static LabelVolume added(Path named, LabelVolume volume, Optional<String> asked) {
+        return asked.isEmpty() || LabelTable.isOfNamesAlone(asked.get()) ? added(named, volume) : volume;
+    }
+
     private static Optional<String> problem(LabelVolume named) {
         int[] counts = named.grid().counts();
         List<String> without = IntStream.range(1, counts.length)

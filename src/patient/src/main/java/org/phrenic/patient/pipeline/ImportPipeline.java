@@ -50,7 +50,7 @@ public final class ImportPipeline {
         }
 
         LabelVolume stored = request.geometry().apply(LabelVolumeFiles.read(request.file()), file);
-        LabelVolume volume = request.labels().isEmpty() ? NamesBeside.added(request.file(), stored) : stored;
+        LabelVolume volume = NamesBeside.added(request.file(), stored, request.labels());
         volume.notes().stream().skip(stored.notes().size()).forEach(progress::stage);
         LabelTable table = table(request, volume, progress);
         checkAxes(request, volume, table);

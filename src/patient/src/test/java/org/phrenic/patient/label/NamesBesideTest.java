@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -172,6 +173,24 @@ class NamesBesideTest {
         assertThat(NamesBeside.added(file, volume(Map.of())).notes())
                 .singleElement()
                 .satisfies(note -> assertThat(note).contains("dataset.json: ").endsWith("it is left aside"));
+    }
+
+    /**
+     * A table of names that {@code phrenic info} shows finds its labels by them; one of numbers has no use for them.
+     */
+    @Test
+    void aTableOfNamesAloneIsReadWithTheNamesBeside() throws IOException {
+        Files.writeString(folder.resolve("dataset.json"), "{\"labels\": {\"heart\": 1, \"spleen\": 2}}");
+        Path file = folder.resolve("case.nii.gz");
+        LabelVolume volume = volume(Map.of());
+        Path table = Files.writeString(folder.resolve("table.csv"), "name,structure\nheart,lung_L\nspleen,liver\n");
+        LabelVolume named = NamesBeside.added(file, volume, Optional.of(table.toString()));
+        assertThat(LabelTable.of(table.toString(), named).structures()).isEqualTo(Map.of(1, "lung_L", 2, "liver"));
+        Files.writeString(table, "label,name,structure\n1,a,lung_L\n2,b,liver\n");
+        assertThat(NamesBeside.added(file, volume, Optional.of(table.toString())))
+                .isEqualTo(volume);
+        assertThat(NamesBeside.added(file, volume, Optional.of("amos"))).isEqualTo(volume);
+        assertThat(NamesBeside.added(file, volume, Optional.empty()).names()).containsEntry(2, "spleen");
     }
 
     @Test
