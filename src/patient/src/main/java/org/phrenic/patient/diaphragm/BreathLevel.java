@@ -271,7 +271,8 @@ public record BreathLevel(
                 .toList();
     }
 
-    private static boolean showsWholeLungs(PatientBody scanned) {
+    /** Whether a body as scanned has both lungs and none that the scan cuts off: their shape tells the level. */
+    public static boolean showsWholeLungs(PatientBody scanned) {
         return Stream.of(Side.RIGHT, Side.LEFT)
                         .noneMatch(side -> lobes(scanned, side).isEmpty())
                 && scanned.structures().stream()

@@ -127,7 +127,8 @@ public final class ImportPipeline {
                 resting.body().withNotes(absent),
                 resting.moved(),
                 resting.level().flatMap(BreathLevel::parted));
-        return resting.with(SkinEnvelope.complete(whole));
+        List<String> unknown = completion.keepLevel() ? List.of() : resting.notesOfUnknownLevel(scanned);
+        return resting.with(SkinEnvelope.complete(whole.withNotes(unknown)));
     }
 
     private static ScanAlignment.Aligned aligned(ImportRequest request, PatientBody scanned) {

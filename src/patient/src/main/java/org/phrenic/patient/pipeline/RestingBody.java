@@ -53,14 +53,12 @@ public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean
     }
 
     /**
-     * The same with its diaphragm and skin. A body left at inspiration gets a note, and so do one whose domes stand
-     * high or at unequal heights and one of unknown level.
+     * The same with its diaphragm and skin. A body left at inspiration gets a note, and so does one whose domes stand
+     * high or at unequal heights.
      */
     RestingBody with(PatientBody whole) {
         List<String> notes = new ArrayList<>();
-        if (level.isEmpty()) {
-            notes.add("the scan does not tell how deep the breath is, and is taken for one at end-expiration");
-        } else if (isInspired() && !moved) {
+        if (isInspired() && !moved) {
             notes.add("the scan is one at inspiration, "
                     + level.orElseThrow().stated()
                     + ", and is left as it is: it breathes less than from end-expiration");
@@ -77,6 +75,13 @@ public record RestingBody(PatientBody body, Optional<BreathLevel> level, boolean
                         + ": gas of the stomach or the bowel may have the label of a lung, or one side is paretic or"
                         + " lifted"));
         return new RestingBody(notes.isEmpty() ? whole : whole.withNotes(notes), level, moved, raisedMm);
+    }
+
+    /** A note on a scan that shows nothing by which its level can be measured; none where it can. */
+    List<String> notesOfUnknownLevel(PatientBody scanned) {
+        return level.isPresent() || BreathLevel.showsWholeLungs(scanned)
+                ? List.of()
+                : List.of("the scan does not tell how deep the breath is, and is taken for one at end-expiration");
     }
 
     /** What a view of the body states, such as "end-expiration (domes raised by 41 mm)". */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
@@ -96,14 +97,27 @@ class RestingBodyTest {
         assertThat(notesOfSides(BreathLevel.Mark.LOWER_BORDERS, 8, 12)).containsExactly("first");
     }
 
+    private static PatientBody ofLungs(Side... sides) {
+        List<PatientStructure> lungs = Stream.of(sides)
+                .map(side -> new Structure("lung", StructureKind.LUNG, 0, side, Shapes.sphere(50, 2)))
+                .map(lung ->
+                        new PatientStructure(lung, PatientStructure.Source.SCAN, Optional.empty(), Optional.empty()))
+                .toList();
+        return new PatientBody("patient", lungs, List.of(), List.of());
+    }
+
+    /** The shape of two whole lungs is measured: where it is not clearly one at inspiration, it is one at rest. */
     @Test
     void aBodyOfUnknownLevelIsSaidToBeTakenForOneAtRest() {
-        assertThat(new RestingBody(BODY, Optional.empty(), false, 0)
-                        .with(BODY)
-                        .body()
-                        .notes())
-                .containsExactly(
-                        "first",
-                        "the scan does not tell how deep the breath is, and is taken for one at end-expiration");
+        RestingBody unknown = new RestingBody(BODY, Optional.empty(), false, 0);
+        assertThat(unknown.with(BODY).body().notes()).containsExactly("first");
+        List<String> note =
+                List.of("the scan does not tell how deep the breath is, and is taken for one at end-expiration");
+        assertThat(unknown.notesOfUnknownLevel(BODY)).isEqualTo(note);
+        assertThat(unknown.notesOfUnknownLevel(ofLungs(Side.LEFT))).isEqualTo(note);
+        assertThat(unknown.notesOfUnknownLevel(ofLungs(Side.RIGHT, Side.LEFT))).isEmpty();
+        BreathLevel level = new BreathLevel(BreathLevel.Mark.DOMES, 8, 9, 0, 0, 0, Optional.empty());
+        assertThat(new RestingBody(BODY, Optional.of(level), false, 0).notesOfUnknownLevel(BODY))
+                .isEmpty();
     }
 }
