@@ -168,7 +168,11 @@ final class ScanImportDialog {
     JPanel content() {
         JPanel content =
                 new JPanel(new MigLayout("insets 14, gap 8, fill", "[][grow, fill][]", "[][][grow, fill][][][][][]"));
-        content.add(new JLabel(file.getFileName() + ", " + labels.size()), "span 3, wmin 0, wrap");
+        List<String> heading = new ArrayList<>(List.of(file.getFileName() + ", " + labels.size()));
+        heading.addAll(labels.origin());
+        JLabel of = new JLabel(String.join("; ", heading));
+        of.setToolTipText(of.getText());
+        content.add(of, "span 3, wmin 0, wrap");
         content.add(recognised, "span 2, wmin 0, split 2, growx");
         content.add(new JLabel(NUMBERS));
         content.add(numbers, "wrap");

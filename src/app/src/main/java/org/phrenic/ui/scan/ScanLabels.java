@@ -34,7 +34,7 @@ final class ScanLabels extends AbstractTableModel {
     /** Volumes below this are shown with a decimal, ml. */
     private static final double SMALL_ML = 10;
 
-    private static final String[] COLUMNS = {"Label", "Name in the file", "Volume, ml", "Structure"};
+    private static final String[] COLUMNS = {"Label", "Name", "Volume, ml", "Structure"};
 
     private record Row(int label, String name, double millilitres) {}
 
@@ -50,9 +50,11 @@ final class ScanLabels extends AbstractTableModel {
     private final Optional<StatedAxes> contradicted;
     private final String spacing;
     private final Optional<String> refusal;
+    private final List<String> origin;
     private boolean edited;
 
-    private ScanLabels(LabelVolume volume, LabelGuess guess, Thorax usual) {
+    private ScanLabels(LabelVolume volume, LabelGuess guess, Thorax usual, List<String> origin) {
+        this.origin = origin;
         refusal = Optional.of(guess).filter(LabelGuess::isRefused).map(LabelGuess::reason);
         Map<Integer, String> table = guess.table().map(LabelTable::structures).orElse(Map.of());
         numbered = LabelTable.byTool(volume);
@@ -81,13 +83,21 @@ final class ScanLabels extends AbstractTableModel {
      * @throws BadInputException if the file is no label volume
      */
     static ScanLabels read(Path file, Thorax usual) {
-        LabelVolume volume = NamesBeside.added(file, LabelVolumeFiles.read(file));
-        return new ScanLabels(volume, LabelGuess.of(volume), usual);
+        LabelVolume stored = LabelVolumeFiles.read(file);
+        LabelVolume volume = NamesBeside.added(file, stored);
+        List<String> origin =
+                volume.notes().subList(stored.notes().size(), volume.notes().size());
+        return new ScanLabels(volume, LabelGuess.of(volume), usual, origin);
     }
 
     /** Columns, rows and slices of the volume, as text. */
     String size() {
         return size;
+    }
+
+    /** Which files beside the volume name its labels or are left aside, each without a full stop. */
+    List<String> origin() {
+        return origin;
     }
 
     /** Sides of the body to which columns, rows and slices run: by the file, or as the structures lie. */

@@ -69,6 +69,19 @@ class ScanImportDialogTest {
         assertThat(ScanImportDialog.isWritable(file.resolve("body"))).isFalse();
     }
 
+    @Test
+    void theHeadingTellsWhereTheNamesAreFrom(@TempDir Path folder) throws IOException {
+        Path scan = folder.resolve("scan.mha");
+        ScanSamples.writeMha(scan);
+        Files.writeString(folder.resolve("dataset.json"), "{\"labels\": {\"lungs\": 1, \"liver\": 5}}");
+        ScanLabels labels = ScanLabels.read(scan, VirtualThorax.ofPreset("adult-male", Resolution.LOW));
+        EventThread.run(
+                () -> assertThat(new ScanImportDialog(scan, labels).content().getComponent(0))
+                        .isInstanceOfSatisfying(JLabel.class, label -> assertThat(label.getText())
+                                .startsWith("scan.mha, ")
+                                .endsWith("; dataset.json names the labels")));
+    }
+
     /** A red outline alone tells neither the reason nor a screen reader. */
     @Test
     void whatCannotBeImportedIsToldBesideItsMark(@TempDir Path folder) throws IOException {

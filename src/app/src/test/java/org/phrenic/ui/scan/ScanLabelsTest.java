@@ -80,6 +80,7 @@ class ScanLabelsTest {
         ScanLabels labels = ScanLabels.read(file, USUAL);
         assertThat(labels.getValueAt(1, 1)).isEqualTo("liver");
         assertThat(labels.getValueAt(0, ScanLabels.STRUCTURE_COLUMN)).isEqualTo("lungs");
+        assertThat(labels.origin()).containsExactly("dataset.json names the labels");
     }
 
     /** A table with such a name is refused by the import, after the dialog with all its answers is gone. */
