@@ -21,7 +21,7 @@ final class BodyOutline {
         for (int label = 1; label < counts.length; label++) {
             all += counts[label];
             String structure = table.structures().getOrDefault(label, "");
-            boolean unknown = structure.startsWith(OrganNames.OTHER_PREFIX);
+            boolean unknown = structure.startsWith(OrganNames.OTHER_PREFIX) && !LabelTable.isOfPlan(structure);
             largest = unknown && (largest == 0 || counts[label] > counts[largest]) ? label : largest;
         }
         if (largest == 0 || counts[largest] < LEAST_SHARE * all || counts[largest] == all) {

@@ -19,6 +19,7 @@ import org.phrenic.patient.ExpectedStructures;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 import org.phrenic.patient.label.LabelNames;
+import org.phrenic.patient.label.LabelTable;
 
 /**
  * A body to be completed, read from a folder of meshes.
@@ -33,7 +34,8 @@ record MeshFolder(PatientBody body, List<String> statements) {
      * @throws org.phrenic.file.BadInputException if the folder or a file in it cannot be used
      */
     static MeshFolder read(Path folder, String name) {
-        Thorax thorax = ThoraxFolder.loadPart(folder, LabelNames::structure);
+        Thorax thorax = ThoraxFolder.loadPart(
+                folder, file -> LabelNames.structure(file).filter(known -> !LabelTable.isOfPlan(known)));
         List<String> notes = new ArrayList<>(thorax.notes());
         List<PatientStructure> structures = parted(thorax.structures(), notes).stream()
                 .map(s -> new PatientStructure(s, source(thorax, s), Optional.empty(), Optional.empty()))

@@ -475,5 +475,10 @@ class LabelGuessTest {
                 .require("scan")
                 .structures();
         assertThat(structures).containsEntry(200, "skin").containsEntry(150, "other_150");
+        Map<Integer, String> names = Map.of(150, "liver", 200, "Isodose_5Gy");
+        assertThat(LabelGuess.of(new LabelVolume(grid, names, List.of()))
+                        .require("scan")
+                        .structures())
+                .containsEntry(200, "other_planning_isodose_5gy");
     }
 }

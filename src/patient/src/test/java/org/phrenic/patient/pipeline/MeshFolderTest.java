@@ -66,10 +66,15 @@ class MeshFolderTest {
     void bonesInAnotherFrameAndUnitAreBroughtToLpsAndMillimetres() {
         Thorax body = VirtualThorax.ofPreset("adult-female", Resolution.LOW);
         writeBones(body);
+        VtpWriter.write(
+                folder.resolve("Ring_2cm.vtp"),
+                rasCentimetres(body.find("liver").orElseThrow().mesh()),
+                Map.of());
         ImportResult result = imported(folder);
         assertThat(result.body().structures())
                 .extracting(s -> s.structure().name())
                 .containsExactlyInAnyOrderElementsOf(NAMES.values());
+        assertThat(result.body().notes()).contains("Ring_2cm.vtp: left out, its name is no structure's");
         assertThat(result.body().missing()).contains("diaphragm", "rib_08_L").doesNotContain("rib_07_L");
         double[] rib = result.body()
                 .structure("rib_07_L")
