@@ -20,6 +20,7 @@ import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.numbering.BoneNumbering;
 import org.phrenic.patient.segmentation.CartilageSplitter;
 import org.phrenic.patient.segmentation.EnclosedStructures;
 import org.phrenic.patient.segmentation.FilledOutline;
@@ -112,7 +113,7 @@ public final class ScanImport {
             });
         }
         try {
-            notes.addAll(SegmentationRepair.numberRibs(segmentation));
+            notes.addAll(BoneNumbering.numberRibs(segmentation));
         } catch (BadInputException problem) {
             throw new BadInputException(file + ": " + problem.getMessage(), problem);
         }

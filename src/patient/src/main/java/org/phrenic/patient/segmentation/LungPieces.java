@@ -159,9 +159,9 @@ public final class LungPieces {
      * @param highest greatest height of one, mm
      * @param isCutAbove whether the lung reaches the upper end of the volume
      */
-    record LungVoxels(double[] centre, double lowest, double highest, boolean isCutAbove) {
+    public record LungVoxels(double[] centre, double lowest, double highest, boolean isCutAbove) {
         /** @return empty if no voxel has the name */
-        static Optional<LungVoxels> of(Segmentation s, String name) {
+        public static Optional<LungVoxels> of(Segmentation s, String name) {
             int segment = s.find(name);
             double[] centre = new double[3];
             double lowest = Double.POSITIVE_INFINITY;

@@ -4,7 +4,7 @@ import java.util.BitSet;
 import java.util.List;
 
 /** Which points lie within {@value #NEAR_MM} mm of the voxels of some segments, to about {@value #CELL_MM} mm. */
-final class NearVoxels {
+public final class NearVoxels {
     private static final double NEAR_MM = 22;
     private static final double CELL_MM = 4;
 
@@ -12,7 +12,7 @@ final class NearVoxels {
     private final int[] size = new int[3];
     private final BitSet cells;
 
-    NearVoxels(Segmentation s, List<Integer> segments) {
+    public NearVoxels(Segmentation s, List<Integer> segments) {
         double[] high = new double[3];
         for (int axis = 0; axis < 3; axis++) {
             low[axis] = Double.POSITIVE_INFINITY;
@@ -44,7 +44,7 @@ final class NearVoxels {
         return i + size[0] * (j + size[1] * k);
     }
 
-    boolean isNear(double[] p) {
+    public boolean isNear(double[] p) {
         int reach = (int) (NEAR_MM / CELL_MM);
         double most = NEAR_MM * NEAR_MM / (CELL_MM * CELL_MM);
         int[] at = {index(p, 0), index(p, 1), index(p, 2)};

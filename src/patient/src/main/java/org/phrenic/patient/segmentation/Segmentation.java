@@ -183,7 +183,7 @@ public final class Segmentation {
     }
 
     /** Segment number of a structure. The segment is created if it does not exist. */
-    int segment(String name) {
+    public int segment(String name) {
         if (!names.contains(name)) {
             if (names.size() == MAX_SEGMENTS) {
                 throw new BadInputException("found more than " + MAX_SEGMENTS + " structures, expected fewer");
@@ -204,12 +204,12 @@ public final class Segmentation {
     }
 
     /** Copies labels from the structure that this one was split from. */
-    void inheritFrom(String name, String from) {
+    public void inheritFrom(String name, String from) {
         labels.put(name, labels.get(from));
     }
 
     /** Sets the labels that a structure was built from. */
-    void setLabels(String name, List<Integer> from) {
+    public void setLabels(String name, List<Integer> from) {
         labels.put(name, from);
     }
 
@@ -223,8 +223,13 @@ public final class Segmentation {
         return labels.get(name);
     }
 
+    /** Segment number of each voxel, as bytes without a sign. */
+    public byte[] voxels() {
+        return voxels;
+    }
+
     /** Segment number of a voxel; 0 for none. */
-    int segmentAt(int voxel) {
+    public int segmentAt(int voxel) {
         return voxels[voxel] & MAX_SEGMENTS;
     }
 
@@ -246,7 +251,7 @@ public final class Segmentation {
     }
 
     /** The ends of the volume at which a voxel lies, one bit each: first column, row and slice, then last ones. */
-    int ends(int voxel) {
+    public int ends(int voxel) {
         int[] index = {voxel % columns, voxel / columns % rows, voxel / columns / rows};
         int[] last = {columns - 1, rows - 1, slices - 1};
         int ends = 0;
@@ -258,7 +263,7 @@ public final class Segmentation {
     }
 
     /** The ends of the volume up or down the body, as bits of {@link #ends}. */
-    int endsToward(boolean up) {
+    public int endsToward(boolean up) {
         int ends = 0;
         for (int direction = 0; direction < 3; direction++) {
             if (isAlongBody(direction)) {
@@ -316,7 +321,7 @@ public final class Segmentation {
     }
 
     /** One coordinate (x, y or z) of a voxel centre, mm. */
-    double coordinate(int voxel, int row) {
+    public double coordinate(int voxel, int row) {
         int i = voxel % columns;
         int j = voxel / columns % rows;
         int k = voxel / columns / rows;
@@ -324,12 +329,12 @@ public final class Segmentation {
     }
 
     /** Centre of a voxel, mm. */
-    double[] point(int voxel) {
+    public double[] point(int voxel) {
         return new double[] {coordinate(voxel, 0), coordinate(voxel, 1), coordinate(voxel, 2)};
     }
 
     /** Gives voxels to a segment; 0 leaves them out. */
-    void write(IntList at, int segment) {
+    public void write(IntList at, int segment) {
         for (int i = 0; i < at.size(); i++) {
             voxels[at.get(i)] = (byte) segment;
         }

@@ -14,7 +14,7 @@ import org.phrenic.patient.label.LabelTable;
 
 /**
  * Mending of voxels: pits, dropped voxels and holes are filled, pieces of a bone joined, specks and stray parts left
- * out, and ribs numbered where their labels do not tell them apart.
+ * out.
  */
 public final class SegmentationRepair {
     /** Smallest volume of specks that a note states, ml. */
@@ -51,22 +51,6 @@ public final class SegmentationRepair {
         free = new boolean[s.names().size() + 1];
         free[0] = true;
         s.names().stream().filter(LabelTable::fillsBetweenOrgans).forEach(name -> free[s.find(name)] = true);
-    }
-
-    /**
-     * Numbers the ribs where their labels do not, after separating them from bones that share a label with them, and
-     * brings their numbers and those of the vertebrae into line. To be called before cartilages and after lungs are
-     * separated.
-     *
-     * @return notes if ribs or vertebrae were numbered
-     * @throws org.phrenic.file.BadInputException if ribs cannot be told apart
-     */
-    public static List<String> numberRibs(Segmentation s) {
-        List<String> notes = new ArrayList<>();
-        SkeletonSplitter.split(s).ifPresent(notes::add);
-        RibNumbering.check(s).ifPresent(notes::add);
-        VertebraNumbering.check(s).ifPresent(notes::add);
-        return notes;
     }
 
     /**

@@ -12,7 +12,7 @@ import org.phrenic.mesh.voxel.LabelGrid;
  * Connected components of groups of segments. Voxels are stored as runs: sequences along a row that belong to one
  * segment. Runs of the same group that touch are one component.
  */
-final class VoxelRuns {
+public final class VoxelRuns {
     private static final int START = 1 << 14;
 
     private final Segmentation segmentation;
@@ -34,7 +34,7 @@ final class VoxelRuns {
      * @param groupOfSegment group of each segment number; voxels of group 0 are left out
      * @param corners whether voxels that share only an edge or a corner touch (26 neighbours instead of 6)
      */
-    VoxelRuns(Segmentation segmentation, byte[] groupOfSegment, boolean corners) {
+    public VoxelRuns(Segmentation segmentation, byte[] groupOfSegment, boolean corners) {
         this.segmentation = segmentation;
         this.groupOfSegment = groupOfSegment;
         firstOfRow = new int[segmentation.rows * segmentation.slices + 1];
@@ -58,7 +58,7 @@ final class VoxelRuns {
     }
 
     /** Voxels of each component, by its number, in the order of the volume. */
-    Map<Integer, IntList> voxels(IntPredicate wantedRun) {
+    public Map<Integer, IntList> voxels(IntPredicate wantedRun) {
         Map<Integer, IntList> voxels = new TreeMap<>();
         for (int run = 0; run < count; run++) {
             if (wantedRun.test(run)) {
@@ -167,12 +167,12 @@ final class VoxelRuns {
     }
 
     /** Component of a run: the number of its first run. */
-    int component(int run) {
+    public int component(int run) {
         return DisjointSets.find(parent, run);
     }
 
     /** Number of voxels of a component. */
-    int size(int component) {
+    public int size(int component) {
         return sizes[component];
     }
 }

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.numbering.BoneNumbering;
 
 /** A scan of any field of view, in which any structures of a thorax are labelled, is separated or refused. */
 class AnyLabelsTest {
@@ -102,7 +103,7 @@ class AnyLabelsTest {
             if (s.find(LabelTable.LUNGS) > 0) {
                 LungSplitter.split(s, notes);
             }
-            notes.addAll(SegmentationRepair.numberRibs(s));
+            notes.addAll(BoneNumbering.numberRibs(s));
             if (s.find(LabelTable.COSTAL_CARTILAGES) > 0) {
                 CartilageSplitter.split(s).ifPresent(notes::add);
             }

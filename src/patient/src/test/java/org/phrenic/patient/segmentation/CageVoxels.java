@@ -47,7 +47,7 @@ public final class CageVoxels {
     }
 
     /** The cage, with ribs 11 and 12 as long over the rib above as those of people. */
-    static CageVoxels withFloatingRibs() {
+    public static CageVoxels withFloatingRibs() {
         CageVoxels cage = new CageVoxels().withRibs(1);
         cage.shorten(11, 20);
         cage.shorten(12, 43);
@@ -55,7 +55,7 @@ public final class CageVoxels {
     }
 
     /** Takes away what of a pair of ribs lies before a row. */
-    void shorten(int number, int row) {
+    public void shorten(int number, int row) {
         for (int v = 0; v < labels.length; v++) {
             int label = labels[v] & LabelGrid.MAX_BYTE_LABEL;
             boolean before = v / COLUMNS % ROWS < row;
@@ -85,7 +85,7 @@ public final class CageVoxels {
         }
     }
 
-    int at(int i, int j, int k) {
+    public int at(int i, int j, int k) {
         return labels[i + COLUMNS * (j + ROWS * k)] & LabelGrid.MAX_BYTE_LABEL;
     }
 
@@ -95,12 +95,12 @@ public final class CageVoxels {
     }
 
     /** Whole slices of voxels of this size in LPS, the first one at the origin. */
-    static LabelVolume volume(byte[] labels) {
+    public static LabelVolume volume(byte[] labels) {
         return volume(labels, SPACING_MM);
     }
 
     /** The same, of slices at a distance in mm: ribs are eight slices apart. */
-    static LabelVolume volume(byte[] labels, double apart) {
+    public static LabelVolume volume(byte[] labels, double apart) {
         double s = SPACING_MM;
         int slices = labels.length / (COLUMNS * ROWS);
         LabelGrid grid =
@@ -108,7 +108,7 @@ public final class CageVoxels {
         return new LabelVolume(grid, Map.of(), java.util.List.of());
     }
 
-    Segmentation segmentation(LabelTable table) {
+    public Segmentation segmentation(LabelTable table) {
         return new Segmentation(volume(), table, "scan");
     }
 

@@ -17,6 +17,7 @@ import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.CutPlane;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.numbering.BoneNumbering;
 
 class SegmentationRepairTest {
     /** Half way round the right third rib, in voxels of the cage. */
@@ -106,7 +107,7 @@ class SegmentationRepairTest {
     }
 
     private static TreeMap<String, Integer> repaired(Segmentation s) {
-        SegmentationRepair.numberRibs(s);
+        BoneNumbering.numberRibs(s);
         SegmentationRepair.mend(s);
         return counts(s);
     }
@@ -124,7 +125,7 @@ class SegmentationRepairTest {
             }
         }
         Segmentation s = cage.segmentation(CageVoxels.table(false));
-        assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
+        assertThat(BoneNumbering.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
                 .contains("holds parts of two ribs", "24"));
         SegmentationRepair.mend(s);
         assertThat(counts(s)).isEqualTo(truth);
@@ -139,13 +140,13 @@ class SegmentationRepairTest {
         byte[] clean = cage.labels.clone();
         exchange(clean, cage.labels, 3, 3, CageVoxels.ROWS);
         Segmentation whole = cage.segmentation(CageVoxels.table(false));
-        assertThat(SegmentationRepair.numberRibs(whole)).singleElement().satisfies(note -> assertThat(note)
+        assertThat(BoneNumbering.numberRibs(whole)).singleElement().satisfies(note -> assertThat(note)
                 .contains("names a rib of the other side", "24"));
         assertThat(nameNear(whole, RIGHT_OF_RIB_3)).isEqualTo("rib_03_R");
         exchange(clean, cage.labels, 6, 7, 34);
         exchange(clean, cage.labels, 9, 9, 34);
         Segmentation s = cage.segmentation(CageVoxels.table(false));
-        assertThat(SegmentationRepair.numberRibs(s)).hasSize(1);
+        assertThat(BoneNumbering.numberRibs(s)).hasSize(1);
         SegmentationRepair.mend(s);
         assertThat(counts(s)).isEqualTo(truth);
         assertThat(nameNear(s, RIGHT_OF_RIB_3)).isEqualTo("rib_03_R");
@@ -183,7 +184,7 @@ class SegmentationRepairTest {
         int slices = 62;
         byte[] lower = Arrays.copyOf(cage.labels, CageVoxels.COLUMNS * CageVoxels.ROWS * slices);
         Segmentation cut = new Segmentation(CageVoxels.volume(lower), CageVoxels.table(false), "scan");
-        assertThat(SegmentationRepair.numberRibs(cut)).hasSize(1);
+        assertThat(BoneNumbering.numberRibs(cut)).hasSize(1);
         for (int number = 5; number <= 12; number++) {
             double angle = 0.9 * Math.PI;
             double[] front = {
@@ -225,7 +226,7 @@ class SegmentationRepairTest {
         Segmentation s = cage.segmentation(CageVoxels.table(false));
         assertThat(pieces(s).get("rib_01_R")).isEqualTo(2);
         TreeMap<String, Integer> truth = counts(s);
-        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(BoneNumbering.numberRibs(s)).isEmpty();
         assertThat(counts(s)).isEqualTo(truth);
     }
 
@@ -241,7 +242,7 @@ class SegmentationRepairTest {
         Segmentation s = cage.segmentation(CageVoxels.table(false));
         assertThat(counts(s)).containsKey("rib_01_L");
 
-        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(BoneNumbering.numberRibs(s)).isEmpty();
         assertThat(counts(s)).isEqualTo(truth);
     }
 
@@ -263,7 +264,7 @@ class SegmentationRepairTest {
         int divided = pieces(s).get("rib_04_R");
         assertThat(divided).isEqualTo(2);
         TreeMap<String, Integer> truth = counts(s);
-        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(BoneNumbering.numberRibs(s)).isEmpty();
         assertThat(counts(s)).isEqualTo(truth);
     }
 
@@ -304,7 +305,7 @@ class SegmentationRepairTest {
         Segmentation s = cage.segmentation(CageVoxels.table(false));
         assertThat(pieces(s).get("rib_07_R")).isGreaterThan(1);
         TreeMap<String, Integer> truth = counts(s);
-        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(BoneNumbering.numberRibs(s)).isEmpty();
         assertThat(counts(s)).isEqualTo(truth);
     }
 
@@ -319,7 +320,7 @@ class SegmentationRepairTest {
         }
         Segmentation s = cage.segmentation(CageVoxels.table(false));
         assertThat(pieces(s).get("rib_04_R")).isEqualTo(2);
-        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(BoneNumbering.numberRibs(s)).isEmpty();
     }
 
     @Test
@@ -333,7 +334,7 @@ class SegmentationRepairTest {
     @Test
     void ribsThatNothingNumbersAreRefused() {
         Segmentation s = new CageVoxels().withRibs(5).segmentation(CageVoxels.table(true));
-        assertThatThrownBy(() -> SegmentationRepair.numberRibs(s))
+        assertThatThrownBy(() -> BoneNumbering.numberRibs(s))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("8 connected ribs on the right and no vertebrae");
     }
@@ -348,7 +349,7 @@ class SegmentationRepairTest {
             cage.ball(x, 30 + 22 * StrictMath.cos(angle), 16, 1.6, CageVoxels.rib(12, true));
         }
         Segmentation s = cage.segmentation(CageVoxels.table(true));
-        assertThatThrownBy(() -> SegmentationRepair.numberRibs(s))
+        assertThatThrownBy(() -> BoneNumbering.numberRibs(s))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("found 13 connected ribs on the right, expected at most 12");
     }
@@ -378,7 +379,7 @@ class SegmentationRepairTest {
         Segmentation s = cage.segmentation(CageVoxels.table(false));
         assertThat(pieces(s).get("rib_03_R")).isEqualTo(2);
         TreeMap<String, Integer> truth = counts(s);
-        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(BoneNumbering.numberRibs(s)).isEmpty();
         assertThat(counts(s)).isEqualTo(truth);
     }
 
@@ -412,7 +413,7 @@ class SegmentationRepairTest {
         // A speck far from its bone.
         cage.ball(2, 2, 2, 1, CageVoxels.vertebra(3));
         Segmentation s = cage.segmentation(CageVoxels.table(false));
-        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(BoneNumbering.numberRibs(s)).isEmpty();
         List<String> notes = SegmentationRepair.mend(s);
         assertThat(notes).anyMatch(note -> note.contains("joined") && note.contains("rib_08_R (2)"));
         assertThat(pieces(s).values()).containsOnly(1);

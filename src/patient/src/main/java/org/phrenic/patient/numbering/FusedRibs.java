@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import java.util.ArrayList;
 import java.util.BitSet;
@@ -15,6 +15,8 @@ import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.mesh.voxel.LayerParting;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.segmentation.Segmentation;
+import org.phrenic.patient.segmentation.VoxelRuns;
 
 /**
  * Ribs that hang together: under their label, as where it holds the cartilages of the costal margin or where a bridge

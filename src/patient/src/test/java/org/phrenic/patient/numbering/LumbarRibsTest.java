@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,6 +10,8 @@ import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.segmentation.CageVoxels;
+import org.phrenic.patient.segmentation.Segmentation;
 
 /**
  * Lower ribs of a tall man, whose spine has labels from the last thoracic or a lumbar vertebra on: ribs end 29 mm from
@@ -54,7 +56,7 @@ class LumbarRibsTest {
     }
 
     private static void assertNumbered(Segmentation s, String by, TreeMap<String, Integer> truth) {
-        assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
+        assertThat(BoneNumbering.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
                 .endsWith(by));
         assertThat(counts(s)).isEqualTo(truth);
     }
@@ -147,6 +149,6 @@ class LumbarRibsTest {
             labels[v] = shown.contains(labels[v] & LabelGrid.MAX_BYTE_LABEL) ? labels[v] : 0;
         }
         Segmentation s = new Segmentation(CageVoxels.volume(labels), new LabelTable(table), "scan");
-        return SegmentationRepair.numberRibs(s).get(0);
+        return BoneNumbering.numberRibs(s).get(0);
     }
 }

@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -16,6 +16,7 @@ import org.phrenic.anatomy.StructureName;
 import org.phrenic.mesh.IntList;
 import org.phrenic.patient.label.SpineNames;
 import org.phrenic.patient.segmentation.LungPieces.LungVoxels;
+import org.phrenic.patient.segmentation.Segmentation;
 
 /**
  * Numbers of vertebrae that are one off those of the ribs, a frequent error of segmentations. It is seen in the lower
@@ -98,7 +99,7 @@ final class VertebraNumbering {
     private Optional<String> check() {
         double sumX = 0;
         int vertebral = 0;
-        for (int v = 0; v < s.voxels.length; v++) {
+        for (int v = 0; v < s.voxels().length; v++) {
             int segment = s.segmentAt(v);
             if (names[segment].kind() == StructureKind.VERTEBRA) {
                 sumX += s.coordinate(v, 0);
@@ -327,8 +328,8 @@ final class VertebraNumbering {
                 segment[s.find(name)] = (byte) s.segment(now);
             }
         }
-        for (int v = 0; v < s.voxels.length; v++) {
-            s.voxels[v] = segment[s.segmentAt(v)];
+        for (int v = 0; v < s.voxels().length; v++) {
+            s.voxels()[v] = segment[s.segmentAt(v)];
         }
         labels.forEach(s::setLabels);
         return leftOut;

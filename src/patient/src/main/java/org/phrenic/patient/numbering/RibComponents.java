@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -11,6 +11,8 @@ import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import org.phrenic.mesh.IntList;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.segmentation.Segmentation;
+import org.phrenic.patient.segmentation.VoxelRuns;
 
 /**
  * The ribs of a volume as connected parts of the union of all rib labels. Parts that lie end to end under one label are
@@ -313,7 +315,7 @@ final class RibComponents {
             for (int i = 0; i < rib.voxels.size(); i++) {
                 int segment = s.segmentAt(rib.voxels.get(i));
                 if (rib.segments.get(segment) < Math.max(MIN_VOXELS, SUBSTANTIAL * totals.get(segment))) {
-                    s.voxels[rib.voxels.get(i)] = (byte) dominant;
+                    s.voxels()[rib.voxels.get(i)] = (byte) dominant;
                 }
             }
         }

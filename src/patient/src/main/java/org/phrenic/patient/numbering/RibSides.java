@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import java.util.Comparator;
 import java.util.DoubleSummaryStatistics;
@@ -15,6 +15,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.engine.math.OrderStatistic;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.segmentation.Segmentation;
 
 /**
  * Sides of connected ribs. The side is that of the label, or the other one if the rib lies among the ribs of that side,
@@ -144,7 +145,7 @@ final class RibSides {
     private OptionalDouble mean(Predicate<String> structures) {
         boolean[] counts = new boolean[s.names().size() + 1];
         s.names().forEach(name -> counts[s.find(name)] = structures.test(name));
-        return IntStream.range(0, s.voxels.length)
+        return IntStream.range(0, s.voxels().length)
                 .filter(v -> counts[s.segmentAt(v)])
                 .mapToDouble(v -> s.coordinate(v, 0))
                 .average();

@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,6 +10,8 @@ import java.util.function.IntPredicate;
 import org.junit.jupiter.api.Test;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.segmentation.CageVoxels;
+import org.phrenic.patient.segmentation.Segmentation;
 
 /** A cage of ribs and vertebrae under one label, with lungs in it. */
 class SkeletonSplitterTest {
@@ -63,7 +65,7 @@ class SkeletonSplitterTest {
     /** Voxels of each named rib by the number of the true one. */
     private Map<String, Map<Integer, Integer>> truthOfRibs(Segmentation s) {
         Map<String, Map<Integer, Integer>> truth = new TreeMap<>();
-        for (int v = 0; v < s.voxels.length; v++) {
+        for (int v = 0; v < s.voxels().length; v++) {
             String name = s.segmentAt(v) == 0 ? "" : s.names().get(s.segmentAt(v) - 1);
             if (name.startsWith("rib")) {
                 int i = (int) Math.round(s.coordinate(v, 0) / CageVoxels.SPACING_MM);
@@ -142,10 +144,10 @@ class SkeletonSplitterTest {
     @Test
     void ribsWithAGapAreNotCounted() {
         Segmentation s = scan(label -> label != CageVoxels.rib(6, true));
-        byte[] before = s.voxels.clone();
+        byte[] before = s.voxels().clone();
         assertThat(SkeletonSplitter.split(s))
                 .hasValueSatisfying(note -> assertThat(note).contains("ribs are not told apart"));
-        assertThat(s.voxels).isEqualTo(before);
+        assertThat(s.voxels()).isEqualTo(before);
     }
 
     /** A scan of the abdomen ends at slice 78, below the heads of ribs 1 to 5: of ribs 4 and 5 it shows the fronts. */
@@ -156,7 +158,7 @@ class SkeletonSplitterTest {
         Segmentation s = scan(label -> true, 0, 78);
         assertThat(SkeletonSplitter.split(s))
                 .hasValueSatisfying(note -> assertThat(note).contains("ribs are told apart, the spine is separated"));
-        SegmentationRepair.numberRibs(s);
+        BoneNumbering.numberRibs(s);
         Map<String, Map<Integer, Integer>> truth = truthOfRibs(s);
         assertThat(truth).hasSizeBetween(16, 18).containsKeys("rib_05_R", "rib_05_L", "rib_12_R", "rib_12_L");
         truth.forEach((name, labels) -> {

@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -9,6 +9,8 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.segmentation.CageVoxels;
+import org.phrenic.patient.segmentation.Segmentation;
 
 /** A cage of ribs under one label, without vertebrae, of which a scan shows the slices from one to another. */
 class CutRibCountTest {
@@ -23,7 +25,7 @@ class CutRibCountTest {
     /** Voxels of each rib by its name. */
     private static TreeMap<String, Integer> numbered(CageVoxels cage, int from, int to, boolean common) {
         Segmentation s = scan(cage, from, to, common);
-        SegmentationRepair.numberRibs(s);
+        BoneNumbering.numberRibs(s);
         TreeMap<String, Integer> counts = new TreeMap<>();
         int[] all = s.counts();
         for (String name : s.names()) {

@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -12,6 +12,7 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.segmentation.Segmentation;
 
 /** Heights of the vertebrae of a volume, and of the vertebral ends of its ribs. */
 final class VertebraHeights {
@@ -72,7 +73,7 @@ final class VertebraHeights {
                     .ifPresent(n -> levels[s.find(name)] = n.level());
         }
         for (int pass = 0; pass < 2; pass++) {
-            for (int v = 0; v < s.voxels.length; v++) {
+            for (int v = 0; v < s.voxels().length; v++) {
                 int segment = s.segmentAt(v);
                 if (levels[segment] > 0) {
                     double y = s.coordinate(v, 1);
@@ -130,7 +131,7 @@ final class VertebraHeights {
         double[] bottom = mean(s, below, Double.POSITIVE_INFINITY);
         double[] middle = mean(s, vertebra, mean(s, vertebra, Double.POSITIVE_INFINITY)[1]);
         IntList half = new IntList();
-        for (int v = 0; v < s.voxels.length; v++) {
+        for (int v = 0; v < s.voxels().length; v++) {
             if (s.segmentAt(v) == vertebra) {
                 double[] p = s.point(v);
                 double along = 0;
@@ -149,7 +150,7 @@ final class VertebraHeights {
     private static double[] mean(Segmentation s, int segment, double before) {
         double[] mean = new double[3];
         int count = 0;
-        for (int v = 0; v < s.voxels.length; v++) {
+        for (int v = 0; v < s.voxels().length; v++) {
             if (s.segmentAt(v) == segment && s.coordinate(v, 1) < before) {
                 count++;
                 for (int axis = 0; axis < 3; axis++) {

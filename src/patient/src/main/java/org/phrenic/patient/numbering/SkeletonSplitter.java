@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -14,6 +14,9 @@ import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
 import org.phrenic.patient.segmentation.LungPieces.LungVoxels;
+import org.phrenic.patient.segmentation.NearVoxels;
+import org.phrenic.patient.segmentation.Segmentation;
+import org.phrenic.patient.segmentation.VoxelRuns;
 
 /**
  * Separates ribs, sternum and spine where all bones share a label. The spine is followed up and down from the middle of
@@ -120,12 +123,12 @@ final class SkeletonSplitter {
     }
 
     private Optional<String> split(int all) {
-        byte[] before = s.voxels.clone();
+        byte[] before = s.voxels().clone();
         int ofSpine = s.segment(LabelTable.SPINE);
         double lowest = Double.POSITIVE_INFINITY;
-        for (int v = 0; v < s.voxels.length; v++) {
+        for (int v = 0; v < s.voxels().length; v++) {
             if (s.segmentAt(v) == all && spine.contains(s, v)) {
-                s.voxels[v] = (byte) ofSpine;
+                s.voxels()[v] = (byte) ofSpine;
                 lowest = Math.min(lowest, s.coordinate(v, 2));
             }
         }
@@ -142,7 +145,7 @@ final class SkeletonSplitter {
             right = cutRibs(parts, Side.RIGHT);
             left = cutRibs(parts, Side.LEFT);
             if (!isLowerCage(right, lowest) || !isLowerCage(left, lowest) || Math.abs(right.size() - left.size()) > 2) {
-                System.arraycopy(before, 0, s.voxels, 0, before.length);
+                System.arraycopy(before, 0, s.voxels(), 0, before.length);
                 return Optional.empty();
             }
             int ribs = s.segment(LabelTable.RIBS);
@@ -221,15 +224,15 @@ final class SkeletonSplitter {
                 double[] p = s.point(v);
                 boolean middle = spine.beside(p) < STRIP_MM && isInFront(p[1]);
                 if (middle || near.isNear(p)) {
-                    s.voxels[v] = (byte) (middle ? inFront : nearLungs);
+                    s.voxels()[v] = (byte) (middle ? inFront : nearLungs);
                 }
             }
         }
         List<Part> divided = new ArrayList<>(parts(nearLungs));
         divided.addAll(parts(inFront));
-        for (int v = 0; v < s.voxels.length; v++) {
+        for (int v = 0; v < s.voxels().length; v++) {
             int segment = s.segmentAt(v);
-            s.voxels[v] = (byte) (segment == nearLungs || segment == inFront ? all : segment);
+            s.voxels()[v] = (byte) (segment == nearLungs || segment == inFront ? all : segment);
         }
         return divided;
     }

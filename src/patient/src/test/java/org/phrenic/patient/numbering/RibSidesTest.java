@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -11,6 +11,8 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.segmentation.CageVoxels;
+import org.phrenic.patient.segmentation.Segmentation;
 
 /** A cage whose ribs share a label, or of which a scan shows one side. */
 class RibSidesTest {
@@ -50,11 +52,11 @@ class RibSidesTest {
             cage.labels[v] = last ? 0 : slipped ? (byte) (label + 1) : truth[v];
         }
         Segmentation s = cage.segmentation(CageVoxels.table(false));
-        assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
+        assertThat(BoneNumbering.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
                 .startsWith("labels 106 and 108 leave out a number, though no rib is missing between them:"));
         Map<Integer, String> names = CageVoxels.table(false).structures();
         Map<String, Set<String>> found = new TreeMap<>();
-        for (int v = 0; v < s.voxels.length; v++) {
+        for (int v = 0; v < s.voxels().length; v++) {
             int[] at = new int[3];
             for (int axis = 0; axis < 3; axis++) {
                 at[axis] = (int) Math.round(s.coordinate(v, axis) / CageVoxels.SPACING_MM);
@@ -76,7 +78,7 @@ class RibSidesTest {
             int label = cage.labels[v] & LabelGrid.MAX_BYTE_LABEL;
             cage.labels[v] = label == CageVoxels.rib(4, true) ? 0 : cage.labels[v];
         }
-        assertThat(SegmentationRepair.numberRibs(cage.segmentation(CageVoxels.table(false))))
+        assertThat(BoneNumbering.numberRibs(cage.segmentation(CageVoxels.table(false))))
                 .isEmpty();
     }
 
@@ -86,7 +88,7 @@ class RibSidesTest {
         table.replaceAll((label, name) -> name.equals(LabelTable.RIBS) ? ribs : name);
         table.put(STERNUM_LABEL, STERNUM);
         Segmentation s = cage.segmentation(new LabelTable(table));
-        SegmentationRepair.numberRibs(s);
+        BoneNumbering.numberRibs(s);
         Set<String> names = new TreeSet<>();
         int[] counts = s.counts();
         s.names().stream().filter(name -> counts[s.find(name)] > 0).forEach(names::add);
@@ -146,7 +148,7 @@ class RibSidesTest {
     void aBrokenRibOfOneSideKeepsTheNumberOfItsLabel() {
         CageVoxels cage = withBroken(oneSide(CageVoxels.withFloatingRibs(), true), 6, true);
         Segmentation s = cage.segmentation(CageVoxels.table(false));
-        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(BoneNumbering.numberRibs(s)).isEmpty();
     }
 
     /** A wrong side is worse than none. */
@@ -177,7 +179,7 @@ class RibSidesTest {
         both.addAll(ribs(false, 8));
         assertThat(named(cage, LabelTable.RIBS)).isEqualTo(both);
         Segmentation s = cage.segmentation(CageVoxels.table(false));
-        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(BoneNumbering.numberRibs(s)).isEmpty();
     }
 
     /** A field of view that shows the whole right side, and of the left one the backs of ribs 10 to 12. */

@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import java.util.Arrays;
 import java.util.Comparator;
@@ -6,7 +6,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.patient.label.LabelTable;
-import org.phrenic.patient.segmentation.VertebraHeights.VertebralEnd;
+import org.phrenic.patient.numbering.VertebraHeights.VertebralEnd;
+import org.phrenic.patient.segmentation.Segmentation;
 
 /** Numbers of least cost for the ribs of a side, as {@link RibNumbering} says. */
 final class RibCosts {

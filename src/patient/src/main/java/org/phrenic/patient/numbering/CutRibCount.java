@@ -1,9 +1,10 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalInt;
 import org.phrenic.mesh.IntList;
+import org.phrenic.patient.segmentation.Segmentation;
 
 /**
  * Number of the highest rib of a side in a scan that cuts ribs off above or below, where neither labels nor vertebrae

@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -11,6 +11,8 @@ import java.util.function.IntUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.segmentation.CageVoxels;
+import org.phrenic.patient.segmentation.Segmentation;
 
 /** A cage whose ribs or vertebrae carry the label of their neighbour. */
 class VertebraNumberingTest {
@@ -117,7 +119,7 @@ class VertebraNumberingTest {
         Segmentation s = scan(cage(), ABDOMEN, label -> label < FIRST_LEFT ? label : 0);
         TreeMap<String, Integer> before = counts(s);
         assertThat(before).containsKey("vertebra_T12").doesNotContainKey("vertebra_T01");
-        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(BoneNumbering.numberRibs(s)).isEmpty();
         assertThat(counts(s)).isEqualTo(before);
     }
 
@@ -125,7 +127,7 @@ class VertebraNumberingTest {
     void firstRibsWithTheNumberTwoAreNumberedAnewWithTheirSpine() {
         Segmentation s = fromBelow(34, 108);
         int second = s.counts()[s.find("rib_03_R")];
-        assertThat(SegmentationRepair.numberRibs(s))
+        assertThat(BoneNumbering.numberRibs(s))
                 .containsExactly("the highest ribs have the number 2, but are as short as the first ones and end at the"
                         + " top of the lungs: ribs and vertebrae are numbered one lower");
         Map<String, Integer> found = counts(s);
@@ -141,7 +143,7 @@ class VertebraNumberingTest {
     void aSpineBelowALabelledNeckKeepsItsNumbers() {
         for (String neck : List.of("vertebra_C7", "disc_C7_T1", "vertebra_C1")) {
             Segmentation s = fromBelow(34, 108, neck);
-            assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+            assertThat(BoneNumbering.numberRibs(s)).isEmpty();
             assertThat(counts(s)).containsKeys(neck, "vertebra_T02", "rib_02_R");
         }
     }
@@ -149,7 +151,7 @@ class VertebraNumberingTest {
     @Test
     void cartilagesOfWhichThereIsAFirstKeepTheirNumbers() {
         Segmentation s = fromBelow(34, 108, "costal_cartilage_01_R");
-        assertThat(SegmentationRepair.numberRibs(s)).hasSize(1);
+        assertThat(BoneNumbering.numberRibs(s)).hasSize(1);
         assertThat(counts(s))
                 .containsKeys("rib_01_R", "costal_cartilage_01_R", "costal_cartilage_03_R")
                 .doesNotContainKey("costal_cartilage_02_R");
@@ -158,8 +160,8 @@ class VertebraNumberingTest {
     /** They are as long as the third, or lie below the apex of the lungs. */
     @Test
     void secondRibsKeepTheirNumber() {
-        assertThat(SegmentationRepair.numberRibs(fromBelow(0, 108))).isEmpty();
-        assertThat(SegmentationRepair.numberRibs(fromBelow(34, 120))).isEmpty();
+        assertThat(BoneNumbering.numberRibs(fromBelow(0, 108))).isEmpty();
+        assertThat(BoneNumbering.numberRibs(fromBelow(34, 120))).isEmpty();
     }
 
     /** Ribs 1 to 11, moved down by one, with one voxel under the name of rib 1: the ribs are wrong, not the spine. */
@@ -187,12 +189,12 @@ class VertebraNumberingTest {
     @Test
     void vertebraeOneOffTwelvePairsOfRibsAreNumberedAnew() {
         Segmentation below = scan(cage(), CageVoxels.SLICES, vertebraeMoved(-1));
-        assertThat(SegmentationRepair.numberRibs(below)).singleElement().satisfies(note -> assertThat(note)
+        assertThat(BoneNumbering.numberRibs(below)).singleElement().satisfies(note -> assertThat(note)
                 .contains("one below the ribs", "vertebra_T12 is vertebra_L01 now"));
         assertThat(counts(below)).isEqualTo(truth(CageVoxels.SLICES, "vertebra_T01"));
         assertThat(below.labels("vertebra_T12")).containsExactly(CageVoxels.vertebra(11));
         Segmentation above = scan(cage(), CageVoxels.SLICES, vertebraeMoved(1));
-        assertThat(SegmentationRepair.numberRibs(above)).singleElement().satisfies(note -> assertThat(note)
+        assertThat(BoneNumbering.numberRibs(above)).singleElement().satisfies(note -> assertThat(note)
                 .contains("one above the ribs", "vertebra_L01 is vertebra_T12 now"));
         assertThat(counts(above)).isEqualTo(truth(CageVoxels.SLICES, "vertebra_T12"));
     }
@@ -213,14 +215,14 @@ class VertebraNumberingTest {
             Segmentation lower = scan(cage(), CageVoxels.SLICES, doubled(number, true));
             String name = String.format(Locale.ROOT, "vertebra_T%02d", number);
             String before = String.format(Locale.ROOT, "vertebra_T%02d", number - 1);
-            assertThat(SegmentationRepair.numberRibs(lower))
+            assertThat(BoneNumbering.numberRibs(lower))
                     .containsExactly(name + " is as tall as two vertebrae, and those above it lie one above the ribs of"
                             + " their numbers: they are numbered anew, and it is parted at half its height into " + name
                             + " and " + before);
             assertThat(counts(lower)).isEqualTo(truth(CageVoxels.SLICES));
             assertThat(lower.labels(before)).containsExactly(CageVoxels.vertebra(number));
             Segmentation upper = scan(cage(), CageVoxels.SLICES, doubled(number - 1, false));
-            assertThat(SegmentationRepair.numberRibs(upper))
+            assertThat(BoneNumbering.numberRibs(upper))
                     .singleElement()
                     .asString()
                     .startsWith(before + " is as tall as two vertebrae, and those below it lie one below")
@@ -247,7 +249,7 @@ class VertebraNumberingTest {
                 .as("beside a vertebra that the scan cuts off")
                 .isFalse();
         TreeMap<String, Integer> before = counts(s);
-        assertThat(SegmentationRepair.numberRibs(s)).isEmpty();
+        assertThat(BoneNumbering.numberRibs(s)).isEmpty();
         assertThat(counts(s)).isEqualTo(before);
     }
 
@@ -277,7 +279,7 @@ class VertebraNumberingTest {
         assertThat(truth).containsKeys("rib_09_R", "vertebra_T09").doesNotContainKeys("rib_11_R", "vertebra_T11");
         assertThat(VertebraNumbering.check(right)).isEmpty();
         Segmentation above = chest(vertebraeMoved(1));
-        assertThat(SegmentationRepair.numberRibs(above))
+        assertThat(BoneNumbering.numberRibs(above))
                 .singleElement()
                 .asString()
                 .startsWith("the vertebrae lie one above the ribs of their numbers");
@@ -295,17 +297,14 @@ class VertebraNumberingTest {
             boolean fifth = label == CageVoxels.rib(5, false) || label == CageVoxels.rib(5, true);
             return fifth ? 0 : left || right ? label - 1 : label;
         });
-        assertThat(SegmentationRepair.numberRibs(s))
-                .singleElement()
-                .asString()
-                .startsWith("ribs, whose vertebrae lie one");
+        assertThat(BoneNumbering.numberRibs(s)).singleElement().asString().startsWith("ribs, whose vertebrae lie one");
         assertThat(counts(s)).isEqualTo(truth);
     }
 
     @Test
     void elevenPairsOfRibsOneOffTheVertebraeAreNumberedAnew() {
         Segmentation s = scan(cage(), CageVoxels.SLICES, ribsMovedDown());
-        assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
+        assertThat(BoneNumbering.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
                 .contains("ribs, whose vertebrae lie one below their numbers", "22"));
         assertThat(counts(s)).isEqualTo(truth(CageVoxels.SLICES, "rib_12_L", "rib_12_R"));
     }
@@ -368,7 +367,7 @@ class VertebraNumberingTest {
     @Test
     void discsAreNumberedAnewWithTheVertebraeAboutThem() {
         Segmentation s = named(1, Map.of("disc_L1_L2", 23, "disc_T12_L1", 31, "disc_T10_T11", 47));
-        assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
+        assertThat(BoneNumbering.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
                 .contains("vertebra_L01 is vertebra_T12 now"));
         assertThat(s.labels("disc_T9_T10")).containsExactly(2);
         assertThat(s.labels("disc_T12_L1")).containsExactly(1);
@@ -383,7 +382,7 @@ class VertebraNumberingTest {
         Map<String, Integer> neck = Map.of("disc_C1_C2", 125, "vertebra_C1", 128, "vertebra_C2", 122);
         Segmentation s = named(1, neck);
         int second = s.counts()[s.find("vertebra_C2")];
-        assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
+        assertThat(BoneNumbering.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
                 .contains("vertebra_L01 is vertebra_T12 now; what lies above vertebra_C1 then is left out"));
         assertThat(s.labels("vertebra_C1")).containsExactly(3);
         assertThat(counts(s)).containsEntry("vertebra_C1", second).doesNotContainKeys("vertebra_C2", "disc_C1_C2");
@@ -392,7 +391,7 @@ class VertebraNumberingTest {
     @Test
     void aLumbarVertebraThatBecomesSacralJoinsTheSacralOneWithItsLabels() {
         Segmentation s = named(-1, Map.of("disc_L5_S1", 5, "vertebra_L05", 8, "vertebra_S1", 2));
-        assertThat(SegmentationRepair.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
+        assertThat(BoneNumbering.numberRibs(s)).singleElement().satisfies(note -> assertThat(note)
                 .contains("vertebra_T12 is vertebra_L01 now"));
         assertThat(s.labels("vertebra_S1")).containsExactlyInAnyOrder(2, 3);
         assertThat(s.labels("disc_L5_S1")).containsExactly(1);
@@ -403,11 +402,11 @@ class VertebraNumberingTest {
     @Test
     void inAnAbdomenALastRibAsShortAsTheTwelfthTellsThatVertebraeAreWrong() {
         Segmentation vertebrae = scan(cage(), ABDOMEN, vertebraeMoved(-1));
-        assertThat(SegmentationRepair.numberRibs(vertebrae)).singleElement().satisfies(note -> assertThat(note)
+        assertThat(BoneNumbering.numberRibs(vertebrae)).singleElement().satisfies(note -> assertThat(note)
                 .contains("the vertebrae lie one below"));
         assertThat(counts(vertebrae)).isEqualTo(truth(ABDOMEN));
         Segmentation ribs = scan(cage(), ABDOMEN, ribsMovedDown());
-        assertThat(SegmentationRepair.numberRibs(ribs)).singleElement().satisfies(note -> assertThat(note)
+        assertThat(BoneNumbering.numberRibs(ribs)).singleElement().satisfies(note -> assertThat(note)
                 .contains("ribs, whose vertebrae lie one below"));
         assertThat(counts(ribs)).isEqualTo(truth(ABDOMEN, "rib_12_L", "rib_12_R"));
     }

@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -14,7 +14,8 @@ import org.phrenic.anatomy.StructureName;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
-import org.phrenic.patient.segmentation.VertebraHeights.VertebralEnd;
+import org.phrenic.patient.numbering.VertebraHeights.VertebralEnd;
+import org.phrenic.patient.segmentation.Segmentation;
 
 /**
  * Numbers of ribs. Where a label holds parts of two ribs or names a rib of the other side, labels leave out a number

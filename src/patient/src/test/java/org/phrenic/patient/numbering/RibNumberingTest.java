@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -8,6 +8,8 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.segmentation.CageVoxels;
+import org.phrenic.patient.segmentation.Segmentation;
 
 /** Parts under the label of a rib that are none of it, and last ribs that lie beside each other. */
 class RibNumberingTest {
@@ -61,7 +63,7 @@ class RibNumberingTest {
         assertThat(truth).hasSize(20);
         arc(cage, 124, 0.3, CageVoxels.rib(1, true));
         Segmentation s = from(cage, 40);
-        assertThat(SegmentationRepair.numberRibs(s))
+        assertThat(BoneNumbering.numberRibs(s))
                 .containsExactly("label 104 holds parts of two ribs: the 20 connected ribs are numbered from top to"
                         + " bottom by their vertebrae; left out, away from the rib of their label: a part of label 104 at"
                         + " the height of C7 on the right");
@@ -79,7 +81,7 @@ class RibNumberingTest {
             cage.labels[v] = slipped ? (byte) (label - 1) : cage.labels[v];
         }
         Segmentation s = from(cage, 40);
-        assertThat(SegmentationRepair.numberRibs(s)).singleElement().asString().endsWith("by their vertebrae");
+        assertThat(BoneNumbering.numberRibs(s)).singleElement().asString().endsWith("by their vertebrae");
         assertThat(counts(s)).isEqualTo(truth);
     }
 
@@ -95,7 +97,7 @@ class RibNumberingTest {
         Map<String, Integer> truth = counts(from(cage, 0));
         labelFrontOfSecondAsThird(cage);
         Segmentation s = from(cage, 0);
-        assertThat(SegmentationRepair.numberRibs(s)).singleElement().asString().contains("holds parts of two ribs");
+        assertThat(BoneNumbering.numberRibs(s)).singleElement().asString().contains("holds parts of two ribs");
         assertThat(counts(s)).isEqualTo(truth);
     }
 
@@ -120,7 +122,7 @@ class RibNumberingTest {
         Map<String, Integer> truth = counts(from(cage, 0));
         labelFrontOfSecondAsThird(cage);
         Segmentation s = from(cage, 0);
-        assertThat(SegmentationRepair.numberRibs(s)).singleElement().asString().contains("24 connected ribs");
+        assertThat(BoneNumbering.numberRibs(s)).singleElement().asString().contains("24 connected ribs");
         assertThat(counts(s)).isEqualTo(truth);
     }
 
@@ -137,7 +139,7 @@ class RibNumberingTest {
             cage.labels[v] = (byte) (other ? label + 1 : label);
         }
         Segmentation s = from(cage, 0);
-        assertThat(SegmentationRepair.numberRibs(s)).singleElement().asString().contains("leave out a number");
+        assertThat(BoneNumbering.numberRibs(s)).singleElement().asString().contains("leave out a number");
         assertThat(counts(s)).isEqualTo(truth);
     }
 
@@ -155,7 +157,7 @@ class RibNumberingTest {
             }
         }
         Segmentation s = from(cage, 0);
-        assertThat(SegmentationRepair.numberRibs(s)).last().asString().contains("vertebra_T12 is vertebra_L01");
+        assertThat(BoneNumbering.numberRibs(s)).last().asString().contains("vertebra_T12 is vertebra_L01");
         assertThat(counts(s)).isEqualTo(truth);
     }
 
@@ -167,7 +169,7 @@ class RibNumberingTest {
         arc(cage, 124 - 8 * 13, 0.35, CageVoxels.rib(12, true));
         Segmentation s = from(cage, 0);
         assertThat(counts(s).get("rib_12_R")).isGreaterThan(2 * truth.get("rib_12_R"));
-        assertThat(SegmentationRepair.numberRibs(s))
+        assertThat(BoneNumbering.numberRibs(s))
                 .singleElement()
                 .asString()
                 .endsWith(": a part of label 115 at the height of L1 on the right");
@@ -192,7 +194,7 @@ class RibNumberingTest {
         Map<String, Integer> truth = counts(from(cage, 0));
         Segmentation s = cage.segmentation(CageVoxels.table(true));
         assertThat(s.names()).contains(LabelTable.RIBS);
-        SegmentationRepair.numberRibs(s);
+        BoneNumbering.numberRibs(s);
         assertThat(counts(s)).isEqualTo(truth);
     }
 }

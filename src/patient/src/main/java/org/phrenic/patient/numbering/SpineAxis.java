@@ -1,7 +1,8 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import java.util.Arrays;
 import java.util.Optional;
+import org.phrenic.patient.segmentation.Segmentation;
 
 /**
  * The axis of the spine in a segment that holds all bones: in layers of some millimetres the middle of the bone behind
@@ -47,7 +48,7 @@ final class SpineAxis {
         double[] across = new double[count];
         double[] back = new double[count];
         int n = 0;
-        for (int v = 0; v < s.voxels.length; v++) {
+        for (int v = 0; v < s.voxels().length; v++) {
             if (s.segmentAt(v) == segment) {
                 across[n] = s.coordinate(v, 0);
                 back[n] = s.coordinate(v, 1);

@@ -1,4 +1,4 @@
-package org.phrenic.patient.segmentation;
+package org.phrenic.patient.numbering;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -9,6 +9,8 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
+import org.phrenic.patient.segmentation.CageVoxels;
+import org.phrenic.patient.segmentation.Segmentation;
 
 /** A cage whose ribs hang together under a label that several share. */
 class FusedRibsTest {
@@ -65,7 +67,7 @@ class FusedRibsTest {
         Map<Integer, String> truth = CageVoxels.table(false).structures();
         int named = 0;
         int all = 0;
-        for (int v = 0; v < s.voxels.length; v++) {
+        for (int v = 0; v < s.voxels().length; v++) {
             double[] at = s.point(v);
             int label = cage.at(
                     (int) Math.round(at[0] / CageVoxels.SPACING_MM),
@@ -83,7 +85,7 @@ class FusedRibsTest {
     void ribsOfASideThatShareTheirMarginAreNumberedByTheirVertebrae() {
         CageVoxels cage = withMargins().withVertebrae(1);
         Segmentation s = scan(cage, LabelTable.RIGHT_RIBS, LabelTable.LEFT_RIBS);
-        assertThat(SegmentationRepair.numberRibs(s))
+        assertThat(BoneNumbering.numberRibs(s))
                 .containsExactly("ribs: the 24 connected ribs are numbered from top to bottom by their vertebrae; ribs"
                         + " that hang together are parted: 4 on the right in front, 4 on the left in front");
         assertThat(named(s, cage)).isGreaterThan(0.99);
@@ -93,7 +95,7 @@ class FusedRibsTest {
     void withoutVertebraeAllTwelveAreNumberedUnderOneLabel() {
         CageVoxels cage = withMargins();
         Segmentation s = scan(cage, LabelTable.RIBS, LabelTable.RIBS);
-        SegmentationRepair.numberRibs(s);
+        BoneNumbering.numberRibs(s);
         assertThat(named(s, cage)).isGreaterThan(0.99);
     }
 
@@ -103,10 +105,7 @@ class FusedRibsTest {
         CageVoxels cage = CageVoxels.withFloatingRibs().withVertebrae(1);
         bridge(cage, 0.5);
         Segmentation s = scan(cage, LabelTable.RIBS, LabelTable.RIBS);
-        assertThat(SegmentationRepair.numberRibs(s))
-                .singleElement()
-                .asString()
-                .endsWith(": 2 on the right at the side");
+        assertThat(BoneNumbering.numberRibs(s)).singleElement().asString().endsWith(": 2 on the right at the side");
         assertThat(named(s, cage)).isGreaterThan(0.99);
     }
 
@@ -117,7 +116,7 @@ class FusedRibsTest {
             bridge(cage, n / 10.0);
         }
         Segmentation s = scan(cage, LabelTable.RIGHT_RIBS, LabelTable.LEFT_RIBS);
-        assertThatThrownBy(() -> SegmentationRepair.numberRibs(s))
+        assertThatThrownBy(() -> BoneNumbering.numberRibs(s))
                 .isInstanceOf(BadInputException.class)
                 .hasMessage(
                         "ribs_R: found 2 ribs on the right that hang together at the side about (36, 129, 219) mm and"
