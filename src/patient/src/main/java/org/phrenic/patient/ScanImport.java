@@ -21,6 +21,7 @@ import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.LabelTable;
 import org.phrenic.patient.numbering.BoneNumbering;
+import org.phrenic.patient.numbering.NumberingDoubts;
 import org.phrenic.patient.segmentation.CartilageSplitter;
 import org.phrenic.patient.segmentation.EnclosedStructures;
 import org.phrenic.patient.segmentation.FilledOutline;
@@ -123,6 +124,7 @@ public final class ScanImport {
         }
         progress.stage("filling holes, joining pieces");
         notes.addAll(SegmentationRepair.mend(segmentation));
+        notes.addAll(NumberingDoubts.find(segmentation));
         notes.addAll(LungPieces.name(segmentation));
         segmentation.findCuts();
     }

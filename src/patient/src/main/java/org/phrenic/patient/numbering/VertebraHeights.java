@@ -6,10 +6,12 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
+import org.phrenic.engine.math.OrderStatistic;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.segmentation.Segmentation;
@@ -32,8 +34,18 @@ final class VertebraHeights {
     /** Least height of two vertebrae under one label over that of their neighbours; one has at most 1.25 of these. */
     private static final double DOUBLE = 1.6;
 
+    /** Greatest height of a half of a vertebra over that of its neighbours, and least and greatest one of both. */
+    private static final double HALF = 0.65;
+
+    private static final double LEAST_WHOLE = 0.8;
+    private static final double MOST_WHOLE = 1.3;
+    /** Greatest distance of two vertebrae that follow each other over that of their neighbours. */
+    private static final double NEXT = 1.5;
+
     /** By level, mm; NaN if the volume shows none. */
     private final double[] vertebraZ = new double[LAST + 1];
+
+    private final boolean[] isShown = new boolean[LAST + 1];
     /**
      * Vertical extent of the anterior half, that of an even distribution with the same variance, mm; 0 for none and
      * where the scan ends above or below in it.
@@ -53,6 +65,9 @@ final class VertebraHeights {
                 .filter(level -> !Double.isNaN(vertebraZ[level]))
                 .findFirst()
                 .orElse(NONE);
+        for (int level = 1; level <= LAST; level++) {
+            isShown[level] = !Double.isNaN(vertebraZ[level]);
+        }
         for (int level = LAST - 1; level > 0; level--) {
             vertebraZ[level] = Double.isNaN(vertebraZ[level]) ? vertebraZ[level + 1] + toNext(level) : vertebraZ[level];
         }
@@ -114,10 +129,68 @@ final class VertebraHeights {
         return vertebraZ[level];
     }
 
+    /** Usual height of the vertebral end of the rib of a number, mm. */
+    double ribEnd(int number) {
+        return at(number) - RibDeviations.usual(number) * spacing(number);
+    }
+
+    /** Distance of the vertebra of a number from the one above it, mm; of the first from the second. */
+    double spacing(int number) {
+        return at(Math.max(1, number - 1)) - at(Math.max(2, number));
+    }
+
+    /** Whether the volume shows the vertebra of a level and the one that its {@link #spacing} is taken from. */
+    boolean showsSpacing(int level) {
+        return isShown[level] && isShown[level == 1 ? 2 : level - 1];
+    }
+
     /** Whether a vertebra between two others is as tall as two of them. */
     boolean isDouble(int level) {
         double least = Math.min(extent[level - 1], extent[level + 1]);
         return least > 0 && extent[level] > DOUBLE * Math.max(extent[level - 1], extent[level + 1]);
+    }
+
+    /**
+     * Height of a vertebra over that of the taller of the next ones shown above and below it, and over the median of
+     * these and the next but one; 0 if there are none on both sides or the scan ends in them.
+     */
+    double tallness(int level) {
+        double[] above = next(level, -1);
+        double[] below = next(level, 1);
+        double[] all =
+                DoubleStream.concat(Arrays.stream(above), Arrays.stream(below)).toArray();
+        if (above.length == 0 || below.length == 0 || Arrays.stream(all).anyMatch(height -> height == 0)) {
+            return 0;
+        }
+        return extent[level] / Math.max(OrderStatistic.median(all), Math.max(above[0], below[0]));
+    }
+
+    /** Heights of up to two shown vertebrae within three levels of one, from the nearest on. */
+    private double[] next(int level, int step) {
+        return IntStream.rangeClosed(1, 3)
+                .map(n -> level + n * step)
+                .filter(at -> at > 0 && at <= LAST && isShown[at])
+                .limit(2)
+                .mapToDouble(at -> extent[at])
+                .toArray();
+    }
+
+    /** Whether a vertebra and the next one below it, between two others, are as tall as one of these. */
+    boolean areHalves(int level) {
+        double above = extent[level - 1];
+        double below = extent[level + 2];
+        double usual = 0.5 * (above + below);
+        double both = extent[level] + extent[level + 1];
+        double taller = Math.max(extent[level], extent[level + 1]);
+        boolean known = Math.min(Math.min(above, below), both - taller) > 0;
+        return known && taller < HALF * usual && both > LEAST_WHOLE * usual && both < MOST_WHOLE * usual;
+    }
+
+    /** Whether the vertebra of a level is missing between two that follow each other. */
+    boolean isSkipped(int level) {
+        boolean known = isShown[level - 2] && isShown[level - 1] && isShown[level + 1] && isShown[level + 2];
+        double usual = 0.5 * (at(level - 2) - at(level - 1) + at(level + 1) - at(level + 2));
+        return known && !isShown[level] && at(level - 1) - at(level + 1) < NEXT * usual;
     }
 
     /**

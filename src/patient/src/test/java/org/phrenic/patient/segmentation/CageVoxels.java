@@ -30,6 +30,11 @@ public final class CageVoxels {
         return T1 + 1 - number;
     }
 
+    /** Slice of the centre of a vertebra. */
+    public static int vertebraSlice(int number) {
+        return 123 - 8 * number;
+    }
+
     /** Adds ribs from a number to twelve. */
     public CageVoxels withRibs(int first) {
         for (int number = first; number <= 12; number++) {
@@ -67,7 +72,7 @@ public final class CageVoxels {
 
     public CageVoxels withVertebrae(int first) {
         for (int number = first; number <= 12; number++) {
-            ball(44.5, 50, 123 - 8 * number, 3.2, vertebra(number));
+            ball(44.5, 50, vertebraSlice(number), 3.2, vertebra(number));
         }
         return this;
     }
