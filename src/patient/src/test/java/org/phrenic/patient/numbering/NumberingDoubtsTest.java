@@ -5,10 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.IntUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.phrenic.mesh.voxel.LabelGrid;
+import org.phrenic.patient.MeshingSettings;
+import org.phrenic.patient.ScanImport;
 import org.phrenic.patient.segmentation.CageVoxels;
 import org.phrenic.patient.segmentation.Segmentation;
 
@@ -129,6 +132,19 @@ class NumberingDoubtsTest {
     }
 
     @Test
+    void anImportNotesDoubts() {
+        CageVoxels cage = cage();
+        for (int v = 0; v < cage.labels.length; v++) {
+            cage.labels[v] += (byte) (cage.labels[v] == CageVoxels.vertebra(8) ? 1 : 0);
+        }
+        assertThat(new ScanImport(cage.volume(), "scan", MeshingSettings.PAPER, Optional.empty(), (n, of, what) -> {})
+                        .run(CageVoxels.table(false), "body")
+                        .notes())
+                .filteredOn(note -> note.startsWith(vertebra(7) + " is "))
+                .hasSize(1);
+    }
+
+    @Test
     void twoVertebraeThatAreAlreadyPartedAreNotNoted() {
         int kept = CageVoxels.vertebra(7);
         Segmentation s = scan(cage(), label -> label > kept && label <= T1 ? label - 1 : label);
@@ -200,6 +216,46 @@ class NumberingDoubtsTest {
                     .singleElement()
                     .asString()
                     .contains("right ribs", "lie one vertebra above");
+        }
+    }
+
+    /**
+     * Ribs of a cage that end so far from the median plane, of one side with a further fall, mm for each mm, beyond the
+     * transverse processes, as on the convex side of a curve.
+     */
+    private static CageVoxels steep(CageVoxels cage, double beginMm, double fall, boolean right) {
+        byte[] before = cage.labels.clone();
+        for (int v = 0; v < before.length; v++) {
+            int label = before[v] & LabelGrid.MAX_BYTE_LABEL;
+            double mm = CageVoxels.SPACING_MM * (v % CageVoxels.COLUMNS - MIDDLE);
+            double beyond = (mm < 0) == right ? Math.min(30, Math.max(0, Math.abs(mm) - 30)) : 0;
+            int from = v + SLICE * (int) Math.round(fall * beyond / CageVoxels.SPACING_MM);
+            int rib = from < before.length ? before[from] & LabelGrid.MAX_BYTE_LABEL : 0;
+            if (label == 0 || isRib(label, true) || isRib(label, false)) {
+                boolean shown = Math.abs(mm) >= beginMm && (isRib(rib, true) || isRib(rib, false));
+                cage.labels[v] = (byte) (shown ? rib : 0);
+            }
+        }
+        return cage;
+    }
+
+    @Test
+    void rightNumbersOfSteepRibsThatEndFarFromTheSpineAreNotNoted() {
+        int seventh = CageVoxels.vertebra(7);
+        for (double begin : new double[] {0, 36, 45, 51}) {
+            for (double fall : new double[] {0.4, 1.0}) {
+                for (boolean right : new boolean[] {true, false}) {
+                    CageVoxels cage = steep(cage(), begin, fall, right);
+                    clear(cage, Set.of(CageVoxels.rib(11, right), CageVoxels.rib(12, right)));
+                    assertThat(doubts(scan(cage, label -> label)))
+                            .as("from %s mm on, fall %s", begin, fall)
+                            .isEmpty();
+                    CageVoxels bent = steep(kyphotic(8, Set.of()), begin, fall, right);
+                    assertThat(doubts(scan(bent, label -> label == seventh ? 0 : label)))
+                            .as("bent, from %s mm on, fall %s", begin, fall)
+                            .isEmpty();
+                }
+            }
         }
     }
 
