@@ -112,7 +112,7 @@ final class SideSlip {
     /** The numbers whose ribs of this side are so many lower than those of the other one. */
     private NavigableSet<Integer> alike(int off) {
         NavigableSet<Integer> alike = new TreeSet<>(deviations.keySet());
-        alike.removeIf(number -> Math.abs(deviations.get(number) - ofOther.get(number) - off) > SCATTER);
+        alike.removeIf(number -> !(Math.abs(deviations.get(number) - ofOther.get(number) - off) <= SCATTER));
         return alike;
     }
 

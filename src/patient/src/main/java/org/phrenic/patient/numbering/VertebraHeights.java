@@ -6,7 +6,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.StructureKind;
@@ -32,6 +31,11 @@ final class VertebraHeights {
     private static final double HEAD_MM = 60;
 
     /** Least height of two vertebrae under one label over that of their neighbours; one has at most 1.25 of these. */
+    /**
+     * Least distance of the vertebrae next to two under one label, in usual ones; 2 about one vertebra, 3 about two.
+     */
+    private static final double APART = 2.5;
+
     private static final double DOUBLE = 1.6;
 
     /** Greatest height of a half of a vertebra over that of its neighbours, and least and greatest one of both. */
@@ -152,26 +156,35 @@ final class VertebraHeights {
 
     /**
      * Height of a vertebra over that of the taller of the next ones shown above and below it, and over the median of
-     * these and the next but one; 0 if there are none on both sides or the scan ends in them.
+     * these and the next but one; 0 if there are none on both sides or the scan ends in them, or if the next ones are
+     * not as far apart as with two between, as of a whole vertebra between collapsed ones.
      */
     double tallness(int level) {
-        double[] above = next(level, -1);
-        double[] below = next(level, 1);
-        double[] all =
-                DoubleStream.concat(Arrays.stream(above), Arrays.stream(below)).toArray();
+        int[] above = next(level, -1);
+        int[] below = next(level, 1);
+        double[] all = IntStream.concat(Arrays.stream(above), Arrays.stream(below))
+                .mapToDouble(at -> extent[at])
+                .toArray();
         if (above.length == 0 || below.length == 0 || Arrays.stream(all).anyMatch(height -> height == 0)) {
             return 0;
         }
-        return extent[level] / Math.max(OrderStatistic.median(all), Math.max(above[0], below[0]));
+        double[] usual = Stream.of(above, below)
+                .filter(two -> two.length == 2)
+                .mapToDouble(two -> (at(two[0]) - at(two[1])) / (two[1] - two[0]))
+                .toArray();
+        boolean apart = at(above[0]) - at(below[0])
+                > APART * Arrays.stream(usual).average().orElse(Double.POSITIVE_INFINITY);
+        return apart
+                ? extent[level] / Math.max(OrderStatistic.median(all), Math.max(extent[above[0]], extent[below[0]]))
+                : 0;
     }
 
-    /** Heights of up to two shown vertebrae within three levels of one, from the nearest on. */
-    private double[] next(int level, int step) {
+    /** Up to two shown vertebrae within three levels of one, from the nearest on. */
+    private int[] next(int level, int step) {
         return IntStream.rangeClosed(1, 3)
                 .map(n -> level + n * step)
                 .filter(at -> at > 0 && at <= LAST && isShown[at])
                 .limit(2)
-                .mapToDouble(at -> extent[at])
                 .toArray();
     }
 

@@ -299,19 +299,41 @@ class NumberingDoubtsTest {
         assertThat(doubts(without)).isEmpty();
     }
 
-    /** Two low vertebrae about a whole one, and two that follow each other, in a straight spine. */
-    @Test
-    void lowVertebraeAmongRightNumbersAreNotNoted() {
-        for (Set<Integer> low : List.of(Set.of(7, 9), Set.of(7, 8), Set.of(6), Set.of(5, 6, 7, 8))) {
-            CageVoxels cage = cage();
+    /** A cage whose vertebrae have so many slices, each like the middle one. */
+    private static CageVoxels lowered(IntUnaryOperator slices) {
+        CageVoxels whole = cage();
+        CageVoxels cage = cage();
+        for (int number = 1; number <= 12; number++) {
+            int label = CageVoxels.vertebra(number);
+            int middle = CageVoxels.vertebraSlice(number);
+            int first = middle - slices.applyAsInt(number) / 2;
             for (int v = 0; v < cage.labels.length; v++) {
-                int number = CageVoxels.vertebra(0) - cage.labels[v];
-                int above = v / SLICE - CageVoxels.vertebraSlice(number);
-                if (low.contains(number) && above != 0 && above != -1) {
+                int slice = v / SLICE;
+                boolean inside = slice >= first && slice < first + slices.applyAsInt(number);
+                if (inside && whole.labels[middle * SLICE + v % SLICE] == label) {
+                    cage.labels[v] = (byte) label;
+                } else if (cage.labels[v] == label) {
                     cage.labels[v] = 0;
                 }
             }
+        }
+        return cage;
+    }
+
+    /** Low vertebrae about a whole one, and some that follow each other, in a straight spine. */
+    @Test
+    void lowVertebraeAmongRightNumbersAreNotNoted() {
+        for (Set<Integer> low :
+                List.of(Set.of(7, 9), Set.of(7, 8), Set.of(6), Set.of(5, 6, 7, 8), Set.of(6, 8, 9), Set.of(10, 12))) {
+            CageVoxels cage = lowered(number -> low.contains(number) ? 2 : 5);
             assertThat(doubts(scan(cage, label -> label))).as("low %s", low).isEmpty();
         }
+    }
+
+    /** In thick slices a vertebra has two or three, as it lies. */
+    @Test
+    void aVertebraOfThreeSlicesAmongThoseOfTwoIsNotNoted() {
+        CageVoxels cage = lowered(number -> number == 7 ? 3 : 2);
+        assertThat(doubts(scan(cage, label -> label))).isEmpty();
     }
 }
