@@ -1,6 +1,7 @@
 package org.phrenic.patient.label;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -31,10 +32,11 @@ final class NameFile {
     /** Number, red, green, blue, opacity, whether it is seen and meshed, name. */
     private static final Pattern DESCRIPTION =
             Pattern.compile("\\s*(\\d{1,5})\\s+\\d+\\s+\\d+\\s+\\d+\\s+[\\d.]+\\s+\\d\\s+\\d\\s+\"(.*)\"\\s*");
-    /** A name in quotes, or words of which each has a letter: the numbers after it are colours. */
-    private static final String NAME = "\"[^\"]*\"|\\S*\\p{L}\\S*(?:\\s+\\S*\\p{L}\\S*)*";
-    /** Number, name, red, green, blue and mostly opacity. */
-    private static final Pattern COLOUR = Pattern.compile("\\s*(\\d{1,5})\\s+(" + NAME + ")(?:\\s+\\d{1,3}){3,4}\\s*");
+    /** A row of a colour table: number, name in quotes or as far as its last word with a letter, numbers after it. */
+    private static final Pattern COLOUR =
+            Pattern.compile("\\s*(\\d{1,5})\\s+(\"[^\"]*\"|\\S.*\\p{L}\\S*|\\p{L}\\S*)((?:\\s+\\d{1,3}){3,})\\s*");
+    /** Red, green, blue and mostly opacity end each row of a colour table. */
+    private static final int MOST_CHANNELS = 4;
 
     private NameFile() {}
 
@@ -127,18 +129,35 @@ final class NameFile {
         List<String> rows = text.lines()
                 .filter(line -> !line.isBlank() && !line.stripLeading().startsWith("#"))
                 .toList();
+        int channels = channels(rows);
         for (int row = 0; row < rows.size(); row++) {
             Matcher description = DESCRIPTION.matcher(rows.get(row));
             Matcher colour = COLOUR.matcher(rows.get(row));
             if (description.matches()) {
                 put(file, names, description.group(1), description.group(2));
             } else if (colour.matches()) {
-                put(file, names, colour.group(1), colour.group(2));
+                List<String> name = new ArrayList<>(List.of(colour.group(2)));
+                List<String> numbers = numbers(colour);
+                name.addAll(numbers.subList(0, numbers.size() - channels));
+                put(file, names, colour.group(1), String.join(" ", name));
             } else if (row == 0) {
                 return names;
             }
         }
         return names;
+    }
+
+    /** Numbers of a colour: those that all rows have after the name, for names may end with numbers of their own. */
+    private static int channels(List<String> rows) {
+        return rows.stream()
+                .map(COLOUR::matcher)
+                .filter(Matcher::matches)
+                .mapToInt(row -> numbers(row).size())
+                .reduce(MOST_CHANNELS, Math::min);
+    }
+
+    private static List<String> numbers(Matcher colour) {
+        return List.of(colour.group(3).strip().split("\\s+", -1));
     }
 
     /** Adds a name, unless the number is none of a label, as that of the background. */

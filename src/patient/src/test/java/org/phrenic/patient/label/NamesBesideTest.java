@@ -87,6 +87,26 @@ class NamesBesideTest {
         assertThat(LabelTable.of(file.toString(), volume).structures()).hasToString(structures);
     }
 
+    /** A name may hold numbers or end with one: each row ends with as many numbers as all rows have. */
+    @ParameterizedTest
+    @ValueSource(strings = {"", " 255"})
+    void aNumberInANameIsNoColour(String opacity) throws IOException {
+        String rows =
+                "1 Rib 5 left 12 13 14|2 Right rib 6 12 13 14|3 Liver segment 4 of the left lobe 1 2 3|4 T 5 1 2 3"
+                        + "|5 spleen 1 2 3";
+        Files.writeString(folder.resolve("case.ctbl"), rows.replace("|", opacity + "\n") + opacity);
+        LabelGrid grid =
+                LabelGrid.of(5, 1, 1, new byte[] {1, 4, 2, 5, 3}, new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+        LabelVolume named =
+                NamesBeside.added(folder.resolve("case.nii.gz"), new LabelVolume(grid, Map.of(), List.of()));
+        assertThat(named.names())
+                .hasToString("{1=Rib 5 left, 2=Right rib 6, 3=Liver segment 4 of the left lobe, 4=T 5, 5=spleen}");
+        assertThat(LabelGuess.of(named).require("case").structures())
+                .containsEntry(1, "rib_05_L")
+                .containsEntry(2, "rib_06_R")
+                .containsEntry(4, "vertebra_T05");
+    }
+
     /** Notes and numbers of somebody under the name of the volume, and a data set that names no labels. */
     @ParameterizedTest
     @CsvSource(
