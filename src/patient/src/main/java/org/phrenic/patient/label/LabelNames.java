@@ -151,6 +151,7 @@ public final class LabelNames {
             Map.entry("vena_cava_inferior", "inferior_vena_cava"),
             Map.entry("vena_cava_superior", "superior_vena_cava"),
             Map.entry("a_aorta", "aorta"),
+            Map.entry("arota", "aorta"),
             Map.entry("v_venacava_i", "inferior_vena_cava"),
             Map.entry("v_venacava_s", "superior_vena_cava"),
             Map.entry("bowel_small", "small_bowel"),

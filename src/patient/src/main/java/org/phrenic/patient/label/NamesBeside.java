@@ -50,8 +50,7 @@ public final class NamesBeside {
             }
             if (names.isPresent()) {
                 LabelVolume renamed = new LabelVolume(volume.grid(), names.get(), notes);
-                Optional<String> problem =
-                        problem(renamed).or(() -> beside.endsWith(DATA_SET) ? otherNumbers(renamed) : Optional.empty());
+                Optional<String> problem = problem(renamed).or(() -> byNumbers(renamed, beside.endsWith(DATA_SET)));
                 notes.add(beside.getFileName()
                         + problem.map(why -> " is left aside: " + why).orElse(" names the labels"));
                 if (problem.isEmpty()) {
@@ -86,11 +85,19 @@ public final class NamesBeside {
                 : Optional.of("it has no name of a structure for a label of the volume");
     }
 
-    /** Tells a data set of another task, beside labels of a tool. */
-    private static Optional<String> otherNumbers(LabelVolume named) {
+    /**
+     * Why the labels are told by their numbers: they are those of a tool, and the names tell fewer of them, or are
+     * those of a data set of another task.
+     */
+    private static Optional<String> byNumbers(LabelVolume named, boolean ofDataSet) {
+        Map<Integer, String> structures = NamedLabels.of(named).structures();
         NumberMatch numbers = NumberMatch.best(NumberMatch.positions(named.grid()), NumberTable.ALL);
-        return numbers.contradicts(named.grid(), NamedLabels.of(named).structures())
-                ? Optional.of("labels lie as those of " + numbers.table().title() + " and not as those that it names")
+        String tool = numbers.table().title();
+        if (ofDataSet && numbers.contradicts(named.grid(), structures)) {
+            return Optional.of("labels lie as those of " + tool + " and not as those that it names");
+        }
+        return numbers.tellsMoreThan(structures)
+                ? Optional.of("labels are numbered as those of " + tool + ", and it names fewer structures")
                 : Optional.empty();
     }
 

@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.IntStream;
+import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.mesh.voxel.LabelGrid;
@@ -167,12 +168,20 @@ record NumberMatch(
 
     /** Whether the labels are taken for the tool's and are no others that lie as well where these are in people. */
     boolean contradicts(LabelGrid grid, Map<Integer, String> others) {
-        if (!fits()
-                || others.entrySet().stream().allMatch(other -> other.getValue()
-                        .equals(structures.getOrDefault(other.getKey(), other.getValue())))) {
-            return false;
-        }
-        return new LabelPlaces(grid, others).share() < LEAST_OF_PLACES;
+        return fits() && !agrees(others) && new LabelPlaces(grid, others).share() < LEAST_OF_PLACES;
+    }
+
+    /** Whether the labels are taken for the tool's, and others are the same as far as they go, but are fewer. */
+    boolean tellsMoreThan(Map<Integer, String> others) {
+        long known = structures.values().stream()
+                .filter(structure -> !structure.startsWith(OrganNames.OTHER_PREFIX))
+                .count();
+        return fits() && known > others.size() && agrees(others);
+    }
+
+    private boolean agrees(Map<Integer, String> others) {
+        return others.entrySet().stream()
+                .allMatch(other -> other.getValue().equals(structures.getOrDefault(other.getKey(), other.getValue())));
     }
 
     /** Whether the labels are 1, 2 and so on without a gap, as anybody numbers a few structures, of another table. */

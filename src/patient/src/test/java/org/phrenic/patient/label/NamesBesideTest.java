@@ -148,6 +148,32 @@ class NamesBesideTest {
         assertThat(named.names().isEmpty()).isEqualTo(note.contains("aside"));
     }
 
+    /** Names that are unknown or missing do not make obstacles of what the numbers tell. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "rkid lkid gall eso IVC pancreas rad lad | dataset.json is left aside: labels are numbered as those of"
+                        + " AMOS, and it names fewer structures",
+                "right_kidney left_kidney gall_bladder esophagus postcava pancreas right_adrenal_gland"
+                        + " left_adrenal_gland | dataset.json names the labels",
+            })
+    void namesOfFewerStructuresThanTheNumbersTellAreLeftAside(String names, String note) throws IOException {
+        LabelVolume organs = TrunkVoxels.labelled(NumberTable.named("amos").get(0));
+        String json =
+                "{'labels': {'spleen': 1, '%s': 2, '%s': 3, '%s': 4, '%s': 5, 'liver': 6, 'stomach': 7, 'arota': 8,"
+                        + " '%s': 9, '%s': 10, '%s': 11, '%s': 12, 'duodenum': 13, 'bladder': 14, 'prostate/uterus': 15}}";
+        Files.writeString(folder.resolve("dataset.json"), String.format(json.replace('\'', '"'), (Object[])
+                names.split(" ", -1)));
+        LabelVolume named = NamesBeside.added(folder.resolve("case.nii.gz"), organs);
+        assertThat(named.notes()).last().isEqualTo(note);
+        assertThat(LabelGuess.of(named).require("case").structures())
+                .containsEntry(2, "kidney_R")
+                .containsEntry(8, "aorta")
+                .containsEntry(11, "adrenal_gland_R")
+                .hasSameSizeAs(LabelGuess.of(organs).require("case").structures());
+    }
+
     /** Masks are numbered as their files come: label_10 before label_2. */
     @Test
     void aFolderOfMasksHasTheNamesOfItsFilesAlone() throws IOException {
