@@ -59,7 +59,7 @@ public final class LabelNames {
     private static final Pattern LESION =
             Pattern.compile("tumou?r|lesion|metasta|nodule|cancer|(carcin|sarc|aden|angi|lymph|hepat|hamart)oma"
                     + "|(?<!chole)cysts?(?![a-z])|(?<!fat |muscle |body |bone )\\bmass(es)?\\b"
-                    + "|\\bhcc\\b|\\b(i?[gcp]|i)tv");
+                    + "|\\bhcc\\b|\\b(i?[gcp]|i)tv|\\btarget volumes?\\b");
     /** An organ less a target volume in the names of TG-263, such as "Lungs-GTV", or less anything else. */
     private static final Pattern LESS =
             Pattern.compile("(?i)(.+?)( ?[-\u2013] ?(i?[gcp]|i)tv|[ _](minus|without|excluding)[ _]).*");

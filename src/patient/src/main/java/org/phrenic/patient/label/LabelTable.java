@@ -50,8 +50,11 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
     static final String SKIN = "skin";
     /** A label that is left out. */
     public static final String IGNORE = "ignore";
-    /** Begins the names of the aids of a plan of radiotherapy, such as rings and doses, which are no part of a body. */
-    static final String OF_PLAN = OrganNames.OTHER_PREFIX + "planning_";
+    /**
+     * Begins the names of the aids of a plan of radiotherapy, such as rings and doses, which are no part of a body. A
+     * name that {@link OrganNames#other} makes has no hyphen.
+     */
+    static final String OF_PLAN = OrganNames.OTHER_PREFIX + "planning-";
     /** The name of TotalSegmentator's tables. */
     public static final String TOTALSEGMENTATOR = "totalsegmentator";
 

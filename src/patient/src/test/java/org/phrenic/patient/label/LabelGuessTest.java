@@ -479,6 +479,6 @@ class LabelGuessTest {
         assertThat(LabelGuess.of(new LabelVolume(grid, names, List.of()))
                         .require("scan")
                         .structures())
-                .containsEntry(200, "other_planning_isodose_5gy");
+                .containsEntry(200, "other_planning-isodose_5gy");
     }
 }

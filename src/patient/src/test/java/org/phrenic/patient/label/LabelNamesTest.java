@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.phrenic.anatomy.OrganNames;
 
 /** Names of tools, data sets, TG-263 and atlases that hold a word of another structure. */
 class LabelNamesTest {
@@ -129,6 +130,7 @@ class LabelNamesTest {
         "rib 5 left metastasis, lesion_rib_5_metastasis_L",
         "liver_cysts, lesion_liver_cysts",
         "IGTV, lesion_igtv",
+        "Planning Target Volume, lesion_planning_target_volume",
         "Liver_GTV, lesion_liver_gtv",
         "GTV-CTV, lesion_gtv_ctv",
         "liver_tumor, lesion_liver_tumor",
@@ -168,10 +170,18 @@ class LabelNamesTest {
         "CW_2cm, cw_2cm",
     })
     void anAidOfAPlanIsNoPartOfABody(String name, String words) {
-        String structure = "other_planning_" + words;
+        String structure = "other_planning-" + words;
         assertThat(LabelNames.structure(name)).contains(structure);
         assertThat(LabelTable.isOfPlan(structure)).isTrue();
         assertThat(LabelTable.isStructure(structure)).isTrue();
+    }
+
+    /** A name that is unknown stays that of an obstacle whatever it begins with. */
+    @ParameterizedTest
+    @ValueSource(strings = {"Planning bolus", "planning_liver", "other_planning_x", "Planning-Bolus"})
+    void anUnknownNameIsNoAidOfAPlan(String name) {
+        assertThat(LabelNames.structure(name).filter(LabelTable::isOfPlan)).isEmpty();
+        assertThat(LabelTable.isOfPlan(OrganNames.other(name, 1))).isFalse();
     }
 
     @ParameterizedTest

@@ -77,9 +77,9 @@ class NamedLabelsTest {
     @Test
     void aidsOfAPlanHaveACaseAsOrgansHave() {
         assertThat(structures(List.of("S1_liver", "S1_Cord_PRV05", "S1_Ring_2cm")))
-                .containsExactly("liver", "other_planning_cord_prv05", "other_planning_ring_2cm");
+                .containsExactly("liver", "other_planning-cord_prv05", "other_planning-ring_2cm");
         assertThat(structures(List.of("Ring_1", "Ring_2")))
-                .containsExactly("other_planning_ring_1", "other_planning_ring_2");
+                .containsExactly("other_planning-ring_1", "other_planning-ring_2");
     }
 
     /** The number of one structure is not taken for that of a case, by which it would be several structures or none. */
