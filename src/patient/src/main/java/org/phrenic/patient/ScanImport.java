@@ -27,6 +27,7 @@ import org.phrenic.patient.segmentation.EnclosedStructures;
 import org.phrenic.patient.segmentation.FilledOutline;
 import org.phrenic.patient.segmentation.LungPieces;
 import org.phrenic.patient.segmentation.LungSplitter;
+import org.phrenic.patient.segmentation.PlanAids;
 import org.phrenic.patient.segmentation.Segmentation;
 import org.phrenic.patient.segmentation.SegmentationRepair;
 
@@ -96,6 +97,7 @@ public final class ScanImport {
             notes.add("the volume has none of these structures of the table: " + String.join(", ", table.missing()));
         }
         noteLabels(table);
+        PlanAids.giveToTheirSurroundings(segmentation);
         split(segmentation);
         List<String> built = meshable(segmentation);
         EnclosedStructures enclosed = EnclosedStructures.find(segmentation);
@@ -135,9 +137,6 @@ public final class ScanImport {
         List<String> built = new ArrayList<>();
         for (int segment = 1; segment < counts.length; segment++) {
             String structure = segmentation.names().get(segment - 1);
-            if (LabelTable.isOfPlan(structure)) {
-                continue;
-            }
             if (counts[segment] >= MIN_VOXELS) {
                 built.add(structure);
             } else if (counts[segment] > 0) {

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.MeshTopology;
@@ -128,6 +129,42 @@ class EnclosedStructuresTest {
                 .noneMatch(note -> note.contains("kept as obstacles"));
         double ball = 4.0 / 3 * Math.PI * Math.pow(2 * RADIUS, 3);
         assertThat(MeshMeasure.signedVolume(mesh(body, "liver"))).isCloseTo(ball, within(0.03 * ball));
+    }
+
+    /**
+     * A ball of isodose between liver and stomach and a rind at the outline, as a folder of masks paints them: the
+     * least masks take the voxels. Every organ and the outline are as they are without them.
+     */
+    @Test
+    void anAidOfAPlanBitesOutOfNoOrganNorOutOfTheOutline() {
+        byte[] plain = new byte[SIZE * SIZE * SIZE];
+        byte[] planned = new byte[plain.length];
+        for (int v = 0; v < plain.length; v++) {
+            int i = v % SIZE;
+            int j = v / SIZE % SIZE;
+            int k = v / SIZE / SIZE;
+            boolean body = i >= 3 && i < SIZE - 3 && j >= 3 && j < SIZE - 3;
+            boolean organ = i >= 8 && i < 36 && j >= 8 && j < 36 && k >= 6 && k < 38;
+            plain[v] = (byte) (organ && i < 22 ? 1 : organ ? 2 : body ? 3 : 0);
+            boolean isodose = Math.hypot(Math.hypot(i - 22, j - 20), k - 20) <= 8;
+            boolean rind = body && i < 5 && Math.abs(j - 20) <= 6 && k >= 30;
+            planned[v] = (byte) (isodose ? 4 : rind ? 5 : plain[v]);
+        }
+        double[] toMm = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0};
+        Map<Integer, String> names = Map.of(1, "Liver", 2, "Stomach", 3, "Body", 4, "Isodose_20Gy", 5, "Chestwall");
+        ImportProgress silent = (count, total, structure) -> {};
+        List<PatientBody> bodies = Stream.of(plain, planned)
+                .map(labels -> new LabelVolume(LabelGrid.of(SIZE, SIZE, SIZE, labels, toMm), names, List.of()))
+                .map(plan -> new ScanImport(plan, "plan", MeshingSettings.PAPER, Optional.empty(), silent)
+                        .run(LabelGuess.of(plan).require("plan"), "body"))
+                .toList();
+        for (String name : List.of("liver", "stomach", "skin")) {
+            double whole = MeshMeasure.signedVolume(mesh(bodies.get(0), name));
+            assertThat(MeshMeasure.signedVolume(mesh(bodies.get(1), name)))
+                    .as(name)
+                    .isCloseTo(whole, within(0.005 * whole));
+        }
+        assertThat(bodies.get(1).structures()).hasSize(3);
     }
 
     private static TriangleMesh mesh(PatientBody body, String name) {
