@@ -117,6 +117,7 @@ class ImportCommandTest {
                 folder.resolve("patient").toString());
         assertThat(run.exitCode()).as(run.err()).isEqualTo(ExitCode.SUCCESS);
         assertThat(run.out()).contains("lung_R", "liver", "dataset.json names the labels");
+        assertThat(run.out() + run.err()).containsOnlyOnce("dataset.json names the labels");
         Files.writeString(folder.resolve("dataset.json"), "{\"labels\": {\"lungs\": 1}}");
         CommandLineRun refused = CommandLineRun.of(
                 "import", file.toString(), "--out", folder.resolve("other").toString());

@@ -51,7 +51,6 @@ public final class ImportPipeline {
 
         LabelVolume stored = request.geometry().apply(LabelVolumeFiles.read(request.file()), file);
         LabelVolume volume = NamesBeside.added(request.file(), stored, request.labels());
-        volume.notes().stream().skip(stored.notes().size()).forEach(progress::stage);
         LabelTable table = table(request, volume, progress);
         checkAxes(request, volume, table);
         PatientBody scanned = new ScanImport(volume, file, MeshingSettings.PAPER, request.edgeMm(), progress)
@@ -92,6 +91,9 @@ public final class ImportPipeline {
     private static LabelTable table(ImportRequest request, LabelVolume volume, ImportProgress progress) {
         if (request.labels().isEmpty()) {
             LabelGuess guess = LabelGuess.of(volume);
+            if (guess.table().isEmpty()) {
+                volume.notes().forEach(progress::stage);
+            }
             progress.stage(guess.reason());
             return guess.require(request.file().toString());
         }
