@@ -60,6 +60,7 @@ class NamesBesideTest {
         assertThat(structures("labelsTr/case.nii.gz")).isEqualTo(Map.of(1, "lung_R", 2, "liver"));
         assertThat(structures("labelsTr/./case.nii.gz")).isEqualTo(Map.of(1, "lung_R", 2, "liver"));
         assertThat(structures("a/../labels/case.nii.gz")).isEqualTo(Map.of(1, "lung_R", 2, "liver"));
+        assertThat(structures("gt_segmentations/case.nii.gz")).isEqualTo(Map.of(1, "lung_R", 2, "liver"));
         assertThat(structures("labelsTr/a/case.nii.gz")).isEmpty();
         assertThat(structures("labelsTr/../../case.nii.gz")).isEmpty();
         assertThat(structures("lungs/case.nii.gz")).isEmpty();

@@ -16,7 +16,7 @@ import org.phrenic.mesh.io.raster.VolumeFormats;
 final class InnerFolders {
     /** Names that data sets and programs give to folders of labels, such as nnU-Net's labelsTr. */
     private static final Pattern LABELS =
-            Pattern.compile("(?i)(segs?|segmentations?|labels?(tr|ts|va)?|masks?|annotations?|structures?)");
+            Pattern.compile("(?i)(segs?|(gt_)?segmentations?|labels?(tr|ts|va)?|masks?|annotations?|structures?)");
     /** Names of folders of images. */
     private static final Pattern IMAGES =
             Pattern.compile("(?i)(images?(tr|ts|va)?|imgs?|scans?|cts?|mrs?|mris?|dicoms?|raw(data)?)");
