@@ -51,14 +51,15 @@ final class NameFile {
             names = ofTable(file, CsvTable.read(file));
         } else {
             String text = TextFile.read(file, WHAT);
-            names = isJson(file) ? ofJson(file, json(file, text)) : ofLines(file, text);
+            names = isJson(file) ? ofJson(file, json(file, text)) : ofLines(file, rows(text));
         }
         return Optional.of(names).filter(found -> !found.isEmpty());
     }
 
     /**
      * The names of a file that lies beside a volume; empty if it is none of names. A data set has to have
-     * {@code labels}, whose names may all be of several labels. A text that cannot be read is a note of somebody.
+     * {@code labels}, whose names may all be of several labels. A text that cannot be read, or that does not begin with
+     * a name, is a note of somebody.
      *
      * @throws BadInputException if it cannot be read, or gives a label two names
      */
@@ -77,7 +78,10 @@ final class NameFile {
             }
             throw unreadable;
         }
-        return Optional.of(ofLines(file, text)).filter(found -> !found.isEmpty());
+        List<String> rows = rows(text);
+        return rows.isEmpty() || !isOfName(rows.get(0))
+                ? Optional.empty()
+                : Optional.of(ofLines(file, rows)).filter(found -> !found.isEmpty());
     }
 
     static boolean isJson(Path file) {
@@ -123,16 +127,23 @@ final class NameFile {
         return names;
     }
 
-    /** Names of rows of either form; none if the first row is of neither. */
-    private static Map<Integer, String> ofLines(Path file, String text) {
-        Map<Integer, String> names = new TreeMap<>();
-        List<String> rows = text.lines()
+    private static List<String> rows(String text) {
+        return text.lines()
                 .filter(line -> !line.isBlank() && !line.stripLeading().startsWith("#"))
                 .toList();
+    }
+
+    private static boolean isOfName(String row) {
+        return DESCRIPTION.matcher(row).matches() || COLOUR.matcher(row).matches();
+    }
+
+    /** Names of rows of either form; others are passed over. */
+    private static Map<Integer, String> ofLines(Path file, List<String> rows) {
+        Map<Integer, String> names = new TreeMap<>();
         int channels = channels(rows);
-        for (int row = 0; row < rows.size(); row++) {
-            Matcher description = DESCRIPTION.matcher(rows.get(row));
-            Matcher colour = COLOUR.matcher(rows.get(row));
+        for (String row : rows) {
+            Matcher description = DESCRIPTION.matcher(row);
+            Matcher colour = COLOUR.matcher(row);
             if (description.matches()) {
                 put(file, names, description.group(1), description.group(2));
             } else if (colour.matches()) {
@@ -140,8 +151,6 @@ final class NameFile {
                 List<String> numbers = numbers(colour);
                 name.addAll(numbers.subList(0, numbers.size() - channels));
                 put(file, names, colour.group(1), String.join(" ", name));
-            } else if (row == 0) {
-                return names;
             }
         }
         return names;

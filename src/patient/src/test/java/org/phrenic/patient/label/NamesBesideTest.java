@@ -260,6 +260,7 @@ class NamesBesideTest {
                 "a.json | {\"labels\": {\"right lung\": 1, \"liver\": 2}}",
                 "a.txt | `1 7 0 0 1 1 1 \"Right lung\"\n2 8 0 0 1 1 1 \"Liver\"\n`",
                 "a.ctbl | `1 right_lung 1 2 3 255\n2 liver 1 2 3 255\n`",
+                "a.ctbl | `Index Name R G B A\n1 right_lung 1 2 3 255\n2 liver 1 2 3 255\n`",
                 "LUT.txt | `1 Right-Lung: 1 2 3 0\n2 \"Liver\" 1 2 3 0\n`",
                 "a.csv | `label,name\n1,right lung\n2,liver\n`",
                 "a.csv | `LabelValue,Name,Color_R\n0,none,0\n1,right lung,3\n2,liver,4\n`",
