@@ -69,8 +69,9 @@ public final class LabelNames {
      * Aids of a plan of radiotherapy: margins about organs, rings, doses, what a plan is optimised by, and the rind of
      * the chest wall.
      */
-    private static final Pattern PLANNING = Pattern.compile("(.* )?prv\\d*( .*)?|(.* )?isodoses?\\d*( .*)?"
-            + "|(z )?((" + TARGET + " )*rings?|doses?)\\d*( (\\d\\w*|c?gy|[cm]m|inner|outer|" + TARGET + "))*"
+    private static final Pattern PLANNING = Pattern.compile("(.* )?prv\\d*([cm]m)?( .*)?|(.* )?isodoses?\\d*( .*)?"
+            + "|(z )?((" + TARGET + " ((\\d+|high|mid|low) )*)*rings?|doses?)\\d*"
+            + "( (\\d\\w*|c?gy|[cm]m|inner|outer|near|far|high|mid|low|" + TARGET + "))*"
             + "|(\\d+ )+(percent |c?gy )?dose|(\\d+c?gy )+dose|z? ?(opt|aid)\\d*( \\d+)*"
             + "|chest ?wall( ?\\d.*)?|cw ?\\d+ ?[cm]m");
     /** Words by which an organ in a plan is one less a margin: before it, or after it. */
