@@ -52,9 +52,15 @@ public final class PlanAids {
                 distance[step]++;
             }
             boolean atBorder = aid[s.segmentAt(v)];
-            met[step] = !atBorder ? s.segmentAt(v) : s.isAtEnd(step) ? UNTOLD : 0;
+            met[step] = !atBorder ? s.segmentAt(v) : isAtEnd(v, step) ? UNTOLD : 0;
         }
         return most(met, distance);
+    }
+
+    /** Whether the volume ends at a voxel in the direction of the nth of the steps. */
+    private boolean isAtEnd(int voxel, int step) {
+        int end = (step % 2 == 0 ? 1 : 8) << (step / 2);
+        return (s.ends(voxel) & end) != 0;
     }
 
     private static int most(int[] met, int[] distance) {

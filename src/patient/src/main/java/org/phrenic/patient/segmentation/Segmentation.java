@@ -250,11 +250,6 @@ public final class Segmentation {
         };
     }
 
-    /** Whether the volume ends at the border of the box to which the nth of {@link #steps} leads. */
-    boolean isAtEnd(int step) {
-        return atEnd[step / 2 + 3 * (step % 2)];
-    }
-
     /** The ends of the volume at which a voxel lies, one bit each: first column, row and slice, then last ones. */
     public int ends(int voxel) {
         int[] index = {voxel % columns, voxel / columns % rows, voxel / columns / rows};
