@@ -64,6 +64,8 @@ final class RibDeviations {
     private final TreeMap<Integer, IntList> ribs = new TreeMap<>();
     /** The ends of the scan that each rib reaches, as {@link Segmentation#ends}. */
     private final TreeMap<Integer, Integer> ends = new TreeMap<>();
+    /** Least number of voxels of a rib that is no speck. */
+    private final double leastVoxels;
     /** x of the spine, mm; NaN if there is no vertebra. */
     private final double middle;
 
@@ -83,6 +85,8 @@ final class RibDeviations {
             }
         }
         middle = sumX / vertebral;
+        int[] sizes = ribs.values().stream().mapToInt(IntList::size).sorted().toArray();
+        leastVoxels = ribs.isEmpty() ? 0 : LEAST_SHARE * sizes[sizes.length / 2];
     }
 
     /** Whether the volume shows vertebrae and ribs. */
@@ -92,11 +96,9 @@ final class RibDeviations {
 
     /** Segment of a rib; 0 if it is not there or no more than a speck. */
     int rib(int number, Side side) {
-        int[] sizes = ribs.values().stream().mapToInt(IntList::size).sorted().toArray();
-        double least = LEAST_SHARE * sizes[sizes.length / 2];
         return ribs.keySet().stream()
                 .filter(segment -> names[segment].level() == number && names[segment].side() == side)
-                .filter(segment -> ribs.get(segment).size() >= least)
+                .filter(segment -> ribs.get(segment).size() >= leastVoxels)
                 .findFirst()
                 .orElse(0);
     }

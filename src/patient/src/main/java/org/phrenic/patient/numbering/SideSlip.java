@@ -29,7 +29,6 @@ final class SideSlip {
 
     private static final double LEVEL = 0.4;
 
-    private final VertebraHeights height;
     private final VertebraVoxels vertebrae;
     private final Side side;
     private final Side opposite;
@@ -38,26 +37,31 @@ final class SideSlip {
 
     private final NavigableMap<Integer, Double> ofOther;
 
-    private SideSlip(VertebraHeights height, VertebraVoxels vertebrae, Side side) {
-        this.height = height;
+    private SideSlip(
+            VertebraVoxels vertebrae,
+            Side side,
+            NavigableMap<Integer, Double> deviations,
+            NavigableMap<Integer, Double> ofOther) {
         this.vertebrae = vertebrae;
         this.side = side;
+        this.deviations = deviations;
+        this.ofOther = ofOther;
         opposite = side == Side.RIGHT ? Side.LEFT : Side.RIGHT;
-        deviations = deviations(side);
-        ofOther = deviations(opposite);
-        deviations.keySet().retainAll(ofOther.keySet());
-        ofOther.keySet().retainAll(deviations.keySet());
     }
 
     /** Returns a note on ribs of a side that are one off, if there are some. */
     static Optional<String> find(VertebraHeights height, VertebraVoxels vertebrae) {
-        SideSlip right = new SideSlip(height, vertebrae, Side.RIGHT);
-        SideSlip left = new SideSlip(height, vertebrae, Side.LEFT);
+        NavigableMap<Integer, Double> ofRight = deviations(height, vertebrae, Side.RIGHT);
+        NavigableMap<Integer, Double> ofLeft = deviations(height, vertebrae, Side.LEFT);
+        ofRight.keySet().retainAll(ofLeft.keySet());
+        ofLeft.keySet().retainAll(ofRight.keySet());
+        SideSlip right = new SideSlip(vertebrae, Side.RIGHT, ofRight, ofLeft);
+        SideSlip left = new SideSlip(vertebrae, Side.LEFT, ofLeft, ofRight);
         return right.note(-1).or(() -> right.note(1)).or(() -> left.note(-1)).or(() -> left.note(1));
     }
 
     /** How far ribs lie from the vertebrae of their numbers, across these where they are tilted. */
-    private NavigableMap<Integer, Double> deviations(Side of) {
+    private static NavigableMap<Integer, Double> deviations(VertebraHeights height, VertebraVoxels vertebrae, Side of) {
         NavigableMap<Integer, Double> all = new TreeMap<>();
         for (int number = 1; number <= RibNumbering.RIBS; number++) {
             OptionalDouble end = height.showsSpacing(number) ? vertebrae.end(number, of) : OptionalDouble.empty();

@@ -62,13 +62,14 @@ final class VertebraVoxels {
 
     /** Mean x of a vertebra, mm. */
     double middle(int level) {
-        return middles.computeIfAbsent(level, of -> {
-            IntList voxels = vertebrae.get(of);
-            return Arrays.stream(voxels.toArray())
-                    .mapToDouble(v -> s.coordinate(v, 0))
-                    .average()
-                    .orElseThrow();
-        });
+        return middles.computeIfAbsent(level, of -> mean(vertebrae.get(of), 0));
+    }
+
+    private double mean(IntList voxels, int axis) {
+        return Arrays.stream(voxels.toArray())
+                .mapToDouble(v -> s.coordinate(v, axis))
+                .average()
+                .orElseThrow();
     }
 
     /** How far a vertebra and its neighbours rise to the left, mm for each mm: the median of the three. */
@@ -81,10 +82,7 @@ final class VertebraVoxels {
 
     /** Coefficient of x in the regression of the heights of the anterior half of a vertebra on x and y. */
     private double rise(IntList vertebra) {
-        double middle = Arrays.stream(vertebra.toArray())
-                .mapToDouble(v -> s.coordinate(v, 1))
-                .average()
-                .orElse(0);
+        double middle = mean(vertebra, 1);
         IntList voxels = new IntList();
         Arrays.stream(vertebra.toArray())
                 .filter(v -> s.coordinate(v, 1) <= middle)
@@ -115,7 +113,6 @@ final class VertebraVoxels {
     boolean meet(List<Side> sides, int from, int to, int off) {
         int[] found = sides.stream()
                 .flatMapToInt(side -> IntStream.rangeClosed(from, Math.min(LAST, to))
-                        .filter(number -> ribs.rib(number, side) > 0)
                         .flatMap(number -> vertebra(number, side).stream().map(level -> level - number)))
                 .toArray();
         long alike = Arrays.stream(found).filter(n -> n == off).count();
@@ -126,7 +123,6 @@ final class VertebraVoxels {
     long mostAt(int level, int other) {
         return Stream.of(Side.RIGHT, Side.LEFT)
                 .mapToLong(side -> IntStream.rangeClosed(1, LAST)
-                        .filter(number -> ribs.rib(number, side) > 0)
                         .flatMap(number -> vertebra(number, side).stream())
                         .filter(met -> met == level || met == other)
                         .count())
@@ -168,10 +164,7 @@ final class VertebraVoxels {
     }
 
     private IntStream posterior(IntList rib) {
-        double centre = Arrays.stream(rib.toArray())
-                .mapToDouble(v -> s.coordinate(v, 1))
-                .average()
-                .orElse(0);
+        double centre = mean(rib, 1);
         return Arrays.stream(rib.toArray()).filter(v -> s.coordinate(v, 1) >= centre);
     }
 
