@@ -1,11 +1,8 @@
 package org.phrenic.cli;
 
-import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.plan.Goals;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
@@ -20,10 +17,9 @@ import org.phrenic.document.JsonWriter;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.HtmlPage;
 import org.phrenic.document.report.ReportDocument.Column;
-import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.scene.NeedlePictures;
-import org.phrenic.scene.UltrasoundPicture;
+import org.phrenic.scene.ReportPictures;
 import org.phrenic.scene.gl.NoGraphicsException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -60,42 +56,34 @@ final class RehearseCommand extends ReportingCommand {
     @Override
     public Integer call() {
         ReportFolder.requireWritable(out);
-        PrintWriter err = err();
         ConsoleProgress progress = progress();
         Rehearsal rehearsal = Rehearsal.play(RehearsalPlan.read(planFile), progress);
         progress.end();
         RehearsalReport report = new RehearsalReport(rehearsal);
-        Map<String, Object> values = report.values();
         // Those of an earlier attempt would describe other pictures.
         AtomicFile.delete(out.resolve(PAGE));
         AtomicFile.delete(out.resolve(REPORT));
-        List<Picture> needle = new ArrayList<>();
-        List<Picture> map = new ArrayList<>();
+        ReportPictures pictures = new ReportPictures(rehearsal, out);
         if (!noPictures) {
-            draw(rehearsal, needle, map, err);
+            draw(rehearsal, pictures);
         }
-        report.images().forEach(image -> UltrasoundPicture.write(out.resolve(image.file()), image.image()));
-        String html = HtmlPage.format(report.document(needle, map, RehearsalReport.dateNow()));
+        pictures.writeImages(report);
+        if (!pictures.missing().isEmpty()) {
+            err().println("The report lacks pictures: " + pictures.missing());
+        }
+        Map<String, Object> values = report.values();
+        String html = HtmlPage.format(report.document(pictures.needle(), pictures.map(), RehearsalReport.dateNow()));
         AtomicFile.write(out.resolve(PAGE), html);
         JsonWriter.write(out.resolve(REPORT), values);
         print(values, () -> text(rehearsal));
         return rehearsal.goalsReached() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
-    private void draw(Rehearsal rehearsal, List<Picture> needle, List<Picture> map, PrintWriter err) {
-        String title = rehearsal.plan().title();
-        try (NeedlePictures pictures = NeedlePictures.open(rehearsal.surfaces())) {
-            for (NeedleSnapshot view : rehearsal.needleViews()) {
-                for (String file : pictures.writeNeedleViews(out, view, title)) {
-                    if (view.name().startsWith("sample")) {
-                        needle.add(new Picture(file, "Needle and target in the body, " + file, ""));
-                    }
-                }
-            }
-            pictures.writeAccessMap(out, rehearsal.map(), title)
-                    .forEach(file -> map.add(new Picture(file, "Access map on the skin, " + file, "")));
-        } catch (NoGraphicsException | IllegalStateException none) {
-            err.println("The report lacks pictures: " + none.getMessage());
+    private static void draw(Rehearsal rehearsal, ReportPictures pictures) {
+        try (NeedlePictures drawn = NeedlePictures.open(rehearsal.surfaces())) {
+            pictures.draw(what -> what.apply(drawn));
+        } catch (NoGraphicsException | RuntimeException none) {
+            pictures.setMissing(none);
         }
     }
 

@@ -33,6 +33,9 @@ class RehearseCommandTest {
             + "  - image: {skin: right-intercostal, tilt_deg: 5}\n"
             + "  - sample: now\n";
 
+    private static final String IMAGE_STEP = "  - image: {skin: right-intercostal}\n";
+    private static final String IMAGE = "steps:\n" + IMAGE_STEP;
+
     @TempDir
     Path folder;
 
@@ -80,13 +83,37 @@ class RehearseCommandTest {
     /** Its page shows the pictures by their names alone, whosever they are. */
     @Test
     void aReportThatFailsOnTheWayLeavesNoPageOfAnEarlierAttempt() throws IOException {
-        Files.createDirectories(folder.resolve("again/ultrasound_0001.png/in the way"));
-        Path page = Files.writeString(folder.resolve("again/report.html"), "Hit");
-        String image = "steps:\n  - image: {skin: right-intercostal}\n";
-        CommandLineRun run = rehearse("again", BODY.replace("phases: 4", "phases: 2") + TARGET + image);
+        Files.createDirectories(folder.resolve("again/report.html/in the way"));
+        Path values = Files.writeString(folder.resolve("again/report.json"), "{}");
+        CommandLineRun run = rehearse("again", BODY.replace("phases: 4", "phases: 2") + TARGET + IMAGE);
         assertThat(run.exitCode()).isNotZero();
-        assertThat(run.err()).contains("ultrasound_0001.png");
-        assertThat(page).doesNotExist();
+        assertThat(run.err()).contains("report.html");
+        assertThat(values).doesNotExist();
+        Files.delete(folder.resolve("again/report.html/in the way"));
+        Files.delete(folder.resolve("again/report.html"));
+        Files.createDirectories(folder.resolve("again/report.json/in the way"));
+        Path page = Files.writeString(folder.resolve("again/report.html"), "Hit");
+        run = rehearse("again", BODY.replace("phases: 4", "phases: 2") + TARGET + IMAGE);
+        assertThat(run.exitCode()).isNotZero();
+        assertThat(run.err()).contains("report.json");
+        assertThat(page).content().isNotEqualTo("Hit");
+    }
+
+    @Test
+    void aReportIsKeptWithoutAPictureThatCannotBeWrittenAndSaysSo() throws IOException {
+        Files.createDirectories(folder.resolve("less/ultrasound_0001.png/in the way"));
+        CommandLineRun run = rehearse("less", BODY.replace("phases: 4", "phases: 2") + TARGET + IMAGE + IMAGE_STEP);
+        assertThat(run.exitCode()).as(run.err()).isZero();
+        assertThat(run.err().lines().filter(line -> line.startsWith("The report lacks pictures: ")))
+                .singleElement()
+                .asString()
+                .contains("ultrasound_0001.png");
+        for (String file : List.of("report.html", "report.json")) {
+            assertThat(folder.resolve("less").resolve(file))
+                    .content()
+                    .contains("ultrasound_0002.png")
+                    .doesNotContain("ultrasound_0001.png");
+        }
     }
 
     @Test

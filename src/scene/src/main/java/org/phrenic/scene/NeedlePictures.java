@@ -8,10 +8,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.path.AccessMap;
 import org.phrenic.anatomy.StructureKind;
+import org.phrenic.file.OutputException;
 import org.phrenic.scene.annotate.Annotations;
 import org.phrenic.scene.camera.AnatomicalView;
 import org.phrenic.scene.camera.Camera;
@@ -80,9 +83,11 @@ public final class NeedlePictures implements AutoCloseable {
     /**
      * Writes pictures of the needle at one time: from the front, from the right, and in a section along the needle.
      *
-     * @return names of the files
+     * @param unwritten gets why a picture was not written
+     * @return names of the files that were written
      */
-    public List<String> writeNeedleViews(Path folder, NeedleSnapshot view, String title) {
+    public List<String> writeNeedleViews(
+            Path folder, NeedleSnapshot view, String title, Consumer<OutputException> unwritten) {
         List<Surface> all = new ArrayList<>(body);
         all.add(Markers.rod(NEEDLE, view.hub(), view.tip(), DRAWN_RADIUS_MM));
         all.add(Markers.ball(TARGET, view.target(), view.targetRadiusMm()));
@@ -98,13 +103,15 @@ public final class NeedlePictures implements AutoCloseable {
         SceneStyle section = style(all, (s, usual) -> opaque.contains(s.kind()) ? usual.withOpacity(1) : usual)
                 .withClip(Optional.of(planeAlong(view)));
         String time = Annotations.timestamp(view.frame().timeS(), view.label().label());
-        Series series = new Series(folder, new Renderer(all, List.of()), view.frame(), time);
+        Series series = new Series(folder, new Renderer(all, List.of()), view.frame(), time, unwritten);
         String cut = title + ", cut open along the needle";
         try {
-            return List.of(
-                    write(series, view.name() + "_anterior", AnatomicalView.ANTERIOR, whole, title),
-                    write(series, view.name() + "_right", AnatomicalView.RIGHT, whole, title),
-                    write(series, view.name() + "_section", AnatomicalView.INFERIOR, section, cut));
+            return Stream.of(
+                            write(series, view.name() + "_anterior", AnatomicalView.ANTERIOR, whole, title),
+                            write(series, view.name() + "_right", AnatomicalView.RIGHT, whole, title),
+                            write(series, view.name() + "_section", AnatomicalView.INFERIOR, section, cut))
+                    .flatMap(Optional::stream)
+                    .toList();
         } finally {
             gl.release(series.renderer);
         }
@@ -134,9 +141,10 @@ public final class NeedlePictures implements AutoCloseable {
     /**
      * Writes pictures of the access map on the skin at the first frame, from the front, the right and behind.
      *
-     * @return names of the files
+     * @param unwritten gets why a picture was not written
+     * @return names of the files that were written
      */
-    public List<String> writeAccessMap(Path folder, AccessMap map, String title) {
+    public List<String> writeAccessMap(Path folder, AccessMap map, String title, Consumer<OutputException> unwritten) {
         Surface skin = StructureSelection.first(body, StructureKind.SKIN);
         Appearance opaque = SurfaceMaterial.of(StructureKind.SKIN).appearance().withOpacity(1);
         SceneStyle style = SceneStyle.atlas(body)
@@ -144,13 +152,13 @@ public final class NeedlePictures implements AutoCloseable {
                 .withSamples(SceneStyle.SMOOTH_SAMPLES)
                 .withField(ColourField.ACCESS, skin.name(), AccessMapField.scale());
         Frame first = map.cycle().get(0).frame();
-        Series series = new Series(folder, new Renderer(body, List.of()), first, "");
+        Series series = new Series(folder, new Renderer(body, List.of()), first, "", unwritten);
         series.renderer.setField(skin.name(), map.freePercent());
         List<String> names = new ArrayList<>();
         try {
             for (AnatomicalView view :
                     List.of(AnatomicalView.ANTERIOR, AnatomicalView.RIGHT, AnatomicalView.POSTERIOR)) {
-                names.add(write(series, "access_" + view.label(), view, style, title));
+                write(series, "access_" + view.label(), view, style, title).ifPresent(names::add);
             }
         } finally {
             gl.release(series.renderer);
@@ -159,15 +167,22 @@ public final class NeedlePictures implements AutoCloseable {
     }
 
     /** Data shared by the pictures of one time. */
-    private record Series(Path folder, Renderer renderer, Frame frame, String timestamp) {}
+    private record Series(
+            Path folder, Renderer renderer, Frame frame, String timestamp, Consumer<OutputException> unwritten) {}
 
-    private String write(Series series, String name, AnatomicalView view, SceneStyle style, String title) {
+    /** Returns the name of the file; empty if it was not written. */
+    private Optional<String> write(Series series, String name, AnatomicalView view, SceneStyle style, String title) {
         Camera camera = Camera.of(view, Surface.bounds(body));
         BufferedImage picture = gl.render(series.renderer, series.frame, camera, style, size, size);
         Annotations.of(style).withTitle(title).withTimestamp(series.timestamp).draw(picture, camera);
         String file = name + ".png";
-        PngFile.write(series.folder.resolve(file), picture);
-        return file;
+        try {
+            PngFile.write(series.folder.resolve(file), picture);
+            return Optional.of(file);
+        } catch (OutputException failure) {
+            series.unwritten.accept(failure);
+            return Optional.empty();
+        }
     }
 
     @Override

@@ -1,12 +1,12 @@
 package org.phrenic.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
@@ -91,13 +91,18 @@ class NeedlePicturesTest {
             double[] tip = {0, 0, 0};
             NeedleSnapshot moment = new NeedleSnapshot(
                     "sample", body.rest, RespiratoryPhase.PAUSE, true, new double[] {-100, 0, 0}, tip, tip, 10);
-            pictures.writeAccessMap(folder, map, "Access");
-            pictures.writeNeedleViews(folder, moment, "Access");
+            List<OutputException> unwritten = new ArrayList<>();
+            assertThat(pictures.writeAccessMap(folder, map, "Access", unwritten::add))
+                    .hasSize(3);
+            assertThat(pictures.writeNeedleViews(folder, moment, "Access", unwritten::add))
+                    .hasSize(3);
+            assertThat(unwritten).isEmpty();
             int before = buffers(body);
-            assertThatExceptionOfType(OutputException.class)
-                    .isThrownBy(() -> pictures.writeAccessMap(file, map, "Access"));
-            assertThatExceptionOfType(OutputException.class)
-                    .isThrownBy(() -> pictures.writeNeedleViews(file, moment, "Access"));
+            assertThat(pictures.writeAccessMap(file, map, "Access", unwritten::add))
+                    .isEmpty();
+            assertThat(pictures.writeNeedleViews(file, moment, "Access", unwritten::add))
+                    .isEmpty();
+            assertThat(unwritten).hasSize(6);
             assertThat(buffers(body)).isEqualTo(before);
         }
     }
@@ -106,7 +111,7 @@ class NeedlePicturesTest {
     void greenMeansTheSameInTheReportAsInTheWindow() throws Exception {
         try (SceneFixture body = new SceneFixture();
                 NeedlePictures pictures = NeedlePictures.using(body.offscreen, body.surfaces, SIDE)) {
-            List<String> files = pictures.writeAccessMap(folder, map(body), "Access");
+            List<String> files = pictures.writeAccessMap(folder, map(body), "Access", failure -> {});
             assertThat(files).hasSize(3);
             BufferedImage right = ImageIO.read(folder.resolve(files.get(1)).toFile());
             Color chest = new Color(right.getRGB(SIDE / 2, SIDE / 3));

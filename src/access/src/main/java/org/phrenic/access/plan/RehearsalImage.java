@@ -14,6 +14,7 @@ import org.phrenic.access.ultrasound.ScannedSkin;
 import org.phrenic.access.ultrasound.SonatedNeedle;
 import org.phrenic.access.ultrasound.Ultrasound;
 import org.phrenic.document.OrderedValues;
+import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 import org.phrenic.simulation.observe.Surface;
@@ -21,7 +22,7 @@ import org.phrenic.simulation.observe.Surface;
 /**
  * An ultrasound image that a plan took, with the needle as it was.
  *
- * @param file name of its picture in the folder of the report
+ * @param file name of its picture in the folder of the report; empty if there is none
  * @param timeS simulated time, s
  * @param probe how the probe was held
  * @param needle empty if it was not on or in the body
@@ -72,6 +73,19 @@ public record RehearsalImage(
         return images;
     }
 
+    /** The image without the file of its picture. */
+    RehearsalImage withoutFile() {
+        return new RehearsalImage("", timeS, probe, image, needle, leftOut);
+    }
+
+    /** The pictures of images that have a file. */
+    static List<Picture> pictures(List<RehearsalImage> images) {
+        return images.stream()
+                .filter(image -> !image.file.isEmpty())
+                .map(image -> new Picture(image.file, "Ultrasound image " + image.file, ""))
+                .toList();
+    }
+
     /** The caption of images, with what is left out of them. */
     static String caption(List<RehearsalImage> images) {
         String leftOut = images.stream()
@@ -102,9 +116,11 @@ public record RehearsalImage(
     /** The values in a fixed order. */
     Map<String, Object> toMap() {
         double depth = image.settings().depthMm();
-        OrderedValues map = new OrderedValues()
-                .with("file", file)
-                .with("time_s", timeS)
+        OrderedValues map = new OrderedValues();
+        if (!file.isEmpty()) {
+            map.put("file", file);
+        }
+        map.with("time_s", timeS)
                 .with("probe", probe.toPlain())
                 .with("face_mm", image.pose().face())
                 .with("axial", image.pose().axial())

@@ -56,6 +56,11 @@ public final class RehearsalReport {
         return List.copyOf(images);
     }
 
+    /** Leaves out the file of an image that was not written. */
+    public void leaveOutFile(RehearsalImage image) {
+        images.set(images.indexOf(image), image.withoutFile());
+    }
+
     /** All values in a fixed order. The same plan gives the same values. */
     public Map<String, Object> values() {
         RehearsalPlan plan = rehearsal.plan();
@@ -164,12 +169,7 @@ public final class RehearsalReport {
         goals(document);
         attempt(document);
         figure(document, "The needle (blue) and the target (yellow) at the sample.", needlePictures);
-        figure(
-                document,
-                RehearsalImage.caption(images),
-                images.stream()
-                        .map(i -> new Picture(i.file(), "Ultrasound image " + i.file(), ""))
-                        .toList());
+        figure(document, RehearsalImage.caption(images), RehearsalImage.pictures(images));
         rehearsal.path().ifPresent(path -> path(document, path));
         accessTable(document);
         String caption = "Where on the skin the target can be reached by a straight path, in per cent of a breath.";

@@ -1,25 +1,21 @@
 package org.phrenic.ui.access;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RehearsalReport;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.YamlWriter;
 import org.phrenic.document.report.HtmlPage;
-import org.phrenic.document.report.ReportDocument.Picture;
 import org.phrenic.file.AtomicFile;
-import org.phrenic.file.OutputException;
 import org.phrenic.scene.NeedlePictures;
-import org.phrenic.scene.UltrasoundPicture;
+import org.phrenic.scene.ReportPictures;
 import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.ui.session.FileWrites;
 import org.phrenic.ui.view.SceneViewport;
@@ -66,43 +62,20 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
         // Those of an earlier attempt would describe other pictures.
         AtomicFile.delete(folder.resolve(REPORT));
         AtomicFile.delete(folder.resolve(PAGE));
-        List<Picture> needle = new ArrayList<>();
-        List<Picture> map = new ArrayList<>();
-        String missing = view.unavailableReason();
-        if (missing.isEmpty()) {
-            missing = draw(rehearsal, folder, needle, map);
+        ReportPictures pictures = new ReportPictures(rehearsal, folder);
+        pictures.setMissing(view.unavailableReason());
+        if (pictures.missing().isEmpty()) {
+            pictures.draw(what -> render(rehearsal, what));
         }
         RehearsalReport report = new RehearsalReport(rehearsal);
-        report.images().forEach(image -> UltrasoundPicture.write(folder.resolve(image.file()), image.image()));
+        pictures.writeImages(report);
         RehearsalPlan plan = rehearsal.plan();
         YamlWriter.write(folder.resolve(SCENARIO), plan.scenario().toMap());
         YamlWriter.write(folder.resolve(PLAN), plan.toMap(SCENARIO));
-        String html = HtmlPage.format(report.document(needle, map, date));
+        String html = HtmlPage.format(report.document(pictures.needle(), pictures.map(), date));
         AtomicFile.write(folder.resolve(PAGE), html);
         JsonWriter.write(folder.resolve(REPORT), report.values());
-        return missing;
-    }
-
-    /**
-     * Draws the pictures and lists those that the report shows.
-     *
-     * @return why not all were drawn; empty if they were
-     */
-    private String draw(Rehearsal rehearsal, Path folder, List<Picture> needle, List<Picture> map) {
-        String title = rehearsal.plan().title();
-        try {
-            for (NeedleSnapshot moment : rehearsal.needleViews()) {
-                List<String> files = render(rehearsal, pictures -> pictures.writeNeedleViews(folder, moment, title));
-                if (moment.name().startsWith("sample")) {
-                    files.forEach(file -> needle.add(new Picture(file, "Needle and target in the body, " + file, "")));
-                }
-            }
-            render(rehearsal, pictures -> pictures.writeAccessMap(folder, rehearsal.map(), title))
-                    .forEach(file -> map.add(new Picture(file, "Access map on the skin, " + file, "")));
-            return "";
-        } catch (IllegalStateException undrawn) {
-            return undrawn.getMessage();
-        }
+        return pictures.missing();
     }
 
     private List<String> render(Rehearsal rehearsal, Function<NeedlePictures, List<String>> what) {
@@ -141,9 +114,6 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
             return files.join();
         } catch (CompletionException e) {
             Throwable cause = e.getCause();
-            if (cause instanceof OutputException disk) {
-                throw disk;
-            }
             String why = cause.getMessage() == null ? cause.toString() : cause.getMessage();
             throw new IllegalStateException("The pictures were not drawn: " + why + ".", cause);
         }

@@ -101,6 +101,20 @@ class AttemptReportWriterTest {
     }
 
     @Test
+    void aReportIsSavedWithoutThePictureThatCannotBeWrittenAndSaysSo() throws IOException {
+        requireView();
+        Files.createDirectories(folder.resolve("access_right.png/in the way"));
+        assertThat(outcome(folder, PATIENCE_MS))
+                .startsWith(SAVED)
+                .contains("access_right.png")
+                .doesNotContain("Exception");
+        assertThat(folder.resolve("report.html"))
+                .content()
+                .contains("access_anterior.png", "access_posterior.png")
+                .doesNotContain("access_right.png");
+    }
+
+    @Test
     void aReportWhosePicturesAreTooLargeIsSavedAndSaysSo() {
         requireView();
         assertThat(outcome(folder, TOO_LARGE, PATIENCE_MS))
