@@ -12,6 +12,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.access.plan.Goals;
 import org.phrenic.access.plan.RehearsalPlan;
 
@@ -132,6 +133,25 @@ class RehearseCommandTest {
             CommandLineRun run = rehearse("changes", TARGET + scenario);
             assertThat(run.exitCode()).isEqualTo(2);
             assertThat(run.err()).hasLineCount(1).contains("line 2", "a plan holds the breath by its steps");
+        }
+    }
+
+    /** Windows reads a device by the first name, and a file of another name by the second. */
+    @ParameterizedTest
+    @ValueSource(strings = {"con.yaml", "own.yaml.", "a:b.yaml", "sub/aux/own.yaml", "a\\0b.yaml", ""})
+    void aScenarioWhoseNameSomeSystemDoesNotHaveIsToldWithItsLine(String name) throws IOException {
+        Files.writeString(folder.resolve("own.yaml."), "preset: quiet\n");
+        CommandLineRun run = rehearse("bad", TARGET + "scenario: \"" + name + "\"\n");
+        told(run, "plan.yaml: line 2, key 'scenario': found '");
+        assertThat(run.err()).contains("expected a name that a file can have on Linux, macOS and Windows");
+    }
+
+    @Test
+    void aScenarioThatIsNotThereIsToldWithItsLine() throws IOException {
+        for (String name : List.of("missing.yaml", "l" + "o".repeat(5000) + "ng.yaml")) {
+            CommandLineRun run = rehearse("bad", TARGET + "scenario: " + name + "\n");
+            told(run, "plan.yaml: line 2, key 'scenario': found no file '" + name.substring(0, 5));
+            assertThat(run.err()).hasSizeLessThan(500);
         }
     }
 

@@ -5,6 +5,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -16,6 +17,9 @@ public final class FileNames {
     /** Names that Windows keeps for devices, whatever follows their first dot. */
     private static final Pattern DEVICE =
             Pattern.compile("(con|prn|aux|nul|com\\d|lpt\\d)(\\..*)?", Pattern.CASE_INSENSITIVE);
+
+    /** Parts of a path that are no names. */
+    private static final List<String> STEPS = List.of(".", "..");
 
     private FileNames() {}
 
@@ -92,6 +96,14 @@ public final class FileNames {
                 && !name.endsWith(" ")
                 && !DEVICE.matcher(name).matches()
                 && name.chars().noneMatch(c -> c < ' ' || RESERVED_CHARACTERS.indexOf(c) >= 0);
+    }
+
+    /** Whether a path is absolute, or one whose folders and file can have their names on Linux, macOS and Windows. */
+    public static boolean isPortable(Path path) {
+        return path.isAbsolute()
+                || Stream.iterate(path, Objects::nonNull, Path::getParent)
+                        .map(part -> String.valueOf(part.getFileName()))
+                        .allMatch(name -> STEPS.contains(name) || isPortable(name));
     }
 
     /** Files of one folder in the order of their names; paths themselves are ordered by the rules of the system. */

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class FileNamesTest {
@@ -21,6 +22,20 @@ class FileNamesTest {
             strings = {"", " ", "con", "AUX", "nul.old", "Com1", "lpt9.a.b", "a:b", "a/b", "a\\b", "a?", "a.", "a "})
     void someSystemHasNoFilesOfThese(String name) {
         assertThat(FileNames.isPortable(name)).isFalse();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "a/b.yaml, true",
+        "../a/./b.yaml, true",
+        "b.yaml, true",
+        "con/b.yaml, false",
+        "../a./b.yaml, false",
+        "'', false"
+    })
+    void aPathIsOfEverySystemWhoseNamesAre(String path, boolean portable) {
+        assertThat(FileNames.isPortable(Path.of(path))).isEqualTo(portable);
+        assertThat(FileNames.isPortable(Path.of(path).toAbsolutePath())).isTrue();
     }
 
     /** As Windows refuses a quotation mark that its command line leaves in a path that ends with a backslash. */

@@ -1,5 +1,7 @@
 package org.phrenic.document;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
@@ -9,6 +11,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.FileNames;
+import org.phrenic.file.Numbers;
 
 /**
  * A mapping in a YAML document, in file order. A getter throws a {@link BadInputException} that names the file, line
@@ -99,6 +103,25 @@ public final class YamlMap {
 
     public String text(String key, String absent) {
         return has(key) ? text(key) : absent;
+    }
+
+    /**
+     * The file that a text names, from a folder on. A relative name is one that Linux, macOS and Windows have, so that
+     * the document can be read on each.
+     */
+    public Path file(String key, Path folder) {
+        String name = text(key);
+        if (!FileNames.isOfSystem(name) || !FileNames.isPortable(Path.of(name))) {
+            throw bad(
+                    key,
+                    "found " + Numbers.quote(name)
+                            + ", expected a name that a file can have on Linux, macOS and Windows");
+        }
+        Path file = folder.resolve(name);
+        if (!Files.isRegularFile(file)) {
+            throw bad(key, "found no file " + Numbers.quote(name) + " in " + folder + ", expected one");
+        }
+        return file;
     }
 
     /** A nested mapping. */

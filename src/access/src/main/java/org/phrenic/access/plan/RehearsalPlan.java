@@ -218,9 +218,8 @@ public record RehearsalPlan(
     }
 
     private static Scenario scenario(YamlMap yaml, Path file) {
-        Scenario base = yaml.has("scenario")
-                ? Scenario.read(file.toAbsolutePath().resolveSibling(yaml.text("scenario")))
-                : Scenario.defaults();
+        Path folder = file.toAbsolutePath().getParent();
+        Scenario base = yaml.has("scenario") ? Scenario.read(yaml.file("scenario", folder)) : Scenario.defaults();
         YamlMap set = yaml.mapOrEmpty("set");
         if (set.has(CHANGES) || !base.changes().isEmpty()) {
             throw yaml.bad(
@@ -230,7 +229,6 @@ public record RehearsalPlan(
         Scenario repeating = base.states(Breathing.REPEAT)
                 ? base
                 : base.with(List.of(Assignment.of(file.toString(), Breathing.REPEAT, true)));
-        Path folder = file.toAbsolutePath().getParent();
         return repeating.with(set.keys().stream()
                 .map(key -> Assignment.read(file + ": set " + key, key, set.text(key), folder))
                 .toList());
