@@ -217,6 +217,7 @@ public final class Fit {
                 .toList();
         Map<String, Double> observed = new LinkedHashMap<>();
         Observation.COLUMNS.forEach(column -> observed.put(column, breath.observed(column)));
+        observed.values().removeIf(value -> value.isNaN());
         // All that is read of the best breath precedes the effects, which breathe with the same objectives.
         Optional<Landmarks.Errors> errors = setup.options().landmarks().map(l -> l.errors(breath));
         List<String> warnings = warnings(found);

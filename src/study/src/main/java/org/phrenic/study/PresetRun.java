@@ -21,6 +21,9 @@ public final class PresetRun {
     /** Sampling interval of a validation, s. */
     public static final double SAMPLE_S = 0.05;
 
+    /** Observables of the liver's surface, which a scene without a liver that moves has too. */
+    private static final List<String> OF_LIVER = List.of("liver_top_mm", "liver_edge_mm");
+
     private PresetRun() {}
 
     /**
@@ -60,7 +63,8 @@ public final class PresetRun {
             held |= isHold;
             labels.add(label == RespiratoryPhase.HOLD && !isHold ? RespiratoryPhase.EXPIRATION : label);
             if (over) {
-                return new BreathSeries(columns, rows, labels).withUnknown(UnknownObservables.of(simulation.scene()));
+                boolean hasLiver = simulation.scene().liver().isPresent();
+                return new BreathSeries(columns, rows, labels).withUnknown(hasLiver ? List.of() : OF_LIVER);
             }
             long steps = Math.max(1, Math.round(sampleS / simulation.stepper().dt()));
             for (long i = 0; i < steps; i++) {

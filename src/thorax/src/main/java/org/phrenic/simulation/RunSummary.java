@@ -22,7 +22,7 @@ public final class RunSummary {
     private final List<int[]> breaths = new ArrayList<>();
 
     /**
-     * @param samples in the order of time
+     * @param samples in the order of time; a column of NaN has no value
      * @param cutShortS times at which another breathing pattern ended a breath before its end, s
      */
     RunSummary(List<Observation> samples, List<Double> cutShortS) {
@@ -128,7 +128,7 @@ public final class RunSummary {
         return columns;
     }
 
-    /** All values of the summary, in the order of the output. */
+    /** All values of the summary, in the order of the output, without those that the scene does not have. */
     Map<String, Object> toMap() {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("breaths", breaths.size());
@@ -140,6 +140,7 @@ public final class RunSummary {
             map.put(key, key.contains("_excursion") ? -change : key.startsWith("liver_") ? Math.abs(change) : change);
         });
         columns.forEach((key, column) -> map.put(peakToPeakKey(key), meanPeakToPeak(column)));
+        map.values().removeIf(value -> value instanceof Double number && Double.isNaN(number));
         return map;
     }
 }

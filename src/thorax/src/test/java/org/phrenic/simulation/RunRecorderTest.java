@@ -9,13 +9,16 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.document.CsvTable;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FolderLock;
 import org.phrenic.file.Hashes;
@@ -64,6 +67,23 @@ class RunRecorderTest {
         }
         Scenario again = Scenario.read(out.resolve("scenario.yaml"));
         assertThat(execute(again, null).get("state_sha256")).isEqualTo(summary.get("state_sha256"));
+    }
+
+    @Test
+    void whatIsMeasuredOnAnOrganThatTheSceneLacksIsNeitherInTheTableNorInTheSummary() throws IOException {
+        List<String> lacking = List.of("liver_si_mm", "liver_ap_mm", "liver_lr_mm", "lung_volume_change_ml");
+        Path out = folder.resolve("out");
+        Map<String, Object> whole = execute(scenario(), null);
+        Map<String, Object> summary = execute(scenario("liver=false", "lungs=off"), out);
+        CsvTable table = CsvTable.read(out.resolve("observables.csv"));
+        for (String column : Observation.COLUMNS) {
+            assertThat(table.texts(column)).as(column).allMatch(cell -> cell.isEmpty() == lacking.contains(column));
+        }
+        assertThat(whole).containsKeys(lacking.toArray(String[]::new));
+        Set<String> left = new LinkedHashSet<>(whole.keySet());
+        lacking.forEach(key -> left.removeAll(Set.of(key, RunSummary.peakToPeakKey(key))));
+        assertThat(summary.keySet()).isEqualTo(left);
+        assertThat(Files.readString(out.resolve("summary.json"))).doesNotContain("liver_", "lung_volume");
     }
 
     /** Meshes every 0.03 s in steps of 10 ms, samples every 0.1 s. */

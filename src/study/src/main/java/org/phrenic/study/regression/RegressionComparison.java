@@ -78,8 +78,7 @@ public record RegressionComparison(
                 node.offer(distance, stored.nodes()[i], reference.timeS());
             }
             for (int c = 0; c < Observation.COLUMNS.size(); c++) {
-                double expected = reference.observables()[c];
-                double error = Math.abs(frame.observables()[c] - expected) / Math.max(1, Math.abs(expected));
+                double error = error(reference.observables()[c], frame.observables()[c]);
                 observable.offer(error, c, reference.timeS());
             }
         }
@@ -104,6 +103,13 @@ public record RegressionComparison(
                 observable.error,
                 observable.timeS,
                 sentence);
+    }
+
+    /** Relative error of an observable; 0 where both do not have it, NaN where one of them does not. */
+    private static double error(double expected, double computed) {
+        return Double.isNaN(expected) && Double.isNaN(computed)
+                ? 0
+                : Math.abs(computed - expected) / Math.max(1, Math.abs(expected));
     }
 
     private static double distance(double[] p, double[] q, int at) {

@@ -24,13 +24,15 @@ record RegressionReference(String specification, int nodeCount, int[] nodes, Lis
     private static final int MAX_SAMPLED_NODES = 96;
 
     private static final double UM_PER_MM = 1000;
+    /** Value of an observable that the scene does not have. */
+    private static final String UNKNOWN = "unknown";
 
     /**
      * Results at one time.
      *
      * @param timeS simulated time, s
      * @param positions of the sampled nodes, three coordinates each, mm
-     * @param observables in the order of {@link Observation#COLUMNS}
+     * @param observables in the order of {@link Observation#COLUMNS}; NaN for what the scene does not have
      */
     record Frame(double timeS, double[] positions, double[] observables) {}
 
@@ -61,7 +63,8 @@ record RegressionReference(String specification, int nodeCount, int[] nodes, Lis
                             .toArray()));
             Map<String, Object> seen = new LinkedHashMap<>();
             for (int c = 0; c < Observation.COLUMNS.size(); c++) {
-                seen.put(Observation.COLUMNS.get(c), rounded(frame.observables()[c]));
+                double value = frame.observables()[c];
+                seen.put(Observation.COLUMNS.get(c), Double.isNaN(value) ? UNKNOWN : rounded(value));
             }
             each.put("observables", seen);
             list.add(each);
@@ -114,8 +117,9 @@ record RegressionReference(String specification, int nodeCount, int[] nodes, Lis
                     .mapToDouble(um -> um / UM_PER_MM)
                     .toArray();
             YamlMap seen = map.map("observables");
-            double[] observables =
-                    Observation.COLUMNS.stream().mapToDouble(seen::number).toArray();
+            double[] observables = Observation.COLUMNS.stream()
+                    .mapToDouble(column -> seen.text(column).equals(UNKNOWN) ? Double.NaN : seen.number(column))
+                    .toArray();
             frames.add(new Frame(map.number("time_s"), positions, observables));
         }
         if (frames.size() != scene.timesS().length) {

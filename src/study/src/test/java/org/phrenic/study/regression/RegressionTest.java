@@ -209,15 +209,27 @@ class RegressionTest {
     void anObservableThatIsNoNumberIsCaught() {
         RegressionScene scene = small();
         RegressionReference right = computed();
-        int column = Observation.COLUMNS.indexOf("liver_si_mm");
+        int column = Observation.COLUMNS.indexOf("dome_right_mm");
         RegressionReference lost = computed();
         lost.frames().get(1).observables()[column] = Double.NaN;
-        RegressionComparison comparison = RegressionComparison.of(scene, right, lost);
-        assertThat(comparison.passes()).isFalse();
-        assertThat(comparison.sentence())
-                .contains("liver_si_mm")
-                .contains("NaN")
-                .contains("0.500 s");
+        for (RegressionComparison comparison :
+                List.of(RegressionComparison.of(scene, right, lost), RegressionComparison.of(scene, lost, right))) {
+            assertThat(comparison.passes()).isFalse();
+            assertThat(comparison.sentence())
+                    .contains("dome_right_mm")
+                    .contains("NaN")
+                    .contains("0.500 s");
+        }
+    }
+
+    @Test
+    void anObservableThatTheSceneLacksIsUnknownInItsReferences() {
+        RegressionScene scene = small();
+        int column = Observation.COLUMNS.indexOf("liver_si_mm");
+        assertThat(computed().frames()).allMatch(frame -> Double.isNaN(frame.observables()[column]));
+        of(folder, scene).write(List.of(), SILENT);
+        assertThat(folder.resolve("small.yaml")).content().contains("liver_si_mm: unknown");
+        assertThat(of(folder, scene).check(List.of(), SILENT)).singleElement().matches(RegressionComparison::passes);
     }
 
     /** A descent of the liver by some millimetres, so that the tolerance is a share of the value. */

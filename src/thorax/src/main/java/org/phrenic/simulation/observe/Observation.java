@@ -4,7 +4,7 @@ import java.util.List;
 
 /**
  * Observables at one time. Column names contain the units. Displacements are relative to end-expiration, positive
- * upward.
+ * upward. A value that the scene does not have, such as that of an organ that it lacks, is NaN.
  */
 public final class Observation {
     /** Column names, in the order of {@link #values}. */

@@ -33,6 +33,9 @@ public final class SceneObserver {
     private final FibreShortening fibres;
     private final CageMeasure cage;
     private final LungMeasure lungs;
+    /** Columns of what the scene lacks. */
+    private final int[] unknown;
+
     private final double[] now;
     private final double[] liver = new double[3];
     private double[] sternum;
@@ -48,6 +51,9 @@ public final class SceneObserver {
         scene.pose().update(0);
         cage = new CageMeasure(scene.thorax(), scene.pose());
         lungs = new LungMeasure(scene);
+        unknown = UnknownObservables.of(scene).stream()
+                .mapToInt(Observation.COLUMNS::indexOf)
+                .toArray();
         now = new double[scene.restPositions().length];
     }
 
@@ -56,7 +62,7 @@ public final class SceneObserver {
     }
 
     /**
-     * Observables of the current state.
+     * Observables of the current state; NaN for those of structures that the scene lacks.
      *
      * @param time of the state, s
      */
@@ -90,6 +96,9 @@ public final class SceneObserver {
         row[c++] = liver[0];
         row[c++] = rmsFromRest;
         row[c] = scene.activeLinks().map(l -> l.error(scene.system())).orElse(0.0);
+        for (int column : unknown) {
+            row[column] = Double.NaN;
+        }
         return new Observation(row);
     }
 

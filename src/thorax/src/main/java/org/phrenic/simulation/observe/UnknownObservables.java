@@ -1,4 +1,4 @@
-package org.phrenic.study;
+package org.phrenic.simulation.observe;
 
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -11,8 +11,7 @@ import org.phrenic.model.organ.SternumModel;
 
 /** Observables of structures that a scene lacks: they are unknown, not 0. */
 final class UnknownObservables {
-    private static final List<String> OF_LIVER =
-            List.of("liver_si_mm", "liver_ap_mm", "liver_lr_mm", "liver_top_mm", "liver_edge_mm");
+    private static final List<String> OF_LIVER = List.of("liver_si_mm", "liver_ap_mm", "liver_lr_mm");
     private static final List<String> OF_LUNGS = List.of("lung_volume_change_ml");
     private static final List<String> OF_STERNUM = List.of("ap_change_mm", "sternum_cranial_mm", "sternum_ventral_mm");
 

@@ -1,4 +1,4 @@
-package org.phrenic.study;
+package org.phrenic.simulation.observe;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
