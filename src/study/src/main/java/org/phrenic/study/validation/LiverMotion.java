@@ -147,7 +147,7 @@ public record LiverMotion(List<Row> rows, List<String> failures) {
         return new Row(body, preset, si, ap, lr, top, edge, dome, creep(series, "liver_si_mm"), creep, known);
     }
 
-    /** Row before a given one at which the domes are lowest. */
+    /** Row before a given one at which the right dome is lowest. */
     private static int deepest(BreathSeries series, int before) {
         int best = 0;
         for (int i = 0; i < before; i++) {
