@@ -116,7 +116,9 @@ final class SimulationLoop implements Runnable {
             now.publishIfDue();
         } catch (RuntimeException e) {
             playing = false;
-            if (!e.toString().equals(frameFailure)) {
+            if (e.toString().equals(frameFailure)) {
+                notifyListener();
+            } else {
                 frameFailure = e.toString();
                 reportFailure(e);
             }

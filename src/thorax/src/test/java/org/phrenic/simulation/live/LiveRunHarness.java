@@ -16,10 +16,18 @@ abstract class LiveRunHarness extends LiveRunEvents {
     };
 
     LiveRun run;
+    /** Whether the run played when it last said that something has changed. */
+    volatile boolean playingShown;
 
     final LiveRun start(String... more) {
         run = new LiveRun(Scenario.defaults().with(SMALL).with(more), this);
         return run;
+    }
+
+    @Override
+    public void changed() {
+        LiveRun now = run;
+        playingShown = now != null && now.isPlaying();
     }
 
     @AfterEach
