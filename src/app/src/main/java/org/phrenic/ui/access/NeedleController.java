@@ -64,6 +64,7 @@ public final class NeedleController {
 
     private void resume() {
         if (!session.live().isPlaying()) {
+            session.returnToLive();
             session.live().play();
         }
     }

@@ -24,9 +24,9 @@ final class LookingBack {
         frame = index;
     }
 
-    /** Whether the simulation runs once the present is shown again. */
-    void setResuming(boolean on) {
-        resumes = on;
+    /** Leaves the simulation paused once the present is shown again. */
+    void stayPaused() {
+        resumes = false;
     }
 
     /** Shows the present, and resumes the simulation if it ran before; false if the present is shown already. */

@@ -231,23 +231,22 @@ public final class Session implements AutoCloseable {
         live.setSpeed(speed);
     }
 
-    /** Restarts and runs without a breath hold; {@code listener} is called after steps. */
+    /** Restarts and runs in the present, without a breath hold; {@code listener} is called after steps. */
     public void restart(StepListener.Trigger when, StepListener listener) {
         if (scenario().hold()) {
             live.change(List.of(Assignment.of("window", Breathing.HOLD, false)));
         }
         live.restart(when, listener);
+        returnToLive();
         live.play();
     }
 
     /** Plays or pauses; leaves a recorded frame for the present. */
     public void togglePlay() {
-        if (historyFrame().isPresent()) {
-            lookingBack.setResuming(true);
-            returnToLive();
-        } else if (live.isPlaying()) {
+        if (historyFrame().isEmpty() && live.isPlaying()) {
             live.pause();
         } else {
+            returnToLive();
             live.play();
         }
         fire(Listener::onChange);
@@ -255,7 +254,7 @@ public final class Session implements AutoCloseable {
 
     /** Pauses in the present, and goes on by one time step. */
     public void stepOnce() {
-        lookingBack.setResuming(false);
+        lookingBack.stayPaused();
         returnToLive();
         live.pause();
         live.stepOnce();

@@ -17,6 +17,7 @@ import org.phrenic.model.assembly.Breathing;
 import org.phrenic.scenario.Assignment;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.live.LiveScene;
+import org.phrenic.simulation.live.StepListener;
 
 /** The first scene, openings, and looking back at recorded frames, over a small scene. */
 class SessionTest {
@@ -278,6 +279,22 @@ class SessionTest {
                 session.open(EditName.of("Stiffer"), SMALL.with("rib_rotation=0.5"));
             });
             EventThread.until("the present", () -> shown.get().equals("present"));
+        }
+    }
+
+    /** As a rehearsal begins an attempt again. */
+    @Test
+    void aRunThatBeginsAgainWhereThePastWasShownIsShownInThePresentAndCanBePaused() {
+        try (Session session = running()) {
+            EventThread.run(() -> {
+                session.togglePlay();
+                session.showHistoryFrame(0);
+                session.restart(StepListener.Trigger.every(1), (frame, label) -> {});
+                assertThat(session.historyFrame()).isEmpty();
+                assertThat(session.live().isPlaying()).isTrue();
+                session.togglePlay();
+                assertThat(session.live().isPlaying()).isFalse();
+            });
         }
     }
 

@@ -379,8 +379,14 @@ class RehearsalExerciseTest {
         WindowHarness.doOnEdt(beam::doClick);
         clinic.until("a picture", () -> dock.shot().isPresent());
         clinic.rest();
-        WindowHarness.doOnEdt(() -> arm.setValue(30));
+        WindowHarness.doOnEdt(() -> {
+            clinic.window().session().showHistoryFrame(0);
+            arm.setValue(30);
+        });
         clinic.until("the angle", () -> dock.shot().orElseThrow().arm().leftObliqueDeg() == 30);
+        assertThat(WindowHarness.onEdt(() -> clinic.window().session().historyFrame()))
+                .as("the past is shown no more")
+                .isEmpty();
         clinic.rest();
         WindowHarness.doOnEdt(beam::doClick);
         assertThat(clinic.window().session().live().isPlaying())
