@@ -101,6 +101,10 @@ class LiveRunTest extends LiveRunHarness {
         until(() -> !run.status().stabilityMessage().isEmpty());
         assertThat(run.status().stabilityMessage()).contains("beyond the stability limit");
         assertThat(run.status().substeps()).isGreaterThan(1);
+        assertThat(run.recordedScenario().changes())
+                .as("of both moments")
+                .extracting(change -> change.assignment().key())
+                .containsExactly("depth", "preset", "muscle_stiffness_n_per_m");
     }
 
     @Test
