@@ -19,7 +19,7 @@ import org.phrenic.document.report.HtmlPage;
 import org.phrenic.document.report.ReportDocument.Column;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.scene.NeedlePictures;
-import org.phrenic.scene.ReportPictures;
+import org.phrenic.scene.RehearsalPictures;
 import org.phrenic.scene.gl.NoGraphicsException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -63,7 +63,7 @@ final class RehearseCommand extends ReportingCommand {
         // Those of an earlier attempt would describe other pictures.
         AtomicFile.delete(out.resolve(PAGE));
         AtomicFile.delete(out.resolve(REPORT));
-        ReportPictures pictures = new ReportPictures(rehearsal, out);
+        RehearsalPictures pictures = new RehearsalPictures(rehearsal, out);
         if (!noPictures) {
             draw(rehearsal, pictures);
         }
@@ -79,7 +79,7 @@ final class RehearseCommand extends ReportingCommand {
         return rehearsal.goalsReached() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
-    private static void draw(Rehearsal rehearsal, ReportPictures pictures) {
+    private static void draw(Rehearsal rehearsal, RehearsalPictures pictures) {
         try (NeedlePictures drawn = NeedlePictures.open(rehearsal.surfaces())) {
             pictures.draw(what -> what.apply(drawn));
         } catch (NoGraphicsException | RuntimeException none) {

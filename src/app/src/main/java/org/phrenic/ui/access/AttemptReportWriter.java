@@ -15,7 +15,7 @@ import org.phrenic.document.YamlWriter;
 import org.phrenic.document.report.HtmlPage;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.scene.NeedlePictures;
-import org.phrenic.scene.ReportPictures;
+import org.phrenic.scene.RehearsalPictures;
 import org.phrenic.scene.gl.OffscreenContext;
 import org.phrenic.ui.session.FileWrites;
 import org.phrenic.ui.view.SceneViewport;
@@ -62,7 +62,7 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
         // Those of an earlier attempt would describe other pictures.
         AtomicFile.delete(folder.resolve(REPORT));
         AtomicFile.delete(folder.resolve(PAGE));
-        ReportPictures pictures = new ReportPictures(rehearsal, folder);
+        RehearsalPictures pictures = new RehearsalPictures(rehearsal, folder);
         pictures.setMissing(view.unavailableReason());
         if (pictures.missing().isEmpty()) {
             pictures.draw(what -> render(rehearsal, what));

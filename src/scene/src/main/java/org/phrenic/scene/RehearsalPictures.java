@@ -15,7 +15,7 @@ import org.phrenic.file.OutputException;
  * Writes the picture files of the report of a rehearsal. A picture that cannot be drawn or written is missing in the
  * report, which says so in one sentence.
  */
-public final class ReportPictures {
+public final class RehearsalPictures {
     /** Draws pictures where there is a graphics context. */
     @FunctionalInterface
     public interface Drawing {
@@ -29,7 +29,7 @@ public final class ReportPictures {
     private final List<Picture> map = new ArrayList<>();
     private String missing = "";
 
-    public ReportPictures(Rehearsal rehearsal, Path folder) {
+    public RehearsalPictures(Rehearsal rehearsal, Path folder) {
         this.rehearsal = rehearsal;
         this.folder = folder;
     }
