@@ -20,6 +20,7 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.SimulationRun;
+import org.phrenic.simulation.observe.UnknownObservables;
 
 /** Regression scenes and exercises with stored references, either those of the program or those of a folder. */
 public class Regression {
@@ -198,7 +199,8 @@ public class Regression {
                 }
                 frames.add(new RegressionReference.Frame(time, positions(simulation, kept), surfaces.observe()));
             }
-            return new RegressionReference(scene.specification(), inAll, kept, frames);
+            return new RegressionReference(
+                    scene.specification(), inAll, kept, frames, UnknownObservables.of(simulation.scene()));
         }
     }
 

@@ -2,6 +2,8 @@ package org.phrenic.study.regression;
 
 import static org.phrenic.file.Numbers.format;
 
+import java.util.Set;
+import java.util.TreeSet;
 import org.phrenic.simulation.observe.Observation;
 
 /**
@@ -55,7 +57,10 @@ public record RegressionComparison(
         }
     }
 
-    /** Compares computed results with references. Every error must be within its tolerance; NaN fails. */
+    /**
+     * Compares computed results with references. Every error must be within its tolerance; NaN fails. Observables that
+     * the scene does not have must be unknown in the references.
+     */
     static RegressionComparison of(RegressionScene scene, RegressionReference stored, RegressionReference computed) {
         if (stored.nodeCount() != computed.nodeCount()) {
             String counts = "has " + computed.nodeCount() + " nodes, the references are of " + stored.nodeCount();
@@ -78,8 +83,10 @@ public record RegressionComparison(
                 node.offer(distance, stored.nodes()[i], reference.timeS());
             }
             for (int c = 0; c < Observation.COLUMNS.size(); c++) {
-                double error = error(reference.observables()[c], frame.observables()[c]);
-                observable.offer(error, c, reference.timeS());
+                if (!computed.unknown().contains(Observation.COLUMNS.get(c))) {
+                    double error = error(reference.observables()[c], frame.observables()[c]);
+                    observable.offer(error, c, reference.timeS());
+                }
             }
         }
         String name = Observation.COLUMNS.get(observable.index);
@@ -92,6 +99,11 @@ public record RegressionComparison(
             sentence = format(
                     "%s is off by %.3g of it at %.3f s, the tolerance is %s",
                     name, observable.error, observable.timeS, scene.observableTolerance());
+        } else if (!stored.unknown().containsAll(computed.unknown())) {
+            Set<String> known = new TreeSet<>(computed.unknown());
+            known.removeAll(stored.unknown());
+            sentence = String.join(", ", known) + ": known in the references, unknown in the scene, which lacks what is"
+                    + " measured; --write-references makes the references anew";
         }
         return new RegressionComparison(
                 scene.name(),
@@ -105,11 +117,9 @@ public record RegressionComparison(
                 sentence);
     }
 
-    /** Relative error of an observable; 0 where both do not have it, NaN where one of them does not. */
+    /** Relative error of an observable. */
     private static double error(double expected, double computed) {
-        return Double.isNaN(expected) && Double.isNaN(computed)
-                ? 0
-                : Math.abs(computed - expected) / Math.max(1, Math.abs(expected));
+        return Math.abs(computed - expected) / Math.max(1, Math.abs(expected));
     }
 
     private static double distance(double[] p, double[] q, int at) {

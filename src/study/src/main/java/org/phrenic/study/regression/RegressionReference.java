@@ -2,9 +2,11 @@ package org.phrenic.study.regression;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.Numbers;
 import org.phrenic.simulation.observe.Observation;
@@ -16,8 +18,9 @@ import org.phrenic.simulation.observe.Observation;
  * @param nodeCount number of nodes of the scene
  * @param nodes sampled nodes, in the caller's numbering
  * @param frames one per time
+ * @param unknown columns of the observables that the scene does not have; of stored results, those without a number
  */
-record RegressionReference(String specification, int nodeCount, int[] nodes, List<Frame> frames) {
+record RegressionReference(String specification, int nodeCount, int[] nodes, List<Frame> frames, Set<String> unknown) {
     private static final List<String> KEYS = List.of("of", "nodes_in_all", "nodes", "frames");
     private static final List<String> FRAME_KEYS = List.of("time_s", "positions_um", "observables");
     /** Number of sampled nodes: enough to detect a change anywhere in the body, few enough for a small file. */
@@ -32,7 +35,7 @@ record RegressionReference(String specification, int nodeCount, int[] nodes, Lis
      *
      * @param timeS simulated time, s
      * @param positions of the sampled nodes, three coordinates each, mm
-     * @param observables in the order of {@link Observation#COLUMNS}; NaN for what the scene does not have
+     * @param observables in the order of {@link Observation#COLUMNS}; NaN for the unknown ones
      */
     record Frame(double timeS, double[] positions, double[] observables) {}
 
@@ -46,7 +49,7 @@ record RegressionReference(String specification, int nodeCount, int[] nodes, Lis
         return kept;
     }
 
-    /** Values for YAML; positions in whole micrometres. */
+    /** Values for YAML; positions in whole micrometres. A NaN of an observable that the scene has stays one. */
     Map<String, Object> values() {
         Map<String, Object> map = new LinkedHashMap<>();
         map.put("of", specification);
@@ -63,8 +66,8 @@ record RegressionReference(String specification, int nodeCount, int[] nodes, Lis
                             .toArray()));
             Map<String, Object> seen = new LinkedHashMap<>();
             for (int c = 0; c < Observation.COLUMNS.size(); c++) {
-                double value = frame.observables()[c];
-                seen.put(Observation.COLUMNS.get(c), Double.isNaN(value) ? UNKNOWN : rounded(value));
+                String column = Observation.COLUMNS.get(c);
+                seen.put(column, unknown.contains(column) ? UNKNOWN : rounded(frame.observables()[c]));
             }
             each.put("observables", seen);
             list.add(each);
@@ -111,21 +114,25 @@ record RegressionReference(String specification, int nodeCount, int[] nodes, Lis
                 })
                 .toArray();
         List<Frame> frames = new ArrayList<>();
+        Set<String> unknown = new HashSet<>();
         for (YamlMap map : yaml.maps("frames")) {
             map.requireOnly(FRAME_KEYS);
             double[] positions = Arrays.stream(numbers(map, "positions_um", 3 * nodes.length))
                     .mapToDouble(um -> um / UM_PER_MM)
                     .toArray();
             YamlMap seen = map.map("observables");
+            seen.keys().stream()
+                    .filter(column -> seen.text(column).equals(UNKNOWN))
+                    .forEach(unknown::add);
             double[] observables = Observation.COLUMNS.stream()
-                    .mapToDouble(column -> seen.text(column).equals(UNKNOWN) ? Double.NaN : seen.number(column))
+                    .mapToDouble(column -> unknown.contains(column) ? Double.NaN : seen.number(column))
                     .toArray();
             frames.add(new Frame(map.number("time_s"), positions, observables));
         }
         if (frames.size() != scene.timesS().length) {
             throw yaml.bad("frames", "found " + frames.size() + " times, expected " + scene.timesS().length);
         }
-        return new RegressionReference(scene.specification(), inAll, nodes, List.copyOf(frames));
+        return new RegressionReference(scene.specification(), inAll, nodes, List.copyOf(frames), unknown);
     }
 
     private static long[] numbers(YamlMap map, String key, int expected) {

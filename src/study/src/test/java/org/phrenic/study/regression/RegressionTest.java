@@ -20,6 +20,7 @@ import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.document.YamlWriter;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
 import org.phrenic.model.organ.OrganSettings;
@@ -84,7 +85,8 @@ class RegressionTest {
                                 frame.timeS(),
                                 frame.positions().clone(),
                                 frame.observables().clone()))
-                        .toList());
+                        .toList(),
+                once.unknown());
     }
 
     /** The regression itself: what every build runs. */
@@ -197,7 +199,8 @@ class RegressionTest {
                 whole.specification(),
                 whole.nodeCount(),
                 whole.nodes(),
-                whole.frames().subList(0, 1));
+                whole.frames().subList(0, 1),
+                whole.unknown());
         for (RegressionComparison comparison :
                 List.of(RegressionComparison.of(scene, early, whole), RegressionComparison.of(scene, whole, early))) {
             assertThat(comparison.passes()).isFalse();
@@ -212,8 +215,10 @@ class RegressionTest {
         int column = Observation.COLUMNS.indexOf("dome_right_mm");
         RegressionReference lost = computed();
         lost.frames().get(1).observables()[column] = Double.NaN;
-        for (RegressionComparison comparison :
-                List.of(RegressionComparison.of(scene, right, lost), RegressionComparison.of(scene, lost, right))) {
+        for (RegressionComparison comparison : List.of(
+                RegressionComparison.of(scene, right, lost),
+                RegressionComparison.of(scene, lost, right),
+                RegressionComparison.of(scene, lost, lost))) {
             assertThat(comparison.passes()).isFalse();
             assertThat(comparison.sentence())
                     .contains("dome_right_mm")
@@ -223,20 +228,37 @@ class RegressionTest {
     }
 
     @Test
-    void anObservableThatTheSceneLacksIsUnknownInItsReferences() {
+    void anObservableThatTheSceneLacksIsUnknownInItsReferences() throws IOException {
         RegressionScene scene = small();
         int column = Observation.COLUMNS.indexOf("liver_si_mm");
         assertThat(computed().frames()).allMatch(frame -> Double.isNaN(frame.observables()[column]));
         of(folder, scene).write(List.of(), SILENT);
-        assertThat(folder.resolve("small.yaml")).content().contains("liver_si_mm: unknown");
+        Path file = folder.resolve("small.yaml");
+        assertThat(file).content().contains("liver_si_mm: unknown");
         assertThat(of(folder, scene).check(List.of(), SILENT)).singleElement().matches(RegressionComparison::passes);
+        Files.writeString(file, Files.readString(file).replace("liver_si_mm: unknown", "liver_si_mm: 0.0"));
+        assertThat(of(folder, scene).check(List.of(), SILENT)).singleElement().satisfies(c -> {
+            assertThat(c.passes()).isFalse();
+            assertThat(c.sentence())
+                    .startsWith("liver_si_mm: known in the references")
+                    .contains("--write-references");
+            assertThat(c.worstRelativeError()).isLessThan(scene.observableTolerance());
+        });
     }
 
-    /** A descent of the liver by some millimetres, so that the tolerance is a share of the value. */
+    @Test
+    void anObservableThatTheSceneHasIsNeverUnknownInItsReferences() {
+        RegressionReference lost = computed();
+        lost.frames().get(1).observables()[Observation.COLUMNS.indexOf("dome_right_mm")] = Double.NaN;
+        assertThatThrownBy(() -> YamlWriter.write(folder.resolve("small.yaml"), lost.values()))
+                .hasMessageContaining("NaN");
+    }
+
+    /** Some millimetres, so that the tolerance is a share of the value. */
     @Test
     void anObservableIsCaughtJustBeyondItsTolerance() {
         RegressionScene scene = small();
-        int column = Observation.COLUMNS.indexOf("liver_si_mm");
+        int column = Observation.COLUMNS.indexOf("from_rest_rms_mm");
         for (double share : new double[] {0.9, 1.1}) {
             RegressionReference right = computed();
             RegressionReference off = computed();

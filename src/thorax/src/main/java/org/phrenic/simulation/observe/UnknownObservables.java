@@ -10,14 +10,15 @@ import org.phrenic.model.organ.OrganSettings;
 import org.phrenic.model.organ.SternumModel;
 
 /** Observables of structures that a scene lacks: they are unknown, not 0. */
-final class UnknownObservables {
+public final class UnknownObservables {
     private static final List<String> OF_LIVER = List.of("liver_si_mm", "liver_ap_mm", "liver_lr_mm");
     private static final List<String> OF_LUNGS = List.of("lung_volume_change_ml");
     private static final List<String> OF_STERNUM = List.of("ap_change_mm", "sternum_cranial_mm", "sternum_ventral_mm");
 
     private UnknownObservables() {}
 
-    static Set<String> of(Scene scene) {
+    /** Columns of {@link Observation} that are NaN in a scene. */
+    public static Set<String> of(Scene scene) {
         Set<String> unknown = new LinkedHashSet<>();
         if (scene.liver().isEmpty()) {
             unknown.addAll(OF_LIVER);
