@@ -6,11 +6,13 @@ import java.util.List;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.breathing.RespiratoryPhase;
 import org.phrenic.model.assembly.Breathing;
+import org.phrenic.model.assembly.Scene;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.simulation.SceneSurfaces;
 import org.phrenic.simulation.Simulation;
 import org.phrenic.simulation.observe.Frame;
 import org.phrenic.simulation.observe.Observation;
+import org.phrenic.simulation.observe.UnknownObservables;
 import org.phrenic.study.measure.SceneObservables;
 
 /**
@@ -63,8 +65,7 @@ public final class PresetRun {
             held |= isHold;
             labels.add(label == RespiratoryPhase.HOLD && !isHold ? RespiratoryPhase.EXPIRATION : label);
             if (over) {
-                boolean hasLiver = simulation.scene().liver().isPresent();
-                return new BreathSeries(columns, rows, labels).withUnknown(hasLiver ? List.of() : OF_LIVER);
+                return new BreathSeries(columns, rows, labels).withUnknown(unknown(simulation.scene()));
             }
             long steps = Math.max(1, Math.round(sampleS / simulation.stepper().dt()));
             for (long i = 0; i < steps; i++) {
@@ -75,6 +76,18 @@ public final class PresetRun {
             boolean whole = periodic && frame.values()[breath] > rows.get(0)[breath];
             over = released || whole || simulation.time() >= endS;
         }
+    }
+
+    /** Further observables that a scene does not have. */
+    private static List<String> unknown(Scene scene) {
+        List<String> unknown = new ArrayList<>();
+        if (scene.liver().isEmpty()) {
+            unknown.addAll(OF_LIVER);
+        }
+        if (UnknownObservables.of(scene).contains("sternum_ventral_mm")) {
+            unknown.add("sternum_pitch_deg");
+        }
+        return unknown;
     }
 
     private static double[] row(Frame frame, SceneObservables measures, int length) {

@@ -1,5 +1,6 @@
 package org.phrenic.simulation.observe;
 
+import java.util.Arrays;
 import org.phrenic.anatomy.MedianFrame;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
@@ -34,6 +35,13 @@ public final class CageMeasure {
         }
         sternumPoint = sternumPoint(thorax, pose.cage().frame());
         restWidth = width(true);
+    }
+
+    /** Whether a body has ribs of one level on both sides, between which the transverse diameter is measured. */
+    static boolean hasWidth(Thorax thorax) {
+        return Arrays.stream(WIDE_LEVELS)
+                .anyMatch(level ->
+                        points(thorax, level, Side.RIGHT).length > 0 && points(thorax, level, Side.LEFT).length > 0);
     }
 
     private static double[] points(Thorax thorax, int level, Side side) {

@@ -14,6 +14,7 @@ public final class UnknownObservables {
     private static final List<String> OF_LIVER = List.of("liver_si_mm", "liver_ap_mm", "liver_lr_mm");
     private static final List<String> OF_LUNGS = List.of("lung_volume_change_ml");
     private static final List<String> OF_STERNUM = List.of("ap_change_mm", "sternum_cranial_mm", "sternum_ventral_mm");
+    private static final String WIDTH = "transverse_change_mm";
 
     private UnknownObservables() {}
 
@@ -31,6 +32,9 @@ public final class UnknownObservables {
         boolean standsStill = scene.settings().get(OrganSettings.STERNUM) == SternumModel.OFF;
         if (!sternum || (!isLed && !standsStill)) {
             unknown.addAll(OF_STERNUM);
+        }
+        if (!CageMeasure.hasWidth(scene.thorax())) {
+            unknown.add(WIDTH);
         }
         return unknown;
     }

@@ -3,8 +3,11 @@ package org.phrenic.simulation.observe;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Set;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
@@ -15,17 +18,48 @@ import org.phrenic.simulation.Runs;
 class UnknownObservablesTest {
     private static final Scenario SHEET_ALONE =
             Scenario.defaults().with("resolution=low").with(Runs.SHEET_ALONE).with("liver=false");
+    private static final String[] OF_LIVER = {"liver_si_mm", "liver_ap_mm", "liver_lr_mm"};
+    private static final String[] OF_STERNUM = {"ap_change_mm", "sternum_cranial_mm", "sternum_ventral_mm"};
+    private static final String WIDTH = "transverse_change_mm";
+
+    private static Set<String> unknown(String sternum, Predicate<Structure> left) {
+        Thorax whole = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
+        Thorax body =
+                new Thorax("part", whole.structures().stream().filter(left).toList(), List.of());
+        return UnknownObservables.of(Runs.assembled(SHEET_ALONE.with("sternum=" + sternum), body));
+    }
+
+    private static boolean isRib(Structure s) {
+        return s.kind() == StructureKind.RIB;
+    }
+
+    @Test
+    void ofAWholeBodyOnlyWhatIsSwitchedOffIsUnknown() {
+        assertThat(unknown("kinematic", s -> true)).containsExactlyInAnyOrder(OF_LIVER);
+    }
 
     @Test
     void theMotionOfASternumThatABodyLacksIsUnknown() {
-        Thorax whole = VirtualThorax.ofPreset("adult-male", Resolution.LOW);
-        List<Structure> others = whole.structures().stream()
-                .filter(s -> s.kind() != StructureKind.STERNUM)
-                .toList();
-        Thorax body = new Thorax("no sternum", others, List.of());
-        for (String model : List.of("sternum=kinematic", "sternum=off")) {
-            assertThat(UnknownObservables.of(Runs.assembled(SHEET_ALONE.with(model), body)))
-                    .contains("ap_change_mm", "sternum_cranial_mm", "sternum_ventral_mm");
+        for (String model : List.of("kinematic", "off")) {
+            assertThat(unknown(model, s -> s.kind() != StructureKind.STERNUM))
+                    .contains(OF_STERNUM)
+                    .doesNotContain(WIDTH);
         }
+    }
+
+    /** Two true ribs lead no sternum; one that stands still moves by 0, which is known. */
+    @Test
+    void theMotionOfASternumThatNoRibsLeadIsUnknown() {
+        Predicate<Structure> fewTrueRibs = s -> !isRib(s) || s.level() == 1 || s.level() > 7;
+        assertThat(unknown("kinematic", fewTrueRibs)).contains(OF_STERNUM).doesNotContain(WIDTH);
+        assertThat(unknown("off", fewTrueRibs)).doesNotContain(OF_STERNUM);
+    }
+
+    @Test
+    void theWidthBetweenRibsThatABodyLacksIsUnknown() {
+        assertThat(unknown("off", s -> !isRib(s) || s.side() == Side.RIGHT)).contains(WIDTH);
+        assertThat(unknown("off", s -> !isRib(s) || s.side() == Side.LEFT)).contains(WIDTH);
+        assertThat(unknown("off", s -> !isRib(s) || s.level() < 5)).contains(WIDTH);
+        assertThat(unknown("off", s -> !isRib(s) || s.level() == 10)).doesNotContain(WIDTH);
     }
 }
