@@ -81,7 +81,7 @@ final class RehearseCommand extends ReportingCommand {
 
     private static void draw(Rehearsal rehearsal, RehearsalPictures pictures) {
         try (NeedlePictures drawn = NeedlePictures.open(rehearsal.surfaces())) {
-            pictures.draw(what -> what.apply(drawn));
+            pictures.draw(what -> what.accept(drawn));
         } catch (NoGraphicsException | RuntimeException none) {
             pictures.setMissing(none);
         }

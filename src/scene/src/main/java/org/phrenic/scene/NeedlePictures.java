@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
-import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.path.AccessMap;
@@ -83,11 +82,15 @@ public final class NeedlePictures implements AutoCloseable {
     /**
      * Writes pictures of the needle at one time: from the front, from the right, and in a section along the needle.
      *
+     * @param written gets the name of each file once it is written
      * @param unwritten gets why a picture was not written
-     * @return names of the files that were written
      */
-    public List<String> writeNeedleViews(
-            Path folder, NeedleSnapshot view, String title, Consumer<OutputException> unwritten) {
+    public void writeNeedleViews(
+            Path folder,
+            NeedleSnapshot view,
+            String title,
+            Consumer<String> written,
+            Consumer<OutputException> unwritten) {
         List<Surface> all = new ArrayList<>(body);
         all.add(Markers.rod(NEEDLE, view.hub(), view.tip(), DRAWN_RADIUS_MM));
         all.add(Markers.ball(TARGET, view.target(), view.targetRadiusMm()));
@@ -103,15 +106,12 @@ public final class NeedlePictures implements AutoCloseable {
         SceneStyle section = style(all, (s, usual) -> opaque.contains(s.kind()) ? usual.withOpacity(1) : usual)
                 .withClip(Optional.of(planeAlong(view)));
         String time = Annotations.timestamp(view.frame().timeS(), view.label().label());
-        Series series = new Series(folder, new Renderer(all, List.of()), view.frame(), time, unwritten);
+        Series series = new Series(folder, new Renderer(all, List.of()), view.frame(), time, written, unwritten);
         String cut = title + ", cut open along the needle";
         try {
-            return Stream.of(
-                            write(series, view.name() + "_anterior", AnatomicalView.ANTERIOR, whole, title),
-                            write(series, view.name() + "_right", AnatomicalView.RIGHT, whole, title),
-                            write(series, view.name() + "_section", AnatomicalView.INFERIOR, section, cut))
-                    .flatMap(Optional::stream)
-                    .toList();
+            write(series, view.name() + "_anterior", AnatomicalView.ANTERIOR, whole, title);
+            write(series, view.name() + "_right", AnatomicalView.RIGHT, whole, title);
+            write(series, view.name() + "_section", AnatomicalView.INFERIOR, section, cut);
         } finally {
             gl.release(series.renderer);
         }
@@ -141,10 +141,11 @@ public final class NeedlePictures implements AutoCloseable {
     /**
      * Writes pictures of the access map on the skin at the first frame, from the front, the right and behind.
      *
+     * @param written gets the name of each file once it is written
      * @param unwritten gets why a picture was not written
-     * @return names of the files that were written
      */
-    public List<String> writeAccessMap(Path folder, AccessMap map, String title, Consumer<OutputException> unwritten) {
+    public void writeAccessMap(
+            Path folder, AccessMap map, String title, Consumer<String> written, Consumer<OutputException> unwritten) {
         Surface skin = StructureSelection.first(body, StructureKind.SKIN);
         Appearance opaque = SurfaceMaterial.of(StructureKind.SKIN).appearance().withOpacity(1);
         SceneStyle style = SceneStyle.atlas(body)
@@ -152,37 +153,39 @@ public final class NeedlePictures implements AutoCloseable {
                 .withSamples(SceneStyle.SMOOTH_SAMPLES)
                 .withField(ColourField.ACCESS, skin.name(), AccessMapField.scale());
         Frame first = map.cycle().get(0).frame();
-        Series series = new Series(folder, new Renderer(body, List.of()), first, "", unwritten);
+        Series series = new Series(folder, new Renderer(body, List.of()), first, "", written, unwritten);
         series.renderer.setField(skin.name(), map.freePercent());
-        List<String> names = new ArrayList<>();
         try {
             for (AnatomicalView view :
                     List.of(AnatomicalView.ANTERIOR, AnatomicalView.RIGHT, AnatomicalView.POSTERIOR)) {
-                write(series, "access_" + view.label(), view, style, title).ifPresent(names::add);
+                write(series, "access_" + view.label(), view, style, title);
             }
         } finally {
             gl.release(series.renderer);
         }
-        return names;
     }
 
     /** Data shared by the pictures of one time. */
     private record Series(
-            Path folder, Renderer renderer, Frame frame, String timestamp, Consumer<OutputException> unwritten) {}
+            Path folder,
+            Renderer renderer,
+            Frame frame,
+            String timestamp,
+            Consumer<String> written,
+            Consumer<OutputException> unwritten) {}
 
-    /** Returns the name of the file; empty if it was not written. */
-    private Optional<String> write(Series series, String name, AnatomicalView view, SceneStyle style, String title) {
+    private void write(Series series, String name, AnatomicalView view, SceneStyle style, String title) {
         Camera camera = Camera.of(view, Surface.bounds(body));
         BufferedImage picture = gl.render(series.renderer, series.frame, camera, style, size, size);
         Annotations.of(style).withTitle(title).withTimestamp(series.timestamp).draw(picture, camera);
         String file = name + ".png";
         try {
             PngFile.write(series.folder.resolve(file), picture);
-            return Optional.of(file);
         } catch (OutputException failure) {
             series.unwritten.accept(failure);
-            return Optional.empty();
+            return;
         }
+        series.written.accept(file);
     }
 
     @Override

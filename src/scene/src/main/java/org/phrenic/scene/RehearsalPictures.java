@@ -3,7 +3,7 @@ package org.phrenic.scene;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Function;
+import java.util.function.Consumer;
 import org.phrenic.access.attempt.NeedleSnapshot;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalImage;
@@ -19,8 +19,7 @@ public final class RehearsalPictures {
     /** Draws pictures where there is a graphics context. */
     @FunctionalInterface
     public interface Drawing {
-        /** Returns the names of the files that {@code what} writes. */
-        List<String> draw(Function<NeedlePictures, List<String>> what);
+        void draw(Consumer<NeedlePictures> what);
     }
 
     private final Rehearsal rehearsal;
@@ -34,19 +33,22 @@ public final class RehearsalPictures {
         this.folder = folder;
     }
 
-    /** Draws the needle and the access map; ends at the first picture that cannot be drawn. */
+    /** Draws the needle and the access map; ends at the first picture that cannot be drawn, and keeps those before. */
     public void draw(Drawing drawing) {
         String title = rehearsal.plan().title();
         try {
             for (NeedleSnapshot moment : rehearsal.needleViews()) {
-                List<String> files =
-                        drawing.draw(pictures -> pictures.writeNeedleViews(folder, moment, title, this::setMissing));
-                if (moment.name().startsWith("sample")) {
-                    files.forEach(file -> needle.add(new Picture(file, "Needle and target in the body, " + file, "")));
-                }
+                boolean isSample = moment.name().startsWith("sample");
+                Consumer<String> written = file -> {
+                    if (isSample) {
+                        needle.add(new Picture(file, "Needle and target in the body, " + file, ""));
+                    }
+                };
+                drawing.draw(pictures -> pictures.writeNeedleViews(folder, moment, title, written, this::setMissing));
             }
-            drawing.draw(pictures -> pictures.writeAccessMap(folder, rehearsal.map(), title, this::setMissing))
-                    .forEach(file -> map.add(new Picture(file, "Access map on the skin, " + file, "")));
+            Consumer<String> written = file -> map.add(new Picture(file, "Access map on the skin, " + file, ""));
+            drawing.draw(
+                    pictures -> pictures.writeAccessMap(folder, rehearsal.map(), title, written, this::setMissing));
         } catch (RuntimeException undrawn) {
             setMissing(undrawn);
         }

@@ -37,7 +37,7 @@ class NeedlePicturesTest {
     @TempDir
     Path folder;
 
-    private static AccessMap map(SceneFixture body) {
+    static AccessMap map(SceneFixture body) {
         MovingAnatomy anatomy = new MovingAnatomy(body.surfaces);
         anatomy.update(body.rest);
         double[] liver = body.surfaces.stream()
@@ -71,6 +71,12 @@ class NeedlePicturesTest {
         return counts;
     }
 
+    static NeedleSnapshot moment(String name, SceneFixture body) {
+        double[] tip = {0, 0, 0};
+        return new NeedleSnapshot(
+                name, body.rest, RespiratoryPhase.PAUSE, true, new double[] {-100, 0, 0}, tip, tip, 10);
+    }
+
     /** Number of buffers that exist on the graphics card, of those with small names. */
     private static int buffers(SceneFixture body) {
         int[] count = {0};
@@ -88,20 +94,17 @@ class NeedlePicturesTest {
         try (SceneFixture body = new SceneFixture();
                 NeedlePictures pictures = NeedlePictures.using(body.offscreen, body.surfaces, SIDE)) {
             AccessMap map = map(body);
-            double[] tip = {0, 0, 0};
-            NeedleSnapshot moment = new NeedleSnapshot(
-                    "sample", body.rest, RespiratoryPhase.PAUSE, true, new double[] {-100, 0, 0}, tip, tip, 10);
+            NeedleSnapshot moment = moment("sample", body);
+            List<String> written = new ArrayList<>();
             List<OutputException> unwritten = new ArrayList<>();
-            assertThat(pictures.writeAccessMap(folder, map, "Access", unwritten::add))
-                    .hasSize(3);
-            assertThat(pictures.writeNeedleViews(folder, moment, "Access", unwritten::add))
-                    .hasSize(3);
+            pictures.writeAccessMap(folder, map, "Access", written::add, unwritten::add);
+            pictures.writeNeedleViews(folder, moment, "Access", written::add, unwritten::add);
+            assertThat(written).hasSize(6);
             assertThat(unwritten).isEmpty();
             int before = buffers(body);
-            assertThat(pictures.writeAccessMap(file, map, "Access", unwritten::add))
-                    .isEmpty();
-            assertThat(pictures.writeNeedleViews(file, moment, "Access", unwritten::add))
-                    .isEmpty();
+            pictures.writeAccessMap(file, map, "Access", written::add, unwritten::add);
+            pictures.writeNeedleViews(file, moment, "Access", written::add, unwritten::add);
+            assertThat(written).hasSize(6);
             assertThat(unwritten).hasSize(6);
             assertThat(buffers(body)).isEqualTo(before);
         }
@@ -111,7 +114,8 @@ class NeedlePicturesTest {
     void greenMeansTheSameInTheReportAsInTheWindow() throws Exception {
         try (SceneFixture body = new SceneFixture();
                 NeedlePictures pictures = NeedlePictures.using(body.offscreen, body.surfaces, SIDE)) {
-            List<String> files = pictures.writeAccessMap(folder, map(body), "Access", failure -> {});
+            List<String> files = new ArrayList<>();
+            pictures.writeAccessMap(folder, map(body), "Access", files::add, failure -> {});
             assertThat(files).hasSize(3);
             BufferedImage right = ImageIO.read(folder.resolve(files.get(1)).toFile());
             Color chest = new Color(right.getRGB(SIDE / 2, SIDE / 3));

@@ -6,7 +6,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import org.phrenic.access.plan.Rehearsal;
 import org.phrenic.access.plan.RehearsalPlan;
 import org.phrenic.access.plan.RehearsalReport;
@@ -78,21 +77,21 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
         return pictures.missing();
     }
 
-    private List<String> render(Rehearsal rehearsal, Function<NeedlePictures, List<String>> what) {
-        return betweenFrames(gl -> {
+    private void render(Rehearsal rehearsal, Consumer<NeedlePictures> what) {
+        betweenFrames(gl -> {
             try (NeedlePictures pictures = NeedlePictures.using(gl, rehearsal.surfaces(), pictureSize)) {
-                return what.apply(pictures);
+                what.accept(pictures);
             }
         });
     }
 
     /**
-     * The files that a task writes between two frames of the view.
+     * Runs a task between two frames of the view, and returns after it.
      *
      * @throws IllegalStateException if it does not begin in time, or the driver fails
      */
-    List<String> betweenFrames(Function<OffscreenContext, List<String>> what) {
-        CompletableFuture<List<String>> files = new CompletableFuture<>();
+    void betweenFrames(Consumer<OffscreenContext> what) {
+        CompletableFuture<Void> done = new CompletableFuture<>();
         CompletableFuture<Boolean> begun = new CompletableFuture<>();
         view.runTask(gl -> {
             if (!begun.complete(true)) {
@@ -100,9 +99,10 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
                 return;
             }
             try {
-                files.complete(what.apply(gl));
+                what.accept(gl);
+                done.complete(null);
             } catch (RuntimeException | Error e) {
-                files.completeExceptionally(e);
+                done.completeExceptionally(e);
             }
         });
         try {
@@ -111,7 +111,7 @@ public record AttemptReportWriter(SceneViewport view, int pictureSize, long wait
                 throw new IllegalStateException("The view did not begin to draw them within "
                         + TimeUnit.MILLISECONDS.toSeconds(waitMs) + " s.");
             }
-            return files.join();
+            done.join();
         } catch (CompletionException e) {
             Throwable cause = e.getCause();
             String why = cause.getMessage() == null ? cause.toString() : cause.getMessage();

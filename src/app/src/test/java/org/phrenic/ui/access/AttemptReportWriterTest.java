@@ -127,12 +127,10 @@ class AttemptReportWriterTest {
     @Test
     void whatTheDriverRefusesIsToldInWordsAlone() {
         requireView();
-        assertThatThrownBy(() -> new AttemptReportWriter(view, SIDE, PATIENCE_MS).betweenFrames(gl -> {
-                    gl.run(g -> {
-                        throw new GLException("the device was lost");
-                    });
-                    return List.of();
-                }))
+        assertThatThrownBy(() -> new AttemptReportWriter(view, SIDE, PATIENCE_MS)
+                        .betweenFrames(gl -> gl.run(g -> {
+                            throw new GLException("the device was lost");
+                        })))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessage("The pictures were not drawn: drawing failed: the device was lost.");
     }

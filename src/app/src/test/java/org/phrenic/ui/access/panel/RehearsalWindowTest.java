@@ -94,6 +94,10 @@ class RehearsalWindowTest extends RehearsalProbeCases {
                 .contains("Not for clinical use", "Date: 2026-01-02 03:04.");
         if (!window.window().view().isUnavailable()) {
             assertThat(report.resolve("sample_section.png")).exists();
+            assertThat(report.resolve("report.html"))
+                    .content()
+                    .containsSubsequence(
+                            "sample_anterior.png", "The needle (blue)", "access_anterior.png", "Where on the skin");
         }
         Rehearsal again = Rehearsal.play(RehearsalPlan.read(report.resolve("plan.yaml")), (at, total, perS) -> {});
         assertThat(JsonWriter.format(new RehearsalReport(again).values()))
