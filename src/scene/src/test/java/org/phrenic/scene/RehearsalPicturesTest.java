@@ -54,10 +54,10 @@ class RehearsalPicturesTest {
             RehearsalPictures all = drawn(body, -1);
             assertThat(all.missing()).isEmpty();
             assertThat(all.needle())
-                    .extracting("url")
+                    .extracting("source")
                     .containsExactly("sample_anterior.png", "sample_right.png", "sample_section.png");
             assertThat(all.map())
-                    .extracting("url")
+                    .extracting("source")
                     .containsExactly("access_anterior.png", "access_right.png", "access_posterior.png");
             assertThat(folder.resolve("placed_section.png")).exists();
         }
