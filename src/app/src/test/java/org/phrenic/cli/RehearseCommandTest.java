@@ -151,14 +151,12 @@ class RehearseCommandTest {
         }
     }
 
-    /** Windows reads a device by the first name, and a file of another name by the second. */
     @ParameterizedTest
-    @ValueSource(strings = {"con.yaml", "own.yaml.", "a:b.yaml", "sub/aux/own.yaml", "a\\0b.yaml", ""})
-    void aScenarioWhoseNameSomeSystemDoesNotHaveIsToldWithItsLine(String name) throws IOException {
-        Files.writeString(folder.resolve("own.yaml."), "preset: quiet\n");
+    @ValueSource(strings = {"a\\0b.yaml", ""})
+    void aScenarioWhoseNameTheSystemDoesNotHaveIsToldWithItsLine(String name) throws IOException {
         CommandLineRun run = rehearse("bad", TARGET + "scenario: \"" + name + "\"\n");
         told(run, "plan.yaml: line 2, key 'scenario': found '");
-        assertThat(run.err()).contains("expected a name that a file can have on Linux, macOS and Windows");
+        assertThat(run.err()).contains("expected a name that a file can have on this system");
     }
 
     @Test

@@ -1,5 +1,6 @@
 package org.phrenic.file;
 
+import java.io.File;
 import java.nio.charset.Charset;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -12,6 +13,7 @@ import java.util.stream.Stream;
 
 /** Names of files. */
 public final class FileNames {
+    private static final boolean ON_WINDOWS = File.separatorChar == '\\';
     private static final String RESERVED_CHARACTERS = "/\\:*?\"<>|";
 
     /** Names that Windows keeps for devices, whatever follows their first dot. */
@@ -70,6 +72,14 @@ public final class FileNames {
         } catch (InvalidPathException e) {
             return false;
         }
+    }
+
+    /**
+     * Whether this system can have a file that a text names. Windows reads a device by some names, and a file of
+     * another name by others.
+     */
+    public static boolean isUsable(String name) {
+        return isOfSystem(name) && (!ON_WINDOWS || isPortable(Path.of(name)));
     }
 
     /**

@@ -1,7 +1,10 @@
 package org.phrenic.document;
 
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
@@ -105,23 +108,29 @@ public final class YamlMap {
         return has(key) ? text(key) : absent;
     }
 
-    /**
-     * The file that a text names, from a folder on. A relative name is one that Linux, macOS and Windows have, so that
-     * the document can be read on each.
-     */
+    /** The file that a text names, from a folder on. It is there, or cannot be looked at. */
     public Path file(String key, Path folder) {
         String name = text(key);
-        if (!FileNames.isOfSystem(name) || !FileNames.isPortable(Path.of(name))) {
-            throw bad(
-                    key,
-                    "found " + Numbers.quote(name)
-                            + ", expected a name that a file can have on Linux, macOS and Windows");
+        if (!FileNames.isUsable(name)) {
+            throw bad(key, "found " + Numbers.quote(name) + ", expected a name that a file can have on this system");
         }
         Path file = folder.resolve(name);
-        if (!Files.isRegularFile(file)) {
-            throw bad(key, "found no file " + Numbers.quote(name) + " in " + folder + ", expected one");
+        if (isMissing(file)) {
+            String where = Path.of(name).isAbsolute() ? "" : " in " + folder;
+            throw bad(key, "found no file " + Numbers.quote(name) + where + ", expected one");
         }
         return file;
+    }
+
+    private static boolean isMissing(Path file) {
+        try {
+            Files.readAttributes(file, BasicFileAttributes.class);
+            return false;
+        } catch (AccessDeniedException hidden) {
+            return false;
+        } catch (IOException none) {
+            return true;
+        }
     }
 
     /** A nested mapping. */

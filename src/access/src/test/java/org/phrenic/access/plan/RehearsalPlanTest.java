@@ -3,6 +3,7 @@ package org.phrenic.access.plan;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -50,6 +51,43 @@ class RehearsalPlanTest {
         assertThat(savedAndRead(practice.withSteps(TARGET, List.of(in, out), 1)).steps())
                 .extracting(step -> ((PlanStep.Advance) step).back())
                 .containsExactly(false, true);
+    }
+
+    private RehearsalPlan ofScenario(String name) throws IOException {
+        return RehearsalPlan.read(Files.writeString(
+                folder.resolve("plan.yaml"),
+                "target: {rest_mm: [-90, 0, 50], diameter_mm: 20}\nscenario: '" + name + "'\n"));
+    }
+
+    /** Windows reads a device by the first name, a file of another name by the second, and has not the others. */
+    @ParameterizedTest
+    @ValueSource(strings = {"con.yaml", "own.yaml.", "Pat. A./own.yaml", "scan 12:30.yaml"})
+    void aScenarioHasAnyNameThatTheSystemHas(String name) throws IOException {
+        boolean onWindows = File.separatorChar == '\\';
+        if (onWindows) {
+            assertThatThrownBy(() -> ofScenario(name))
+                    .hasMessageContaining("line 2, key 'scenario': found '" + name + "', expected a name");
+        } else {
+            Path file = folder.resolve(name);
+            Files.createDirectories(file.getParent());
+            Files.writeString(file, "preset: deep\n");
+            assertThat(ofScenario(name).scenario().preset()).isEqualTo("deep");
+        }
+    }
+
+    @Test
+    void aScenarioThatIsNoTextFileIsToldForWhatItIs() throws IOException {
+        String absolute = folder.resolve("own.yaml").toString();
+        assertThatThrownBy(() -> ofScenario(absolute))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageEndingWith("line 2, key 'scenario': found no file '" + absolute + "', expected one");
+        assertThatThrownBy(() -> ofScenario("own.yaml"))
+                .hasMessageEndingWith("found no file 'own.yaml' in " + folder.toAbsolutePath() + ", expected one");
+        Files.createDirectory(folder.resolve("sub"));
+        assertThatThrownBy(() -> ofScenario("sub"))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("folder")
+                .hasMessageNotContaining("found no file");
     }
 
     private RehearsalPlan withStep(String step) throws IOException {
