@@ -1,7 +1,6 @@
 package org.phrenic.file;
 
 import java.io.BufferedOutputStream;
-import java.io.File;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
@@ -26,8 +25,6 @@ public final class AtomicFile {
     private static final int REPLACEMENTS = 6;
     /** Pause after the first refusal; those that follow are longer by as much each. */
     private static final long PAUSE_NS = 20_000_000;
-
-    private static final boolean ON_WINDOWS = File.separatorChar == '\\';
 
     /** Writes the content of a file. */
     @FunctionalInterface
@@ -89,7 +86,7 @@ public final class AtomicFile {
             return;
         }
         try {
-            retrying(ON_WINDOWS, () -> Files.deleteIfExists(file));
+            retrying(FileNames.ON_WINDOWS, () -> Files.deleteIfExists(file));
         } catch (IOException failure) {
             throw new OutputException(
                     file + ": deleting from folder " + folder(file) + " failed: " + reason(failure), failure);
@@ -114,7 +111,7 @@ public final class AtomicFile {
                 }
             }
             Path whole = beside;
-            retrying(ON_WINDOWS, () -> replace(whole, target));
+            retrying(FileNames.ON_WINDOWS, () -> replace(whole, target));
             UnfinishedFiles.remove(whole);
             beside = null;
         } finally {

@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 
 /** Names of files. */
 public final class FileNames {
-    private static final boolean ON_WINDOWS = File.separatorChar == '\\';
+    static final boolean ON_WINDOWS = File.separatorChar == '\\';
     private static final String RESERVED_CHARACTERS = "/\\:*?\"<>|";
 
     /** Names that Windows keeps for devices, whatever follows their first dot. */
@@ -109,7 +109,7 @@ public final class FileNames {
     }
 
     /** Whether a path is absolute, or one whose folders and file can have their names on Linux, macOS and Windows. */
-    public static boolean isPortable(Path path) {
+    static boolean isPortable(Path path) {
         return path.isAbsolute()
                 || Stream.iterate(path, Objects::nonNull, Path::getParent)
                         .map(part -> String.valueOf(part.getFileName()))
