@@ -32,9 +32,16 @@ public final class HingeBending implements ForceField {
 
     private final double[] value;
     /** K x⁰, three components a row. */
-    private final double[] load;
+    private final double[] loadAtRest;
 
     private final double energyAtRest;
+    /** K xˢ, three components a row, and its product with xˢ. */
+    private final double[] loadKept;
+
+    private double workKept;
+    private double scale = 1;
+    /** s K xˢ + K (x⁰ - xˢ), three components a row. */
+    private final double[] load;
 
     /**
      * @param layout layout of the system
@@ -63,17 +70,48 @@ public final class HingeBending implements ForceField {
         for (int block = 0; block < layout.blockCount(); block++) {
             blockStart[block + 1] += blockStart[block];
         }
-        double[] x = layout.toInternal(rest);
-        load = new double[3 * row.length];
+        loadAtRest = new double[3 * row.length];
+        double energy = 0.5 * loads(layout.toInternal(rest), loadAtRest);
+        energyAtRest = energy;
+        loadKept = loadAtRest.clone();
+        workKept = 2 * energy;
+        load = loadAtRest.clone();
+    }
+
+    /** Computes K x of all rows; returns its product with x. */
+    private double loads(double[] x, double[] out) {
         double[] pull = new double[x.length];
         subtractProduct(x, pull, 0, row.length);
-        double energy = 0;
-        for (int i = 0; i < load.length; i++) {
+        double work = 0;
+        for (int i = 0; i < out.length; i++) {
             int component = row[i / 3] + i % 3;
-            load[i] = -pull[component];
-            energy += 0.5 * load[i] * x[component];
+            out[i] = -pull[component];
+            work += out[i] * x[component];
         }
-        energyAtRest = energy;
+        return work;
+    }
+
+    /**
+     * Sets the stiffness to s times that of the hinges: {@code f = s K (xˢ - x) + K (x⁰ - xˢ)}, so that the forces at
+     * positions xˢ stay. Not while forces are computed.
+     *
+     * @param times s
+     */
+    public void setScale(double times) {
+        scale = times;
+        for (int i = 0; i < load.length; i++) {
+            load[i] = times == 1 ? loadAtRest[i] : loadAtRest[i] + (times - 1) * loadKept[i];
+        }
+    }
+
+    /**
+     * Sets xˢ, the positions at which forces stay when the scale changes; those at rest without it.
+     *
+     * @param positions of all nodes, internal order, mm
+     */
+    public void keepForcesAt(double[] positions) {
+        workKept = loads(positions, loadKept);
+        setScale(scale);
     }
 
     /** The rows of K by internal node, blocks in order; sums in the order of the hinges. */
@@ -118,7 +156,7 @@ public final class HingeBending implements ForceField {
                 sumY += stiffness * x[j + 1];
                 sumZ += stiffness * x[j + 2];
             }
-            SpringKernel.add(out, row[i], -sumX, -sumY, -sumZ);
+            SpringKernel.add(out, row[i], -scale * sumX, -scale * sumY, -scale * sumZ);
         }
     }
 
@@ -127,7 +165,7 @@ public final class HingeBending implements ForceField {
     public void addStiffness(double[] x, double[] u, double[] out, int block) {
         for (int i = blockStart[block]; i < blockStart[block + 1]; i++) {
             for (int axis = 0; axis < 3; axis++) {
-                out[row[i] + axis] += product(u, i, axis);
+                out[row[i] + axis] += scale * product(u, i, axis);
             }
         }
     }
@@ -144,17 +182,17 @@ public final class HingeBending implements ForceField {
     public void addRowSums(double[] x, double[] stiffness, double[] damping) {
         for (int i = 0; i < row.length; i++) {
             for (int e = start[i]; e < start[i + 1]; e++) {
-                stiffness[row[i] / 3] += Math.abs(value[e]);
+                stiffness[row[i] / 3] += scale * Math.abs(value[e]);
             }
         }
     }
 
     @Override
     public double potentialEnergy(double[] x) {
-        double sum = energyAtRest;
+        double sum = energyAtRest + 0.5 * (scale - 1) * workKept;
         for (int i = 0; i < row.length; i++) {
             for (int axis = 0; axis < 3; axis++) {
-                sum += (0.5 * product(x, i, axis) - load[3 * i + axis]) * x[row[i] + axis];
+                sum += (0.5 * scale * product(x, i, axis) - load[3 * i + axis]) * x[row[i] + axis];
             }
         }
         return sum;

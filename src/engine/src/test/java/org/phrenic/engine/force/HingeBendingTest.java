@@ -66,6 +66,37 @@ class HingeBendingTest {
         }
     }
 
+    /** Forces, their derivative, row sums and energy: those of the hinges, times the scale. */
+    @Test
+    void aScaleMultipliesEverythingThatTheStiffnessGives() {
+        double[] rest = lattice();
+        rest[2] = 0.7;
+        double[] x = lattice();
+        Random random = new Random(7);
+        Arrays.setAll(x, i -> x[i] + random.nextDouble());
+        double[] of = {STIFFNESS, STIFFNESS, STIFFNESS};
+        HingeBending scaled = new HingeBending(layout(), Hinges.of(rest, HINGES, of), rest);
+        Arrays.setAll(of, i -> 3 * of[i]);
+        HingeBending stiffer = new HingeBending(layout(), Hinges.of(rest, HINGES, of), rest);
+        scaled.setScale(3);
+        assertThat(forces(scaled, x)).containsExactly(forces(stiffer, x), within(EXACT));
+        assertThat(stiffness(scaled, x)).containsExactly(stiffness(stiffer, x), within(EXACT));
+        assertThat(rowSums(scaled, x)).containsExactly(rowSums(stiffer, x), within(EXACT));
+        assertThat(scaled.potentialEnergy(x)).isCloseTo(stiffer.potentialEnergy(x), within(EXACT));
+    }
+
+    private static double[] stiffness(HingeBending field, double[] u) {
+        double[] out = new double[u.length];
+        field.addStiffness(u, u, out, 0);
+        return out;
+    }
+
+    private static double[] rowSums(HingeBending field, double[] x) {
+        double[] sums = new double[x.length / 3];
+        field.addRowSums(x, sums, new double[sums.length]);
+        return sums;
+    }
+
     @Test
     void translationAndStretchOfAPlaneCostNothing() {
         double[] x = lattice();

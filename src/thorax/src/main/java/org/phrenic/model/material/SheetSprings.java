@@ -15,13 +15,16 @@ import org.phrenic.parameter.Parameter;
 
 /** Springs of the diaphragm along its edges and across its thickness, stiffer in the tendon. */
 public final class SheetSprings extends ScenePart {
+    /** Muscle stiffness unless a scenario states another, N/m. */
+    static final double USUAL_MUSCLE_STIFFNESS = 300;
+
     public static final Parameter MUSCLE_STIFFNESS = Parameter.named("muscle_stiffness_n_per_m", "Muscle stiffness")
             .range(30, 3000, "N/m")
-            .initial(300)
+            .initial(USUAL_MUSCLE_STIFFNESS)
             .group(Group.MUSCLE)
             .limitsStep()
             .fitted(100, 450)
-            .describedAs("Membrane stiffness E h of the whole sheet in muscle.");
+            .describedAs("Membrane stiffness E h of the whole sheet in muscle; bending stiffness goes with it.");
     public static final Parameter TENDON_RATIO = Parameter.named("tendon_stiffness_ratio", "Tendon to muscle")
             .range(1, 50)
             .initial(10)
