@@ -35,12 +35,12 @@ public final class HingeBending implements ForceField {
     private final double[] loadAtRest;
 
     private final double energyAtRest;
-    /** K xˢ, three components a row, and its product with xˢ. */
+    /** K x¹, three components a row, and its product with x¹. */
     private final double[] loadKept;
 
     private double workKept;
     private double scale = 1;
-    /** s K xˢ + K (x⁰ - xˢ), three components a row. */
+    /** s K x¹ + K (x⁰ - x¹), three components a row. */
     private final double[] load;
 
     /**
@@ -80,20 +80,17 @@ public final class HingeBending implements ForceField {
 
     /** Computes K x of all rows; returns its product with x. */
     private double loads(double[] x, double[] out) {
-        double[] pull = new double[x.length];
-        subtractProduct(x, pull, 0, row.length);
         double work = 0;
         for (int i = 0; i < out.length; i++) {
-            int component = row[i / 3] + i % 3;
-            out[i] = -pull[component];
-            work += out[i] * x[component];
+            out[i] = product(x, i / 3, i % 3);
+            work += out[i] * x[row[i / 3] + i % 3];
         }
         return work;
     }
 
     /**
-     * Sets the stiffness to s times that of the hinges: {@code f = s K (xˢ - x) + K (x⁰ - xˢ)}, so that the forces at
-     * positions xˢ stay. Not while forces are computed.
+     * Sets the stiffness to s times that of the hinges: {@code f = s K (x¹ - x) + K (x⁰ - x¹)}, so that the forces at
+     * positions x¹ stay. Not while forces are computed.
      *
      * @param times s
      */
@@ -105,7 +102,7 @@ public final class HingeBending implements ForceField {
     }
 
     /**
-     * Sets xˢ, the positions at which forces stay when the scale changes; those at rest without it.
+     * Sets x¹, the positions at which forces stay when the scale changes; those at rest without it.
      *
      * @param positions of all nodes, internal order, mm
      */

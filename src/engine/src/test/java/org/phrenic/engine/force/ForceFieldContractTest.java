@@ -80,6 +80,13 @@ class ForceFieldContractTest {
         return new HingeBending(LAYOUT, Hinges.of(rest, nodes, new double[] {40, 70}), rest);
     }
 
+    private static HingeBending scaledBending() {
+        HingeBending field = bending();
+        field.keepForcesAt(new Random(9).doubles(3 * N, -2, 2).toArray());
+        field.setScale(2.5);
+        return field;
+    }
+
     static Stream<Arguments> fieldsWithEnergy() {
         return Stream.of(
                 Arguments.of("springs", (Supplier<ForceField>) () -> springs()
@@ -88,6 +95,7 @@ class ForceFieldContractTest {
                 Arguments.of("contractile springs", (Supplier<ForceField>) ForceFieldContractTest::contractile),
                 Arguments.of("attachments", (Supplier<ForceField>) ForceFieldContractTest::attachments),
                 Arguments.of("bending", (Supplier<ForceField>) ForceFieldContractTest::bending),
+                Arguments.of("scaled bending", (Supplier<ForceField>) ForceFieldContractTest::scaledBending),
                 Arguments.of("constant load", (Supplier<ForceField>) () -> new ConstantLoad(
                         LAYOUT, new Random(6).doubles(3 * N, -4, 4).toArray())));
     }

@@ -85,6 +85,42 @@ class HingeBendingTest {
         assertThat(scaled.potentialEnergy(x)).isCloseTo(stiffer.potentialEnergy(x), within(EXACT));
     }
 
+    /** Where forces are kept they and the energy stay; from there the stiffness is that of the scale. */
+    @Test
+    void aScaleKeepsForceAndEnergyWhereTheyAreKept() {
+        double[] rest = lattice();
+        rest[2] = 0.7;
+        Random random = new Random(8);
+        double[] kept = rest.clone();
+        Arrays.setAll(kept, i -> kept[i] + random.nextDouble());
+        double[] away = kept.clone();
+        Arrays.setAll(away, i -> away[i] + random.nextDouble());
+        double[] step = new double[away.length];
+        Arrays.setAll(step, i -> kept[i] - away[i]);
+        double[] expected = forces(bending(rest), kept);
+        double[] pull = stiffness(bending(rest), step);
+        double energy = bending(rest).potentialEnergy(kept);
+        for (boolean scaledBefore : new boolean[] {false, true}) {
+            HingeBending field = bending(rest);
+            if (scaledBefore) {
+                field.setScale(3);
+                field.keepForcesAt(kept);
+            } else {
+                field.keepForcesAt(kept);
+                field.setScale(3);
+            }
+            assertThat(forces(field, kept)).containsExactly(expected, within(EXACT));
+            assertThat(field.potentialEnergy(kept)).isCloseTo(energy, within(EXACT));
+            double[] there = forces(field, away);
+            for (int i = 0; i < there.length; i++) {
+                assertThat(there[i]).isCloseTo(expected[i] + 3 * pull[i], within(EXACT));
+            }
+            field.setScale(1);
+            assertThat(forces(field, away)).isEqualTo(forces(bending(rest), away));
+            assertThat(field.potentialEnergy(away)).isEqualTo(bending(rest).potentialEnergy(away));
+        }
+    }
+
     private static double[] stiffness(HingeBending field, double[] u) {
         double[] out = new double[u.length];
         field.addStiffness(u, u, out, 0);

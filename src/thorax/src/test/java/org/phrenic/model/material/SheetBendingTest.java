@@ -17,6 +17,7 @@ import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.engine.force.HingeBending;
 import org.phrenic.engine.force.Hinges;
 import org.phrenic.engine.parallel.NodeLayout;
+import org.phrenic.file.UserCache;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.MassSpringBuilder;
@@ -74,7 +75,7 @@ class SheetBendingTest {
     @Test
     void forcesAtRestStayWhenTheMuscleBecomesStiffer() {
         Scenario scenario = scenario(300).with("bending_stiffness_n_mm=2");
-        try (Simulation simulation = Runs.simulation(scenario)) {
+        try (Simulation simulation = Simulation.of(scenario, MALE, UserCache.off())) {
             Scene scene = simulation.scene();
             double[] rest = scene.layout().toInternal(scene.restPositions());
             double[] before = forces(bending(scene), rest);
