@@ -60,25 +60,6 @@ public final class LabelNames {
             Pattern.compile("tumou?r|lesion|metasta|nodule|cancer|(carcin|sarc|aden|angi|lymph|hepat|hamart)oma"
                     + "|(?<!chole)cysts?(?![a-z])|(?<!fat |muscle |body |bone )\\bmass(es)?\\b"
                     + "|\\bhcc\\b|\\b(i?[gcp]|i)tv|\\btarget volumes?\\b");
-    /** An organ less a target volume in the names of TG-263, such as "Lungs-GTV", or less anything else. */
-    private static final Pattern LESS =
-            Pattern.compile("(?i)(.+?)( ?[-\u2013] ?(i?[gcp]|i)tv|[ _](minus|without|excluding)[ _]).*");
-
-    private static final String TARGET = "(i?[gcp]|i)tv\\w*";
-    /**
-     * Aids of a plan of radiotherapy: margins about organs, rings, doses, what a plan is optimised by, and the rind of
-     * the chest wall.
-     */
-    private static final Pattern PLANNING = Pattern.compile("(.* )?prv\\d*([cm]m)?( .*)?|(.* )?isodoses?\\d*( .*)?"
-            + "|(z )?((" + TARGET + " ((\\d+|high|mid|low) )*)*rings?|doses?)\\d*"
-            + "( (\\d\\w*|c?gy|[cm]m|inner|outer|near|far|high|mid|low|" + TARGET + "))*"
-            + "|(\\d+ )+(percent |c?gy )?dose|(\\d+c?gy )+dose|z? ?(opt|aid)\\d*( \\d+)*"
-            + "|chest ?wall( ?\\d.*)?|cw ?\\d+ ?[cm]m");
-    /** Words by which an organ in a plan is one less a margin: before it, or after it. */
-    private static final Pattern OPTIMISED =
-            Pattern.compile("^z (opt\\d* )?|^opt\\d* |opt\\d*(?=( (left|right|[lr]))?$)");
-    /** A word that is no abbreviation, as "N" for the optic nerve is. */
-    private static final Pattern WHOLE_WORD = Pattern.compile("[a-z]{3}");
     /** Words for what lies in or beside an organ and is no part of it. */
     private static final Pattern BESIDE =
             Pattern.compile("effusion|fluid|(pneumo|hydro|ha?emo)thorax|empyema|arter(y|i)|\\bveins?\\b|\\bvenae?\\b"
@@ -195,7 +176,10 @@ public final class LabelNames {
         if (ofTool != null) {
             return Optional.of(ofTool);
         }
-        Optional<String> organ = organWithoutTarget(name).or(() -> optimised(plain));
+        if (LabelTable.isOfPlan(name)) {
+            return Optional.of(LabelTable.usual(name));
+        }
+        Optional<String> organ = PlanNames.organ(name, plain);
         if (organ.isPresent()) {
             return organ;
         }
@@ -206,10 +190,11 @@ public final class LabelNames {
         String rest = String.join(" ", words);
         boolean lesion = LESION.matcher(rest).find();
         boolean beside = BESIDE.matcher(rest).find();
-        if (LabelTable.isStructure(name) && (isNamed(name) || !(lesion || beside))) {
+        boolean aid = PlanNames.isAid(rest);
+        if (LabelTable.isStructure(name) && (isNamed(name) || !(lesion || beside || aid))) {
             return Optional.of(LabelTable.usual(name));
         }
-        if (PLANNING.matcher(rest).matches()) {
+        if (aid) {
             return Optional.of(LabelTable.OF_PLAN + String.join("_", words) + suffix);
         }
         if (lesion) {
@@ -219,23 +204,6 @@ public final class LabelNames {
             return Optional.of(OrganNames.OTHER_PREFIX + "ascites" + suffix);
         }
         return beside ? organ(words, suffix).filter(LabelNames::isNamed) : ofWords(name, words, side, suffix);
-    }
-
-    /** The organ of a name such as "Liver-CTV". "E" is External in the names of TG-263. */
-    private static Optional<String> organWithoutTarget(String name) {
-        Matcher less = LESS.matcher(name);
-        return less.matches()
-                ? structure(less.group(1).equalsIgnoreCase("e") ? "external" : less.group(1))
-                        .filter(organ -> !organ.startsWith("lesion_"))
-                : Optional.empty();
-    }
-
-    /** The organ of a name such as "zLiver_opt"; targets and aids keep their whole names. */
-    private static Optional<String> optimised(String plain) {
-        String bare = OPTIMISED.matcher(plain).replaceAll("").strip();
-        return bare.equals(plain) || !WHOLE_WORD.matcher(bare).find()
-                ? Optional.empty()
-                : structure(bare).filter(organ -> !organ.startsWith("lesion_") && !LabelTable.isOfPlan(organ));
     }
 
     private static boolean isNamed(String structure) {

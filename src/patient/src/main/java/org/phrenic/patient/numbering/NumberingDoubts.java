@@ -11,7 +11,6 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureName;
-import org.phrenic.patient.label.SpineNames;
 import org.phrenic.patient.segmentation.Segmentation;
 
 /**

@@ -13,7 +13,6 @@ import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.mesh.IntList;
-import org.phrenic.patient.label.SpineNames;
 import org.phrenic.patient.segmentation.LungPieces.LungVoxels;
 import org.phrenic.patient.segmentation.Segmentation;
 

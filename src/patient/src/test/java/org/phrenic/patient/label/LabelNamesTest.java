@@ -150,9 +150,22 @@ class LabelNamesTest {
         "PRV of spinal cord, prv_of_spinal_cord",
         "SpinalCord_PRV5mm, spinal_cord_prv5mm",
         "PRV5mm_Cord, prv5mm_cord",
+        "cordprv, cordprv",
+        "SpinalCordPRV, spinal_cord_prv",
+        "LungPRV05_L, lung_prv05_L",
         "PTV_60_Ring, ptv_60_ring",
         "PTV_High_Ring, ptv_high_ring",
         "Ring_High, ring_high",
+        "Ring_Liver, ring_liver",
+        "Liver_Ring, liver_ring",
+        "Liver_Ring_2cm, liver_ring_2cm",
+        "Ring_2cm_Liver, ring_2cm_liver",
+        "zRing_Lungs, z_ring_lungs",
+        "Ring_Lung_L, ring_lung_L",
+        "Lung_L_Ring, lung_ring_L",
+        "Heart Ring, heart_ring",
+        "Liver_GTV_Ring, liver_gtv_ring",
+        "other_planning-ptv_60_ring, ptv_60_ring",
         "Ring, ring",
         "Ring_2cm, ring_2cm",
         "Ring_PTV, ring_ptv",
@@ -179,6 +192,16 @@ class LabelNamesTest {
         assertThat(LabelNames.structure(name)).contains(structure);
         assertThat(LabelTable.isOfPlan(structure)).isTrue();
         assertThat(LabelTable.isStructure(structure)).isTrue();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "trachea ring, trachea",
+        "ring enhancing lesion, lesion_ring_enhancing_lesion",
+        "ring-enhancing liver lesion, lesion_ring_enhancing_liver_lesion",
+    })
+    void aRingThatIsNoAidKeepsItsName(String name, String structure) {
+        assertThat(LabelNames.structure(name)).contains(structure);
     }
 
     /** A name that is unknown stays that of an obstacle whatever it begins with. */

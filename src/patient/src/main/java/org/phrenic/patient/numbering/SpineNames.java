@@ -1,4 +1,4 @@
-package org.phrenic.patient.label;
+package org.phrenic.patient.numbering;
 
 import java.util.List;
 import java.util.Locale;
@@ -6,8 +6,8 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /** Names of vertebrae and of the discs between them, by their place from the top: each vertebra, then its disc. */
-public final class SpineNames {
-    public static final String SACRAL = "vertebra_S1";
+final class SpineNames {
+    static final String SACRAL = "vertebra_S1";
 
     private static final int CERVICAL = 7;
     private static final List<String> VERTEBRAE = IntStream.range(0, 24)
@@ -32,21 +32,21 @@ public final class SpineNames {
     }
 
     /** Place of a cervical, thoracic or lumbar vertebra or of the disc below it; negative for all else. */
-    public static int place(String name) {
+    static int place(String name) {
         return NAMES.indexOf(name);
     }
 
     /** Place of a vertebra by its level, 1 for the first thoracic one. */
-    public static int place(int level) {
+    static int place(int level) {
         return 2 * (level + CERVICAL - 1);
     }
 
-    public static String at(int place) {
+    static String at(int place) {
         return NAMES.get(place);
     }
 
     /** Whether this is a cervical vertebra or the disc below one. */
-    public static boolean isOfNeck(String name) {
+    static boolean isOfNeck(String name) {
         return place(name) >= 0 && place(name) < place(1);
     }
 
@@ -54,7 +54,7 @@ public final class SpineNames {
      * The name of the vertebra or disc so many below, or above if negative; beyond the last lumbar vertebra the first
      * sacral one. The last disc keeps its name, as does all else.
      */
-    public static String below(String name, int down) {
+    static String below(String name, int down) {
         int place = place(name);
         if (place < 0) {
             return name;

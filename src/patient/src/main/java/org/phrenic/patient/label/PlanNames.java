@@ -1,0 +1,78 @@
+package org.phrenic.patient.label;
+
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Names that plans of radiotherapy give to organs, as {@code zLiver_opt} or {@code Lungs-GTV}, and to aids: margins
+ * about organs, rings, doses, what a plan is optimised by, and the rind of the chest wall.
+ */
+final class PlanNames {
+    private static final String LESION = "lesion_";
+    private static final String TARGET = "(i?[gcp]|i)tv\\w*";
+    private static final Pattern TARGET_WORD = Pattern.compile("\\b" + TARGET);
+    /** How far away or how large an aid is. */
+    private static final String PLACE = "\\d\\w*|c?gy|[cm]m|inner|outer|near|far|high|mid|low";
+    /** An organ less a target volume in the names of TG-263, such as "Lungs-GTV", or less anything else. */
+    private static final Pattern LESS =
+            Pattern.compile("(?i)(.+?)( ?[-\u2013] ?(i?[gcp]|i)tv|[ _](minus|without|excluding)[ _]).*");
+
+    private static final Pattern AID = Pattern.compile(".*prv.*|(.* )?isodoses?\\d*( .*)?"
+            + "|(z )?((" + TARGET + " ((\\d+|high|mid|low) )*)*rings?|doses?)\\d*( (" + PLACE + "|" + TARGET + "))*"
+            + "|(\\d+ )+(percent |c?gy )?dose|(\\d+c?gy )+dose|z? ?(opt|aid)\\d*( \\d+)*"
+            + "|chest ?wall( ?\\d.*)?|cw ?\\d+ ?[cm]m");
+    /** A ring with a name beside it. */
+    private static final Pattern RING = Pattern.compile(
+            "(z )?rings?( (" + PLACE + "))* (?<after>.+)|(z )?(?<before>.+?) rings?\\d*( (" + PLACE + "))*");
+    /** Airways have rings of their own. */
+    private static final String AIRWAY = "trachea";
+    /** Words by which an organ in a plan is one less a margin: before it, or after it. */
+    private static final Pattern OPTIMISED =
+            Pattern.compile("^z (opt\\d* )?|^opt\\d* |opt\\d*(?=( (left|right|[lr]))?$)");
+    /** A word that is no abbreviation, as "N" for the optic nerve is. */
+    private static final Pattern WHOLE_WORD = Pattern.compile("[a-z]{3}");
+
+    private PlanNames() {}
+
+    /** Whether plain words without a side are those of an aid. */
+    static boolean isAid(String words) {
+        return AID.matcher(words).matches() || isRing(words);
+    }
+
+    /** Whether words are those of a ring about a structure or a target volume. */
+    static boolean isRing(String words) {
+        Matcher ring = RING.matcher(words);
+        if (!ring.matches()) {
+            return false;
+        }
+        String about = ring.group("after") == null ? ring.group("before") : ring.group("after");
+        return LabelNames.structure(about)
+                .filter(known -> !known.equals(AIRWAY) && !known.equals(LabelTable.IGNORE))
+                .filter(known ->
+                        !known.startsWith(LESION) || TARGET_WORD.matcher(about).find())
+                .isPresent();
+    }
+
+    /** The organ of a name such as "Liver-CTV" or, of plain words, "z liver opt"; empty for other names. */
+    static Optional<String> organ(String name, String plain) {
+        return withoutTarget(name).or(() -> optimised(plain));
+    }
+
+    /** "E" is External in the names of TG-263. */
+    private static Optional<String> withoutTarget(String name) {
+        Matcher less = LESS.matcher(name);
+        return less.matches()
+                ? LabelNames.structure(less.group(1).equalsIgnoreCase("e") ? "external" : less.group(1))
+                        .filter(organ -> !organ.startsWith(LESION))
+                : Optional.empty();
+    }
+
+    /** Targets and aids keep their whole names. */
+    private static Optional<String> optimised(String plain) {
+        String bare = OPTIMISED.matcher(plain).replaceAll("").strip();
+        return bare.equals(plain) || !WHOLE_WORD.matcher(bare).find()
+                ? Optional.empty()
+                : LabelNames.structure(bare).filter(organ -> !organ.startsWith(LESION) && !LabelTable.isOfPlan(organ));
+    }
+}
