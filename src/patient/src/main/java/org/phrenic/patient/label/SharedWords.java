@@ -142,7 +142,8 @@ final class SharedWords {
      * where a name is common only without it, as that of a rib is that of all ribs.
      */
     private boolean mayBeAsGood(List<String> bare, int first, int last) {
-        if (Stream.concat(ends(first, true), ends(last, false)).anyMatch(SharedWords::isLevel)) {
+        boolean isLevel = Stream.concat(ends(first, true), ends(last, false)).anyMatch(SharedWords::isLevel);
+        if (isLevel || !keepsAids(bare)) {
             return false;
         }
         boolean saysCase = Stream.of(
@@ -154,6 +155,15 @@ final class SharedWords {
                     Optional<String> after = LabelNames.structure(bare.get(n));
                     return after.filter(COMMON::contains).isEmpty() || after.equals(LabelNames.structure(names.get(n)));
                 });
+    }
+
+    /** Whether no aid of a plan becomes a part of a body, as a ring about a target would become the target. */
+    private boolean keepsAids(List<String> bare) {
+        return IntStream.range(0, names.size()).filter(n -> isAid(names.get(n))).allMatch(n -> isAid(bare.get(n)));
+    }
+
+    private static boolean isAid(String name) {
+        return LabelNames.structure(name).filter(LabelTable::isOfPlan).isPresent();
     }
 
     /** The first or the last words that all names share. */

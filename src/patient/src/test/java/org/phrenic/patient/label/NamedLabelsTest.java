@@ -82,6 +82,15 @@ class NamedLabelsTest {
                 .containsExactly("other_planning-ring_1", "other_planning-ring_2");
     }
 
+    /** Rings about targets do not become the targets where all names begin with a ring. */
+    @Test
+    void aidsThatShareAWordStayAids() {
+        assertThat(structures(List.of("RING1_PTV60", "RING1_PTV50")))
+                .containsExactly("other_planning-ring1_ptv60", "other_planning-ring1_ptv50");
+        assertThat(structures(List.of("case_3_RING1_PTV60", "case_3_liver")))
+                .containsExactly("other_planning-ring1_ptv60", "liver");
+    }
+
     /** The number of one structure is not taken for that of a case, by which it would be several structures or none. */
     @ParameterizedTest
     @CsvSource({
