@@ -291,7 +291,7 @@ public final class ScanImport {
             }
         }
         note("labels that the table maps to no structure: ", unused);
-        note("margins and aids of a radiotherapy plan, left out: ", ofPlan);
+        note(LabelTable.AIDS_LEFT_OUT, ofPlan);
         note("labels of unknown structures, kept as obstacles: ", unknown);
     }
 

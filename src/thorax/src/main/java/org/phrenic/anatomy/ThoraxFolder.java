@@ -71,7 +71,7 @@ public final class ThoraxFolder {
 
     /** @throws BadInputException if the folder or a file in it cannot be read or has invalid content */
     public static Thorax load(Path folder) {
-        return load(folder, Extent.WHOLE, name -> Optional.empty());
+        return load(folder, Extent.WHOLE, Optional::of);
     }
 
     /**
@@ -80,21 +80,21 @@ public final class ThoraxFolder {
      * @throws BadInputException as either
      */
     public static Thorax loadWholeOrPart(Path folder) {
-        return load(folder, Extent.ANY, name -> Optional.empty());
+        return load(folder, Extent.ANY, Optional::of);
     }
 
     /**
      * Reads a part of a thorax, to be completed: it needs no diaphragm. Where too few structures tell the axes, they
      * are LPS or RAS, whichever the sides in the names agree with.
      *
-     * @param synonyms the name of a structure for a file name that is none
+     * @param naming the name of the structure that a name of a file stands for
      * @throws BadInputException as {@link #load(Path)}, or if no file is a structure's
      */
-    public static Thorax loadPart(Path folder, Function<String, Optional<String>> synonyms) {
-        return load(folder, Extent.PART, synonyms);
+    public static Thorax loadPart(Path folder, Function<String, Optional<String>> naming) {
+        return load(folder, Extent.PART, naming);
     }
 
-    private static Thorax load(Path folder, Extent extent, Function<String, Optional<String>> synonyms) {
+    private static Thorax load(Path folder, Extent extent, Function<String, Optional<String>> naming) {
         LabelVolumeFiles.refuse(folder, "a folder of meshes");
         if (!Files.isDirectory(folder)) {
             throw new BadInputException(folder + ": no such folder, expected a folder of meshes");
@@ -108,7 +108,7 @@ public final class ThoraxFolder {
         }
         yaml.requireOnly(List.of("name", "axes", "units", "structures", "not_in_scan"));
         List<String> notes = new ArrayList<>();
-        List<Found> found = found(folder, yaml, synonyms, notes);
+        List<Found> found = found(folder, yaml, naming, notes);
         boolean hasDiaphragm = found.stream().anyMatch(f -> f.known().kind() == StructureKind.DIAPHRAGM);
         boolean whole = extent == Extent.WHOLE || (extent == Extent.ANY && hasDiaphragm);
         if (whole) {
@@ -153,15 +153,13 @@ public final class ThoraxFolder {
 
     /** The files whose names are those of structures; adds a note on each other one. */
     private static List<Found> found(
-            Path folder, YamlMap yaml, Function<String, Optional<String>> synonyms, List<String> notes) {
+            Path folder, YamlMap yaml, Function<String, Optional<String>> naming, List<String> notes) {
         Map<String, Path> files = yaml.has("structures") ? filesFromIndex(folder, yaml) : filesByName(folder);
         List<Found> found = new ArrayList<>();
         // Lists as keys, not records: the first hash of a record makes the JVM generate some forty classes.
         Map<List<Object>, Path> seen = new HashMap<>();
         for (var entry : files.entrySet()) {
-            String structure = StructureName.parse(entry.getKey()).isPresent()
-                    ? entry.getKey()
-                    : synonyms.apply(entry.getKey()).orElse(entry.getKey());
+            String structure = naming.apply(entry.getKey()).orElse("");
             Optional<StructureName> known = StructureName.parse(structure);
             if (known.isEmpty()) {
                 if (yaml.has("structures")) {

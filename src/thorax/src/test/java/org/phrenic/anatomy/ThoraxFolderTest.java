@@ -199,7 +199,7 @@ class ThoraxFolderTest {
     }
 
     private Thorax part() {
-        return ThoraxFolder.loadPart(folder, name -> Optional.empty());
+        return ThoraxFolder.loadPart(folder, Optional::of);
     }
 
     private void partRefused(String... parts) {

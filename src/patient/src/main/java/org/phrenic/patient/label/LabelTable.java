@@ -55,6 +55,8 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
      * name that {@link OrganNames#other} makes has no hyphen.
      */
     static final String OF_PLAN = OrganNames.OTHER_PREFIX + "planning-";
+    /** Begins the note on these. */
+    public static final String AIDS_LEFT_OUT = "margins and aids of a radiotherapy plan, left out: ";
     /** The name of TotalSegmentator's tables. */
     public static final String TOTALSEGMENTATOR = "totalsegmentator";
 

@@ -29,15 +29,14 @@ import org.phrenic.patient.label.LabelTable;
  */
 record MeshFolder(PatientBody body, List<String> statements) {
     /**
-     * Reads the meshes whose names are those of structures, or those that label tables know.
+     * Reads the meshes whose names are those that label tables know, but for the aids of a plan.
      *
      * @throws org.phrenic.file.BadInputException if the folder or a file in it cannot be used
      */
     static MeshFolder read(Path folder, String name) {
-        Thorax thorax = ThoraxFolder.loadPart(
-                folder, file -> LabelNames.structure(file).filter(known -> !LabelTable.isOfPlan(known)));
+        Thorax thorax = ThoraxFolder.loadPart(folder, LabelNames::structure);
         List<String> notes = new ArrayList<>(thorax.notes());
-        List<PatientStructure> structures = parted(thorax.structures(), notes).stream()
+        List<PatientStructure> structures = parted(withoutAids(thorax, notes), notes).stream()
                 .map(s -> new PatientStructure(s, source(thorax, s), Optional.empty(), Optional.empty()))
                 .toList();
         List<String> statements = thorax.notInScan().stream()
@@ -46,6 +45,17 @@ record MeshFolder(PatientBody body, List<String> statements) {
                 .toList();
         return new MeshFolder(
                 new PatientBody(name, structures, ExpectedStructures.missing(structures), notes), statements);
+    }
+
+    private static List<Structure> withoutAids(Thorax thorax, List<String> notes) {
+        Map<Boolean, List<Structure>> byAid =
+                thorax.structures().stream().collect(Collectors.partitioningBy(s -> LabelTable.isOfPlan(s.name())));
+        if (!byAid.get(true).isEmpty()) {
+            notes.add(byAid.get(true).stream()
+                    .map(Structure::name)
+                    .collect(Collectors.joining(", ", LabelTable.AIDS_LEFT_OUT, "")));
+        }
+        return byAid.get(false);
     }
 
     private static PatientStructure.Source source(Thorax thorax, Structure s) {

@@ -67,14 +67,14 @@ class MeshFolderTest {
         Thorax body = VirtualThorax.ofPreset("adult-female", Resolution.LOW);
         writeBones(body);
         VtpWriter.write(
-                folder.resolve("Ring_2cm.vtp"),
+                folder.resolve("liver lobe ligament.vtp"),
                 rasCentimetres(body.find("liver").orElseThrow().mesh()),
                 Map.of());
         ImportResult result = imported(folder);
         assertThat(result.body().structures())
                 .extracting(s -> s.structure().name())
                 .containsExactlyInAnyOrderElementsOf(NAMES.values());
-        assertThat(result.body().notes()).contains("Ring_2cm.vtp: left out, its name is no structure's");
+        assertThat(result.body().notes()).contains("liver lobe ligament.vtp: left out, its name is no structure's");
         assertThat(result.body().missing()).contains("diaphragm", "rib_08_L").doesNotContain("rib_07_L");
         double[] rib = result.body()
                 .structure("rib_07_L")
@@ -107,15 +107,14 @@ class MeshFolderTest {
         Files.delete(last);
         Files.createDirectory(last);
         assertThatThrownBy(() -> result.write(out)).isInstanceOf(OutputException.class);
-        assertThatThrownBy(() -> ThoraxFolder.loadPart(out, name -> Optional.empty()))
+        assertThatThrownBy(() -> ThoraxFolder.loadPart(out, Optional::of))
                 .isInstanceOf(BadInputException.class)
                 .hasMessage(out + ": found the files of an import that did not end, expected a whole body;"
                         + " the scan has to be imported again");
         Files.delete(last);
         result.write(out);
         assertThat(contents(out)).isEqualTo(whole);
-        assertThat(ThoraxFolder.loadPart(out, name -> Optional.empty()).structures())
-                .hasSize(NAMES.size());
+        assertThat(ThoraxFolder.loadPart(out, Optional::of).structures()).hasSize(NAMES.size());
     }
 
     private static Map<String, String> contents(Path folder) {
@@ -157,7 +156,7 @@ class MeshFolderTest {
         ImportResult result = imported(folder);
         Path out = folder.resolve("patient");
         result.write(out);
-        Thorax written = ThoraxFolder.loadPart(out, name -> Optional.empty());
+        Thorax written = ThoraxFolder.loadPart(out, Optional::of);
         assertThat(written.structures())
                 .extracting(Structure::name)
                 .filteredOn(name -> name.startsWith("lung") || name.startsWith("heart"))
@@ -175,6 +174,36 @@ class MeshFolderTest {
                 .contains("lung_L: its 2 files are kept as lung_L, lung_L_2", "heart: its 2 files are taken together");
     }
 
+    /**
+     * Names of aids that begin as those of structures do, the name that an import gives to one, and one in an index.
+     */
+    @Test
+    void aidsOfAPlanAreLeftOutAsThoseOfAVolumeAre() throws IOException {
+        Thorax body = VirtualThorax.ofPreset("adult-female", Resolution.LOW);
+        writeFourBones(body);
+        TriangleMesh liver = body.find("liver").orElseThrow().mesh();
+        for (String aid : List.of("Ring_2cm", "other_planning-ptv_60_ring", "skin_PRV05", "Lung_L_Ring")) {
+            write(aid, liver);
+        }
+        write("lung_L_tumor", liver);
+        write("lung_R_effusion", liver);
+        ImportResult result = imported(folder);
+        assertThat(result.body().structures())
+                .extracting(s -> s.structure().name())
+                .containsExactlyInAnyOrder(
+                        "rib_07_L", "rib_07_R", "vertebra_T07", "vertebra_T12", "lesion_lung_tumor_L");
+        assertThat(result.body().notes())
+                .contains("margins and aids of a radiotherapy plan, left out: other_planning-lung_ring_L,"
+                        + " other_planning-ring_2cm, other_planning-ptv_60_ring, other_planning-skin_prv05")
+                .contains("lung_R_effusion.vtp: left out, its name is no structure's");
+        Files.writeString(
+                folder.resolve("thorax.yaml"),
+                "axes: LPS\nunits: mm\nstructures:\n  rib_07_L: rib_07_L.vtp\n  Ring_2cm: Ring_2cm.vtp\n");
+        assertThat(imported(folder).body().structures())
+                .extracting(s -> s.structure().name())
+                .containsExactly("rib_07_L");
+    }
+
     /** A folder that an import has made is imported again. */
     @Test
     void whatAFolderStatesNotToBeInTheScanStaysSo() throws IOException {
@@ -189,7 +218,7 @@ class MeshFolderTest {
         assertThat(result.body().structure("rib_07_R").orElseThrow().source()).isEqualTo(PatientStructure.Source.SCAN);
         Path out = folder.resolve("patient");
         result.write(out);
-        assertThat(ThoraxFolder.loadPart(out, name -> Optional.empty()).notInScan())
+        assertThat(ThoraxFolder.loadPart(out, Optional::of).notInScan())
                 .containsExactlyInAnyOrder("rib_07_L", "part of the lungs", raised);
     }
 
