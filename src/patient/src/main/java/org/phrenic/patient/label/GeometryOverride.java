@@ -147,6 +147,6 @@ public record GeometryOverride(Optional<String> axes, Optional<String> spacing) 
                 toMm[4 * row + 3] -= toMm[4 * row + direction] * half[direction];
             }
         }
-        return new LabelVolume(volume.grid().withAffine(toMm), volume.names(), volume.notes());
+        return volume.withGrid(volume.grid().withAffine(toMm));
     }
 }

@@ -129,20 +129,6 @@ public record LabelTable(Map<Integer, String> structures, List<String> missing) 
         return match.structures().isEmpty() ? table : table.withRest(volume);
     }
 
-    /** Whether {@code --labels} asks for a table of names and structures without the numbers of labels. */
-    static boolean isOfNamesAlone(String asked) {
-        Path file = Path.of(asked);
-        if (!Files.isRegularFile(file) || !NumberTable.named(asked).isEmpty() || NameFile.isJson(file)) {
-            return false;
-        }
-        try {
-            CsvTable table = CsvTable.read(file);
-            return table.has("name") && table.has("structure") && !table.has("label");
-        } catch (BadInputException noTable) {
-            return false;
-        }
-    }
-
     private static LabelTable ofFile(Path file, LabelVolume volume) {
         Optional<Map<Integer, String>> names = NameFile.read(file);
         if (names.isEmpty() && NameFile.isJson(file)) {

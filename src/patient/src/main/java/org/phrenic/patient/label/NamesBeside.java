@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
+import org.phrenic.document.CsvTable;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.raster.VolumeSource;
 import org.phrenic.mesh.io.volume.LabelVolume;
@@ -34,7 +35,31 @@ public final class NamesBeside {
      * @param named the file or folder of the volume; the masks of a folder are numbered as their files come
      */
     public static LabelVolume added(Path named, LabelVolume volume) {
-        Path file = VolumeSource.of(named).path().toAbsolutePath().normalize();
+        return withNames(named, volume, Optional.empty());
+    }
+
+    /**
+     * The same for an import: names are added where no table is asked for ({@code --labels}), or one of names alone
+     * that has none of the volume's own. Such a table tells the structures of names that are unknown without it.
+     *
+     * @param asked tool, data set or file
+     */
+    public static LabelVolume added(Path named, LabelVolume volume, Optional<String> asked) {
+        if (asked.isEmpty()) {
+            return added(named, volume);
+        }
+        return LabelRows.ofNamesAlone(asked.get())
+                .filter(table -> !LabelRows.anyNames(table, volume.names()))
+                .map(table -> withNames(named, volume, Optional.of(table)))
+                .orElse(volume);
+    }
+
+    /** @param table the table of names that is asked for */
+    private static LabelVolume withNames(Path named, LabelVolume volume, Optional<CsvTable> table) {
+        Path file = volume.file()
+                .orElseGet(() -> VolumeSource.of(named).path())
+                .toAbsolutePath()
+                .normalize();
         boolean ofMasks = Files.isDirectory(file) && !volume.names().isEmpty();
         if (ofMasks || !volume.names().values().stream().allMatch(LabelVolume::isNumber) || volume.isImage()) {
             return volume;
@@ -50,7 +75,9 @@ public final class NamesBeside {
             }
             if (names.isPresent()) {
                 LabelVolume renamed = new LabelVolume(volume.grid(), names.get(), notes);
-                Optional<String> problem = problem(renamed).or(() -> byNumbers(renamed, beside.endsWith(DATA_SET)));
+                Optional<String> problem = withoutName(renamed)
+                        .or(() -> unknown(renamed, table))
+                        .or(() -> byNumbers(renamed, beside.endsWith(DATA_SET), table.isEmpty()));
                 notes.add(beside.getFileName()
                         + problem.map(why -> " is left aside: " + why).orElse(" names the labels"));
                 if (problem.isEmpty()) {
@@ -61,24 +88,23 @@ public final class NamesBeside {
         return new LabelVolume(volume.grid(), volume.names(), notes);
     }
 
-    /**
-     * The same for an import: names are added where no table is asked for, or one of names alone ({@code --labels}).
-     *
-     * @param asked tool, data set or file
-     */
-    public static LabelVolume added(Path named, LabelVolume volume, Optional<String> asked) {
-        return asked.isEmpty() || LabelTable.isOfNamesAlone(asked.get()) ? added(named, volume) : volume;
-    }
-
-    private static Optional<String> problem(LabelVolume named) {
+    private static Optional<String> withoutName(LabelVolume named) {
         int[] counts = named.grid().counts();
         List<String> without = IntStream.range(1, counts.length)
                 .filter(label -> counts[label] > 0 && !named.names().containsKey(label))
                 .mapToObj(String::valueOf)
                 .toList();
-        if (!without.isEmpty()) {
-            return Optional.of("it has no name for label " + without.get(0)
-                    + (without.size() > 1 ? " and " + (without.size() - 1) + " others" : ""));
+        return without.isEmpty()
+                ? Optional.empty()
+                : Optional.of("it has no name for label " + without.get(0)
+                        + (without.size() > 1 ? " and " + (without.size() - 1) + " others" : ""));
+    }
+
+    private static Optional<String> unknown(LabelVolume named, Optional<CsvTable> table) {
+        if (table.isPresent()) {
+            return LabelRows.anyNames(table.get(), named.names())
+                    ? Optional.empty()
+                    : Optional.of("it has no name of the table");
         }
         return NamedLabels.of(named).areKnown()
                 ? Optional.empty()
@@ -86,23 +112,24 @@ public final class NamesBeside {
     }
 
     /**
-     * Why the labels are told by their numbers: they are those of a tool, and the names tell fewer of them, or are
-     * those of a data set of another task.
+     * Why the labels are told by their numbers: they are those of a tool, and the names are those of a data set of
+     * another task, or tell fewer of the labels.
+     *
+     * @param alone whether no table tells more names
      */
-    private static Optional<String> byNumbers(LabelVolume named, boolean ofDataSet) {
+    private static Optional<String> byNumbers(LabelVolume named, boolean ofDataSet, boolean alone) {
         Map<Integer, String> structures = NamedLabels.of(named).structures();
         NumberMatch numbers = NumberMatch.best(NumberMatch.positions(named.grid()), NumberTable.ALL);
         String tool = numbers.table().title();
         if (ofDataSet && numbers.contradicts(named.grid(), structures)) {
             return Optional.of("labels lie as those of " + tool + " and not as those that it names");
         }
-        return numbers.tellsMoreThan(structures)
+        return alone && numbers.tellsMoreThan(structures)
                 ? Optional.of("labels are numbered as those of " + tool + ", and it names fewer structures")
                 : Optional.empty();
     }
 
-    private static List<Path> candidates(Path named) {
-        Path file = LabelVolumeFiles.onlyVolume(named).orElse(named);
+    private static List<Path> candidates(Path file) {
         Path folder = Files.isDirectory(file) ? file : file.getParent();
         List<Path> all = new ArrayList<>();
         if (!folder.equals(file)) {

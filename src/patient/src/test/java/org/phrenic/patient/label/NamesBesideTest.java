@@ -9,6 +9,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -16,6 +18,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
+import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.mesh.io.volume.NiftiWriter;
 import org.phrenic.mesh.voxel.LabelGrid;
 
@@ -183,15 +186,51 @@ class NamesBesideTest {
         assertThat(NamesBeside.added(folder, masks)).isEqualTo(masks);
     }
 
-    /** The folder of one volume is read as the volume is. */
+    private LabelVolume read(String name) {
+        return NamesBeside.added(folder.resolve(name), LabelVolumeFiles.read(folder.resolve(name)));
+    }
+
+    private void writeNrrd(String name, String type, String fields, String voxels) throws IOException {
+        Path file = folder.resolve(name);
+        Files.createDirectories(file.getParent());
+        Files.writeString(
+                file,
+                "NRRD0004\ntype: " + type + "\ndimension: 3\nspace: left-posterior-superior\nsizes: 3 1 1\n"
+                        + "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: text\n" + fields
+                        + "\n" + voxels);
+    }
+
+    /** The folder of one volume of labels is read as the volume is: alone, beside images, and in a folder within. */
     @Test
     void theFolderOfOneVolumeHasTheNamesBesideTheVolume() throws IOException {
-        LabelVolume volume = volume(Map.of());
-        NiftiWriter.write(folder.resolve("case.nii.gz"), volume.grid());
+        NiftiWriter.write(folder.resolve("case.nii.gz"), volume(Map.of()).grid());
         Files.writeString(folder.resolve("case.txt"), DESCRIPTIONS);
-        assertThat(structures("")).isEqualTo(Map.of(1, "lung_R", 2, "liver"));
-        NiftiWriter.write(folder.resolve("other.nii.gz"), volume.grid());
-        assertThat(structures("")).isEmpty();
+        assertThat(read("").names()).containsEntry(1, "Right lung").containsEntry(2, "Liver");
+        assertThat(structures("")).as("masks").isEmpty();
+        writeNrrd("ct.nrrd", "short", "", "-1000 -1000 40");
+        assertThat(read("").names()).containsEntry(2, "Liver");
+        LabelVolume turned = GeometryOverride.axes(LabelVolumeFiles.read(folder), "RAS");
+        assertThat(NamesBeside.added(folder, turned).names()).containsEntry(2, "Liver");
+        Path scan = folder.resolve("scan/seg");
+        NiftiWriter.write(
+                Files.createDirectories(scan).resolve("case.nii.gz"),
+                volume(Map.of()).grid());
+        Files.writeString(folder.resolve("scan/dataset.json"), "{\"labels\": {\"heart\": 1, \"spleen\": 2}}");
+        assertThat(read("scan").names()).containsEntry(2, "spleen");
+    }
+
+    /** Numbers for names are those of the volume where its folder holds no others, but those of files of masks. */
+    @Test
+    void segmentsWithNumbersForNamesHaveTheNamesBesideInAFolderAsWell() throws IOException {
+        String segments = "Segment0_LabelValue:=1\nSegment0_Name:=Segment_1\n"
+                + "Segment1_LabelValue:=2\nSegment1_Name:=Segment_2\n";
+        writeNrrd("a/case.seg.nrrd", "uint8", segments, "1 2 0");
+        Files.writeString(folder.resolve("a/dataset.json"), "{\"labels\": {\"heart\": 1, \"spleen\": 2}}");
+        assertThat(read("a").names()).isEqualTo(Map.of(1, "heart", 2, "spleen"));
+        writeNrrd("b/label_10.nrrd", "uint8", "", "1 0 0");
+        writeNrrd("b/label_2.nrrd", "uint8", "", "0 1 0");
+        Files.copy(folder.resolve("a/dataset.json"), folder.resolve("b/dataset.json"));
+        assertThat(read("b").names()).isEqualTo(Map.of(1, "label_10", 2, "label_2"));
     }
 
     @ParameterizedTest
@@ -238,6 +277,58 @@ class NamesBesideTest {
                 .isEqualTo(volume);
         assertThat(NamesBeside.added(file, volume, Optional.of("amos"))).isEqualTo(volume);
         assertThat(NamesBeside.added(file, volume, Optional.empty()).names()).containsEntry(2, "spleen");
+    }
+
+    /** A table is needed just where names are unknown, or too few of them are known. */
+    @Test
+    void aTableOfNamesAloneTellsTheStructuresOfUnknownNames() throws IOException {
+        Path file = folder.resolve("case.nii.gz");
+        Path table = Files.writeString(folder.resolve("table.csv"), "name,structure\nfoie_a,liver\nrkid,kidney_R\n");
+        Files.writeString(folder.resolve("case.txt"), DESCRIPTIONS);
+        Files.writeString(folder.resolve("dataset.json"), "{\"labels\": {\"foie_a\": 1, \"quux\": 2}}");
+        LabelVolume named = NamesBeside.added(file, volume(Map.of()), Optional.of(table.toString()));
+        assertThat(named.notes())
+                .containsExactly(
+                        "case.txt is left aside: it has no name of the table", "dataset.json names the labels");
+        assertThat(LabelTable.of(table.toString(), named).structures()).isEqualTo(Map.of(1, "liver", 2, "other_quux"));
+        LabelVolume segments = volume(Map.of(1, "Segment_1", 2, "Segment_2"));
+        Path own = Files.writeString(folder.resolve("own.csv"), "name,structure\nSegment_1,heart\nfoie_a,liver\n");
+        assertThat(NamesBeside.added(file, segments, Optional.of(own.toString())))
+                .isEqualTo(segments);
+        LabelVolume organs = TrunkVoxels.labelled(NumberTable.named("amos").get(0));
+        Files.writeString(folder.resolve("dataset.json"), numbered("spleen", "rkid", "lkid"));
+        assertThat(NamesBeside.added(file, organs, Optional.of(table.toString()))
+                        .names())
+                .containsEntry(2, "rkid");
+    }
+
+    /** A data set of AMOS's numbers of labels with one more, in which the labels after these have no known names. */
+    private static String numbered(String... names) {
+        return IntStream.rangeClosed(1, 16)
+                .mapToObj(label ->
+                        String.format("\"%s\": %d", label > names.length ? "quux_" + label : names[label - 1], label))
+                .collect(Collectors.joining(", ", "{\"labels\": {", "}}"));
+    }
+
+    /** A name that is the tool's, and one of a label that the tool does not have, make no comparison of places. */
+    @Test
+    void oneNameThatIsTheToolsDoesNotContradictIt() throws IOException {
+        LabelVolume organs = TrunkVoxels.labelled(NumberTable.named("amos").get(0));
+        LabelGrid grid = organs.grid();
+        byte[] labels = new byte[grid.voxelCount()];
+        for (int v = 0; v < labels.length; v++) {
+            labels[v] = (byte) (v == 1 ? 16 : grid.label(v));
+        }
+        LabelVolume added = new LabelVolume(
+                LabelGrid.of(grid.columns(), grid.rows(), grid.slices(), labels, grid.toMm()), Map.of(), List.of());
+        Files.writeString(
+                folder.resolve("dataset.json"),
+                numbered().replace("quux_10", "pancreas").replace("quux_16", "tumor"));
+        for (LabelVolume volume : List.of(organs, added)) {
+            assertThat(NamesBeside.added(folder.resolve("case.nii.gz"), volume).notes())
+                    .containsExactly("dataset.json is left aside: labels are numbered as those of AMOS, and it names"
+                            + " fewer structures");
+        }
     }
 
     @Test

@@ -45,8 +45,8 @@ final class LabelFolder {
         /** The volumes as one; empty if there are none. */
         Optional<LabelVolume> merged() {
             if (labelled.size() == 1 && labelled.get(0).hasOwnLabels()) {
-                LabelVolume volume = LabelVolumeFiles.read(labelled.get(0).file());
-                return Optional.of(volume.withNotesBefore(notes));
+                Path file = labelled.get(0).file();
+                return Optional.of(LabelVolumeFiles.read(file).in(file).withNotesBefore(notes));
             }
             return labelled.isEmpty() ? Optional.empty() : Optional.of(painted(folder, labelled, notes));
         }

@@ -1,10 +1,12 @@
 package org.phrenic.mesh.io.volume;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
 import org.phrenic.mesh.voxel.LabelGrid;
@@ -15,8 +17,10 @@ import org.phrenic.mesh.voxel.LabelGrid;
  * @param grid labels and their positions
  * @param names names of labels, if the file contains them
  * @param notes assumptions about missing information, one sentence each
+ * @param file the file in a folder whose labels these are, with its numbers; empty for a file that is read by itself
+ *     and for the masks of a folder
  */
-public record LabelVolume(LabelGrid grid, Map<Integer, String> names, List<String> notes) {
+public record LabelVolume(LabelGrid grid, Map<Integer, String> names, List<String> notes, Optional<Path> file) {
     private static final Pattern NUMBER = Pattern.compile("(?i)(segment|seg|label)?[ _.-]*\\d*");
 
     /** A volume without names that has more labels is an image of whole numbers. */
@@ -31,11 +35,26 @@ public record LabelVolume(LabelGrid grid, Map<Integer, String> names, List<Strin
         notes = List.copyOf(notes);
     }
 
+    /** Creates a volume of a file that is read by itself, or of masks. */
+    public LabelVolume(LabelGrid grid, Map<Integer, String> names, List<String> notes) {
+        this(grid, names, notes, Optional.empty());
+    }
+
     /** A copy with further notes before its own. */
     LabelVolume withNotesBefore(List<String> further) {
         List<String> all = new ArrayList<>(further);
         all.addAll(notes);
-        return new LabelVolume(grid, names, all);
+        return new LabelVolume(grid, names, all, file);
+    }
+
+    /** A copy whose labels are those of a file in a folder. */
+    LabelVolume in(Path found) {
+        return new LabelVolume(grid, names, notes, Optional.of(found));
+    }
+
+    /** A copy with its voxels elsewhere. */
+    public LabelVolume withGrid(LabelGrid moved) {
+        return new LabelVolume(moved, names, notes, file);
     }
 
     /** Whether a name is a mere number, as programs give to labels without a name: Segment 1, Label 2, 3. */

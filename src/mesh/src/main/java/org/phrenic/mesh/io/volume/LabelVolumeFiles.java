@@ -3,7 +3,6 @@ package org.phrenic.mesh.io.volume;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.raster.VolumeFormats;
@@ -48,15 +47,6 @@ public final class LabelVolumeFiles {
         }
         return VolumeFormats.read(
                 VolumeSource.of(file), stored -> new LabelVolume(stored.labels(), stored.names(), stored.notes()));
-    }
-
-    /** The only volume of a folder, if no folder in it has others; empty for a file. */
-    public static Optional<Path> onlyVolume(Path folder) {
-        if (!Files.isDirectory(folder) || !InnerFolders.ofVolumes(folder).isEmpty()) {
-            return Optional.empty();
-        }
-        List<Path> files = InnerFolders.volumes(folder);
-        return files.size() == 1 ? Optional.of(files.get(0)) : Optional.empty();
     }
 
     /** Whether a folder is called as data sets and programs call folders of labels, such as labelsTr. */
