@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import org.phrenic.anatomy.Side;
 import org.phrenic.mesh.io.volume.LabelVolume;
 
@@ -16,6 +17,11 @@ import org.phrenic.mesh.io.volume.LabelVolume;
  * @param structures structures by label, of the names that are known
  */
 record NamedLabels(Map<Integer, String> names, Map<Integer, String> structures) {
+    /** A segment of a liver or a lung that has the number of no sacral vertebra. */
+    private static final Pattern SEGMENT = Pattern.compile("(?i)s0?([6-9]|10)");
+
+    private static final Pattern FIRST_SEGMENT = Pattern.compile("(?i)s0?1");
+
     static NamedLabels of(LabelVolume volume) {
         int[] counts = volume.grid().counts();
         Map<Integer, String> present = new TreeMap<>(volume.names());
@@ -24,7 +30,11 @@ record NamedLabels(Map<Integer, String> names, Map<Integer, String> structures) 
         List<String> bare = SharedWords.removed(new ArrayList<>(present.values()));
         present.keySet().forEach(label -> names.put(label, bare.get(names.size())));
         Map<Integer, String> structures = new TreeMap<>();
-        names.forEach((label, name) -> LabelNames.structure(name).ifPresent(known -> structures.put(label, known)));
+        boolean haveSegments =
+                names.values().stream().anyMatch(name -> SEGMENT.matcher(name).matches());
+        names.forEach((label, name) -> LabelNames.structure(name)
+                .filter(known -> !(haveSegments && FIRST_SEGMENT.matcher(name).matches()))
+                .ifPresent(known -> structures.put(label, known)));
         Arrays.asList(Side.RIGHT, Side.LEFT).forEach(side -> {
             List<Integer> ribs = names.keySet().stream()
                     .filter(label -> !structures.containsKey(label))

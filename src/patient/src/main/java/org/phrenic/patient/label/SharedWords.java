@@ -10,6 +10,8 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.phrenic.anatomy.StructureKind;
+import org.phrenic.anatomy.StructureName;
 import org.phrenic.mesh.io.volume.LabelVolume;
 
 /**
@@ -132,7 +134,8 @@ final class SharedWords {
             if (!before.isEmpty() && !before.equals(after) && !keepsKind) {
                 return false;
             }
-            foundOne |= before.isEmpty() && !after.isEmpty() && !COMMON.contains(after);
+            // Of T5-T8 the second is no case.
+            foundOne |= before.isEmpty() && !after.isEmpty() && !COMMON.contains(after) && !isVertebra(after);
         }
         return foundOne;
     }
@@ -175,6 +178,12 @@ final class SharedWords {
 
     private static boolean isLevel(String word) {
         return LEVEL.matcher(word).matches() && !OF_FILES.contains(letters(word));
+    }
+
+    private static boolean isVertebra(String structure) {
+        return StructureName.parse(structure)
+                .filter(name -> name.kind() == StructureKind.VERTEBRA)
+                .isPresent();
     }
 
     private static String letters(String word) {

@@ -73,6 +73,26 @@ class NamedLabelsTest {
         assertThat(structures(List.of("L3_muscle", "L3_bone"))).containsExactly("-", "-");
     }
 
+    /** Of two vertebrae under one label neither is a case. */
+    @Test
+    void vertebraeUnderOneLabelAreNotOneOfThem() {
+        assertThat(structures(List.of("T5-T8"))).containsExactly("-");
+        assertThat(structures(List.of("VB T5-T8"))).containsExactly("-");
+        assertThat(structures(List.of("S1_liver", "S1_T5"))).containsExactly("liver", "vertebra_T05");
+    }
+
+    /** Segments of a liver or a lung have numbers of which the first is also that of a sacral vertebra. */
+    @Test
+    void theFirstSegmentOfAnOrganIsNoVertebra() {
+        LabelGrid grid = LabelGrid.of(3, 1, 1, new byte[] {1, 2, 3}, new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+        assertThat(NamedLabels.of(new LabelVolume(grid, Map.of(1, "S1", 2, "S8", 3, "spleen"), List.of()))
+                        .structures())
+                .isEqualTo(Map.of(3, "spleen"));
+        assertThat(NamedLabels.of(new LabelVolume(grid, Map.of(1, "S1", 2, "L5", 3, "spleen"), List.of()))
+                        .structures())
+                .containsEntry(1, "vertebra_S1");
+    }
+
     /** A case may be left out beside margins and aids of a plan as well. */
     @Test
     void aidsOfAPlanHaveACaseAsOrgansHave() {
