@@ -16,6 +16,7 @@ import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
+import org.phrenic.document.CsvTable;
 
 /**
  * Structures by the names that files give to labels, such as "Right Lung", "rib 5 left", "T12" or "kidney_right". Case,
@@ -25,6 +26,9 @@ public final class LabelNames {
     private static final Pattern VERTEBRA = Pattern.compile("(th|[ctls])0*(\\d{1,2})");
     /** The region and the number of a vertebra, written apart. */
     private static final Pattern APART = Pattern.compile("\\b(th|[ct]) (?=0*\\d{1,2}\\b)");
+
+    /** A thoracic vertebra as Romance languages name it, where a name says that it is a vertebra. */
+    private static final Pattern DORSAL = Pattern.compile("\\bd(?: (?=0*\\d{1,2}\\b)|(?=\\d))");
 
     private static final Map<String, String> REGIONS =
             Map.of("cervical", "c", "thoracic", "t", "dorsal", "t", "lumbar", "l");
@@ -43,12 +47,15 @@ public final class LabelNames {
             "eleventh",
             "twelfth");
     /** Words that capitals part, such as "SpinalCord". */
-    private static final Pattern JOINED_WORDS = Pattern.compile("(?<=[a-z])(?=[A-Z])");
+    private static final Pattern JOINED_WORDS = Pattern.compile("(?<=[a-z])(?=[A-Z])|(?<=\\d)(?=Left|Right)");
     /** A side written in one word with what it is of, such as "leftlung". */
     private static final Pattern JOINED_SIDE = Pattern.compile("\\b(left|right)(?=[a-z])");
-    /** Words at an end of a name for what a file is, such as "liver_mask". */
-    private static final Pattern MASK =
-            Pattern.compile("(?i)^(mask|seg|segmentation)[ _-]+|[ _-]+(mask|seg|segmentation)$");
+    /** A side in one word with what it is of, such as "LLung". */
+    private static final Pattern CAPITAL_SIDE = Pattern.compile("^([LR])(?=[A-Z][a-z]{2})");
+    /** What a file is, or what has made it. */
+    private static final String OF_FILE = "(mask|seg|segmentation|roi|contour|volume|label|ai|dlc|auto)";
+    /** Such words at an end of a name, such as "liver_mask". */
+    private static final Pattern MASK = Pattern.compile("(?i)^" + OF_FILE + "[ _-]+|[ _-]+" + OF_FILE + "$");
     /** Words that add nothing to the name of a structure. */
     private static final List<String> FILLERS =
             List.of(("vertebra vertebrae vertebral vb body corpus thoracic dorsal lumbar "
@@ -56,16 +63,17 @@ public final class LabelNames {
                     .split(" ", -1));
 
     /** Lesions, and the target volumes of radiotherapy. */
-    private static final Pattern LESION =
-            Pattern.compile("tumou?r|lesion|metasta|nodule|cancer|(carcin|sarc|aden|angi|lymph|hepat|hamart)oma"
-                    + "|(?<!chole)cysts?(?![a-z])|(?<!fat |muscle |body |bone )\\bmass(es)?\\b"
-                    + "|\\bhcc\\b|\\b(i?[gcp]|i)tv|\\btarget volumes?\\b");
+    private static final Pattern LESION = Pattern.compile("tumou?r|lesion|metasta|\\bmets?\\b|nodule|cancer"
+            + "|(carcin|sarc|aden|angi|lymph|hepat|hamart|blast|granul|melan|mesotheli|thym|fibr|neur)oma"
+            + "|(?<!chole)cysts?(?![a-z])|(?<!fat |muscle |body |bone )\\bmass(es)?\\b"
+            + "|\\bhcc\\b|\\b(i?[gcp]|i)tv|\\btarget volumes?\\b");
     /** Words for what lies in or beside an organ and is no part of it. */
-    private static final Pattern BESIDE =
-            Pattern.compile("effusion|fluid|(pneumo|hydro|ha?emo)thorax|empyema|arter(y|i)|\\bveins?\\b|\\bvenae?\\b"
+    private static final Pattern BESIDE = Pattern.compile(
+            "effusion|fluid|(pneumo|hydro|ha?emo)thorax|empyema|arter(y|i)|\\bveins?\\b|\\bvenae?\\b"
                     + "|lymph|\\bnodes?\\b|nerve|ligament|intercostal|\\bprv|implant|catheter|\\bdrain|\\btube"
                     + "|fracture|pacemaker|\\bleads?\\b|marker|\\bclips?\\b|bolus"
-                    + "|\\bplates?\\b|\\bscrews?\\b|fixation|osteosynthes");
+                    + "|\\bplates?\\b|\\bscrews?\\b|fixation|osteosynthes"
+                    + "|fiducial|stent|\\bwires?\\b|\\bcoils?\\b|prosthes|\\bseeds?\\b|\\bdevices?\\b|needle|\\b(b|bounding ?)box");
 
     /** Fluid below the diaphragm; free fluid alone may lie in the chest. */
     private static final Pattern ASCITES =
@@ -77,7 +85,8 @@ public final class LabelNames {
     private static final Pattern LUNG_LOBE =
             Pattern.compile("(superior|upper|middle|inferior|lower) lobe|lingula|r[uml]l|l[ul]l");
     /** The parts of a segment's name, the numbers of Couinaud's segments among them. */
-    private static final String LIVER_PART = "lobe|segments?|\\d[ab]?|[iv]+[ab]?|whole|total|normal|healthy";
+    private static final String LIVER_PART =
+            "lobe|seg|segments?|\\d[ab]?|[iv]+[ab]?|whole|total|normal|healthy|uninvolved|future|remnant";
 
     /** Structures by expressions for their names without the side; the first that matches counts. */
     private static final Map<Pattern, String> BY_EXPRESSION = new LinkedHashMap<>();
@@ -85,10 +94,14 @@ public final class LabelNames {
     static {
         BY_EXPRESSION.put(Pattern.compile(".*(\\bairway|\\bbronch|\\btrachea).*"), "trachea");
         BY_EXPRESSION.put(Pattern.compile("((body|upper|lower) )*extremit(y|ies)"), LabelTable.IGNORE);
+        BY_EXPRESSION.put(
+                Pattern.compile("couch( ?(surface|interior|exterior|inner|outer|shell|top|rails?|support|\\d+))*"
+                        + "|((treatment|ct) )?table( ?top)?"),
+                LabelTable.IGNORE);
         BY_EXPRESSION.put(Pattern.compile("(.* )?(liver|hepatic) ?(vessel|vascul).*"), "liver_vessels");
         BY_EXPRESSION.put(
-                Pattern.compile(
-                        "((caudate|quadrate|of|the|" + LIVER_PART + ") )*liver( (parenchyma|" + LIVER_PART + "))*"),
+                Pattern.compile("((caudate|quadrate|of|the|" + LIVER_PART + ") )*liver( (parenchyma|s\\d[ab]?|"
+                        + LIVER_PART + "))*"),
                 "liver");
         BY_EXPRESSION.put(
                 Pattern.compile("(?!.*\\b(fat|vessels?|lung|stomach)\\b)"
@@ -98,7 +111,8 @@ public final class LabelNames {
                 Pattern.compile("(subcutaneous|torso|body|visceral|intermuscular) (fat|adipose.*)"), LabelTable.SKIN);
         BY_EXPRESSION.put(Pattern.compile("(skeletal )?muscles?"), "muscle_skeletal");
         BY_EXPRESSION.put(Pattern.compile("(all )?bones?|skeleton"), LabelTable.ALL_BONES);
-        BY_EXPRESSION.put(Pattern.compile("spine|vertebrae|vertebral column"), LabelTable.SPINE);
+        BY_EXPRESSION.put(
+                Pattern.compile("spine|vertebrae|(spinal|vertebral) column|column vertebral"), LabelTable.SPINE);
         BY_EXPRESSION.put(Pattern.compile("sternal body|corpus sterni"), "sternum_body");
         // Only whole names: celiac trunk, pancreas body and external carotid artery are no skin.
         BY_EXPRESSION.put(
@@ -112,36 +126,14 @@ public final class LabelNames {
     /** Structures by names of labels of segmentation tools and public data sets, in lower case. */
     private static final Map<String, String> OF_TOOLS = ofTools();
 
-    private static final Map<String, String> SYNONYMS = Map.ofEntries(
-            Map.entry("esophagus", "oesophagus"),
-            Map.entry("clavicula", "clavicle"),
-            Map.entry("gall_bladder", "gallbladder"),
-            Map.entry("ivc", "inferior_vena_cava"),
-            Map.entry("svc", "superior_vena_cava"),
-            Map.entry("bladder", "urinary_bladder"),
-            Map.entry("adrenal", "adrenal_gland"),
-            Map.entry("small_intestine", "small_bowel"),
-            Map.entry("large_bowel", "colon"),
-            Map.entry("large_intestine", "colon"),
-            Map.entry("bowel", "organ_bowel"),
-            Map.entry("intestine", "organ_bowel"),
-            Map.entry("kidneys", "organ_kidneys"),
-            Map.entry("both_kidneys", "organ_kidneys"),
-            Map.entry("portalvein", "portal_vein"),
-            Map.entry("vena_cava", "inferior_vena_cava"),
-            Map.entry("venacava", "inferior_vena_cava"),
-            Map.entry("vena_cava_inferior", "inferior_vena_cava"),
-            Map.entry("vena_cava_superior", "superior_vena_cava"),
-            Map.entry("a_aorta", "aorta"),
-            Map.entry("arota", "aorta"),
-            Map.entry("v_venacava_i", "inferior_vena_cava"),
-            Map.entry("v_venacava_s", "superior_vena_cava"),
-            Map.entry("bowel_small", "small_bowel"),
-            Map.entry("bowel_large", "colon"),
-            Map.entry("deep_back_muscle", "autochthon"),
-            Map.entry("deep_muscle_of_back", "autochthon"),
-            Map.entry("common_iliac_artery", "iliac_artery"),
-            Map.entry("common_iliac_vein", "iliac_vein"));
+    /** Structures by other words for them in lower case, with the side after it if the words have it. */
+    private static final Map<String, String> SYNONYMS = synonyms();
+
+    /** A vein or an artery that is named before its organ, as in TG-263. */
+    private static final Pattern VESSEL_OF = Pattern.compile("(?:(v|vein|vena)|(a|artery))_(.+)");
+    /** A vena cava in any order of words. */
+    private static final Pattern CAVA =
+            Pattern.compile("(?=.*cava)(?:(?:v|vein|vena|cava|inf|inferior|(?<superior>sup|superior))(?:_|$)){2,3}");
 
     /** Vessels of which a scan shows several; other plurals are pairs of organs, whose two sides one name would mix. */
     private static final Map<String, String> VESSELS = Map.of("veins", "vein", "arteries", "artery");
@@ -159,12 +151,25 @@ public final class LabelNames {
         return all;
     }
 
+    private static Map<String, String> synonyms() {
+        CsvTable table = NumberTable.shipped("synonyms.csv");
+        List<String> names = table.texts("name");
+        Map<String, String> all = new TreeMap<>();
+        for (int row = 0; row < names.size(); row++) {
+            all.put(names.get(row), table.texts("structure").get(row));
+        }
+        return all;
+    }
+
     /** The structure that a label's name stands for; empty if the name is unknown. */
     public static Optional<String> structure(String name) {
-        return ofName(name).or(() -> {
-            String bare = MASK.matcher(name).replaceAll("");
-            return bare.equals(name) || bare.isBlank() ? Optional.empty() : ofName(bare);
-        });
+        return ofName(name)
+                .or(() -> ofOther(name, MASK.matcher(name).replaceAll("")))
+                .or(() -> ofOther(name, CAPITAL_SIDE.matcher(name).replaceAll("$1 ")));
+    }
+
+    private static Optional<String> ofOther(String name, String other) {
+        return other.equals(name) || other.isBlank() ? Optional.empty() : ofName(other);
     }
 
     private static Optional<String> ofName(String name) {
@@ -225,7 +230,8 @@ public final class LabelNames {
         }
         for (Map.Entry<Pattern, String> known : BY_EXPRESSION.entrySet()) {
             if (known.getKey().matcher(rest).matches()) {
-                return Optional.of(known.getValue());
+                // The "L" of an L spine is no side.
+                return Optional.of(known.getValue()).filter(of -> side == Side.MIDLINE || !of.equals(LabelTable.SPINE));
             }
         }
         if (LUNG.matcher(rest).matches()) {
@@ -256,8 +262,9 @@ public final class LabelNames {
     }
 
     private static Optional<String> vertebra(List<String> words) {
-        List<String> joined = Arrays.asList(
-                APART.matcher(String.join(" ", words)).replaceAll("$1").split(" ", -1));
+        String text = APART.matcher(String.join(" ", words)).replaceAll("$1");
+        boolean stated = words.contains("vertebra");
+        List<String> joined = Arrays.asList((stated ? DORSAL.matcher(text).replaceAll("t") : text).split(" ", -1));
         for (String word : joined) {
             Matcher m = VERTEBRA.matcher(word);
             if (m.matches() && (joined.size() == 1 || FILLERS.containsAll(without(joined, word)))) {
@@ -301,7 +308,19 @@ public final class LabelNames {
 
     private static Optional<String> organ(List<String> words, String suffix) {
         String stem = PLURAL_VESSELS.matcher(String.join("_", words)).replaceAll(m -> VESSELS.get(m.group()));
-        return known(SYNONYMS.getOrDefault(stem, stem) + suffix);
+        Matcher cava = CAVA.matcher(stem);
+        if (cava.matches()) {
+            return known((cava.group("superior") == null ? "inferior" : "superior") + "_vena_cava" + suffix);
+        }
+        Matcher vessel = VESSEL_OF.matcher(stem);
+        String turned = vessel.matches() ? vessel.group(3) + (vessel.group(1) == null ? "_artery" : "_vein") : stem;
+        return ofStem(stem, suffix).or(() -> ofStem(turned, suffix));
+    }
+
+    private static Optional<String> ofStem(String stem, String suffix) {
+        // Both kidneys of a side are one.
+        String usual = stem.equals("kidneys") && !suffix.isEmpty() ? "kidney" : SYNONYMS.getOrDefault(stem, stem);
+        return known(usual + suffix);
     }
 
     static Optional<String> known(String structure) {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.phrenic.document.CsvTable;
@@ -14,7 +15,7 @@ import org.phrenic.document.ShippedFile;
 /**
  * Anatomical words of other languages in the names of labels, put into English. The words are in
  * {@code data/labels/words.csv}; accents may be missing or written out (Rippe, côte or cote, Lungenflügel or
- * Lungenfluegel).
+ * Lungenfluegel). Abbreviations of sides are taken where another word is of their language (Lunge li, polmone dx).
  */
 final class LabelWords {
     private static final String FILE = "words.csv";
@@ -28,7 +29,16 @@ final class LabelWords {
     private static final Pattern LATIN = Pattern.compile("\\p{IsLatin}");
     private static final Pattern IDEOGRAPH = Pattern.compile("\\p{IsHan}");
 
+    /** A word that may be an abbreviation; a letter beside a number is that of a vertebra. */
+    private static final Pattern SHORT = Pattern.compile("(?<![\\p{L}\\d])\\p{L}{1,3}(?![\\p{L}\\d])");
+
+    private static final String ABBREVIATION = " abbreviation";
+
     private static final Map<String, String> ENGLISH = new TreeMap<>();
+    /** The language of each word. */
+    private static final Map<String, String> LANGUAGES = new TreeMap<>();
+    /** English words of abbreviations, by language. */
+    private static final Map<String, Map<String, String>> ABBREVIATIONS = new TreeMap<>();
     /** Words of scripts that write no spaces, the longest first. */
     private static final List<String> UNSPACED;
 
@@ -36,11 +46,19 @@ final class LabelWords {
         CsvTable table = CsvTable.parse(FILE, ShippedFile.text("labels/" + FILE));
         List<String> words = table.texts("word");
         for (int row = 0; row < words.size(); row++) {
+            String word = words.get(row);
             String english = table.texts("english").get(row);
-            ENGLISH.put(words.get(row), english);
-            ENGLISH.put(bare(words.get(row)), english);
-            ENGLISH.put(
-                    bare(words.get(row).replace("ä", "ae").replace("ö", "oe").replace("ü", "ue")), english);
+            String language = table.texts("language").get(row);
+            if (language.endsWith(ABBREVIATION)) {
+                String of = language.replace(ABBREVIATION, "");
+                ABBREVIATIONS.computeIfAbsent(of, l -> new TreeMap<>()).put(word, english);
+                continue;
+            }
+            String written = bare(word.replace("ä", "ae").replace("ö", "oe").replace("ü", "ue"));
+            for (String spelling : List.of(word, bare(word), written)) {
+                ENGLISH.put(spelling, english);
+                LANGUAGES.put(spelling, language);
+            }
         }
         UNSPACED = ENGLISH.keySet().stream()
                 .filter(word -> word.codePoints().anyMatch(Character::isIdeographic))
@@ -68,9 +86,18 @@ final class LabelWords {
         for (String word : UNSPACED) {
             text = text.replace(word, " " + ENGLISH.get(word) + " ");
         }
-        text = WORD.matcher(text)
-                .replaceAll(word -> Matcher.quoteReplacement(
-                        ENGLISH.getOrDefault(word.group(), ENGLISH.getOrDefault(bare(word.group()), word.group()))));
+        Map<String, String> sides = new TreeMap<>();
+        WORD.matcher(text)
+                .results()
+                .forEach(word ->
+                        sides.putAll(ABBREVIATIONS.getOrDefault(LANGUAGES.getOrDefault(word.group(), ""), Map.of())));
+        text = SHORT.matcher(text).replaceAll(word -> sides.getOrDefault(word.group(), word.group()));
+        text = WORD.matcher(text).replaceAll(word -> Matcher.quoteReplacement(english(word)));
         return LUMBAR.matcher(THORACIC.matcher(text).replaceAll("t")).replaceAll("l");
+    }
+
+    private static String english(MatchResult word) {
+        String bare = LATIN.matcher(word.group()).find() ? bare(word.group()) : word.group();
+        return ENGLISH.getOrDefault(word.group(), ENGLISH.getOrDefault(bare, bare));
     }
 }

@@ -6,7 +6,7 @@ import java.util.regex.Pattern;
 
 /**
  * Names that plans of radiotherapy give to organs, as {@code zLiver_opt} or {@code Lungs-GTV}, and to aids: margins
- * about organs, rings, doses, what a plan is optimised by, and the rind of the chest wall.
+ * about organs, rings and shells, doses, what a plan is optimised by, and the rind of the chest wall.
  */
 final class PlanNames {
     private static final String LESION = "lesion_";
@@ -14,17 +14,21 @@ final class PlanNames {
     private static final Pattern TARGET_WORD = Pattern.compile("\\b" + TARGET);
     /** How far away or how large an aid is. */
     private static final String PLACE = "\\d\\w*|c?gy|[cm]m|inner|outer|near|far|high|mid|low";
-    /** An organ less a target volume in the names of TG-263, such as "Lungs-GTV", or less anything else. */
+
+    private static final String RINGS = "(rings?|shells?)\\d*";
+    /** An organ less a target volume or an organ in the names of TG-263, as "Lungs-GTV", or less anything else. */
     private static final Pattern LESS =
-            Pattern.compile("(?i)(.+?)( ?[-\u2013] ?(i?[gcp]|i)tv|[ _](minus|without|excluding)[ _]).*");
+            Pattern.compile("(?i)(.+?)( ?[-\u2013] ?((i?[gcp]|i)tv|(lungs?|heart|liver|kidneys?)(?![a-z]))"
+                    + "|[ _](minus|without|excluding|less|w/o)[ _]|[ _]?(minus|not?|less)[ _]?(i?[gcp]|i)tv).*");
 
     private static final Pattern AID = Pattern.compile(".*prv.*|(.* )?isodoses?\\d*( .*)?"
-            + "|(z )?((" + TARGET + " ((\\d+|high|mid|low) )*)*rings?|doses?)\\d*( (" + PLACE + "|" + TARGET + "))*"
-            + "|(\\d+ )+(percent |c?gy )?dose|(\\d+c?gy )+dose|z? ?(opt|aid)\\d*( \\d+)*"
-            + "|chest ?wall( ?\\d.*)?|cw ?\\d+ ?[cm]m");
+            + "|((z|ns) )?(" + TARGET + " ((\\d+|high|mid|low) )*)*" + RINGS + "( (" + PLACE + "|" + TARGET + "))*"
+            + "|(z )?doses?\\d*( (" + PLACE + "|" + TARGET + "))*"
+            + "|(\\d+ )+(percent |c?gy )?dose|(\\d+c?gy )+dose|z? ?(opt|aid|avoid|avoidance)\\d*( \\d+)*"
+            + "|(chest|thorax|thoracic) ?wall( ?\\d.*)?|cw( ?\\d+ ?[cm]m|( minus)? lungs?)|(hot|cold) ?spots?\\d*");
     /** A ring with a name beside it. */
-    private static final Pattern RING = Pattern.compile(
-            "(z )?rings?( (" + PLACE + "))* (?<after>.+)|(z )?(?<before>.+?) rings?\\d*( (" + PLACE + "))*");
+    private static final Pattern RING = Pattern.compile("((z|ns) )?(rings?|shells?)( (" + PLACE + "))* (?<after>.+)"
+            + "|(z )?(?<before>.+?) " + RINGS + "( (" + PLACE + "))*");
     /** Airways have rings of their own. */
     private static final String AIRWAY = "trachea";
     /** Words by which an organ in a plan is one less a margin: before it, or after it. */

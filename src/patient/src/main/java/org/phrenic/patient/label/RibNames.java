@@ -17,9 +17,12 @@ final class RibNames {
             Pattern.compile("(?=.*\\bribs?\\b)(?!.*\\bvertebra)(.* )?(cervical|lumbar)( .*)?");
 
     private static final Pattern SEVERAL = Pattern.compile("ribs|ribcage|cartilages");
-    /** Numbers from one to another, such as 1-12 or 1 to 12. A number without a dash or word before it is a copy's. */
+    /**
+     * Numbers from one to another, such as 1-12 or 1 to 12, or one and another. A number without a dash or word before
+     * it is a copy's.
+     */
     private static final Pattern RANGE = Pattern.compile("(?<![a-z\\d])[lr]?0*(\\d{1,2})(?:st|nd|rd|th)?"
-            + "(?: ?[-\u2013] ?|[ _](?:to|bis|through|thru)[ _])"
+            + "(?: ?[-\u2013&+,] ?|[ _](?:to|bis|through|thru|and|und)[ _])"
             + "[lr]?0*(\\d{1,2})(?:st|nd|rd|th)?[lr]?(?![a-z\\d])");
     /** A rib, its number and its side in one word, or two of them, such as rib5l, l5 and 5l. */
     private static final Pattern JOINED = Pattern.compile("\\b(rib\\d{1,2}[lr]|[lr]\\d{1,2}|\\d{1,2}[lr])\\b");

@@ -55,6 +55,13 @@ class LabelNamesTest {
                 "rib_plates",
                 "rib fixation",
                 "sternum screws",
+                "sternum wires",
+                "heart stent",
+                "Heart device",
+                "Lung_Fiducial",
+                "Lung bounding box",
+                "L-spine",
+                "T5-T8",
                 "temporal lobe left",
                 "thoracic vertebra",
                 "cardiac stomach",
@@ -90,6 +97,12 @@ class LabelNamesTest {
         "abdominal skin, skin",
         "Peau, skin",
         "BODY-PTV, skin",
+        "Body-Lungs, skin",
+        "Haut, skin",
+        "Körper, skin",
+        "CouchSurface, ignore",
+        "Couch Interior, ignore",
+        "Table top, ignore",
         "E-PTV_Ev20, skin",
         "BODY_extremities, ignore",
         "lower extremity left, ignore",
@@ -112,6 +125,16 @@ class LabelNamesTest {
         "Kidney_R-PTV, kidney_R",
         "liver without tumor, liver",
         "lung_left_minus_gtv, lung_L",
+        "Lungs_NOT_GTV, lungs",
+        "LungsNOTGTV, lungs",
+        "Lungs less GTV, lungs",
+        "Lungs w/o GTV, lungs",
+        "Liver_noGTV, liver",
+        "LiverMinusGTV, liver",
+        "Liver-Heart, liver",
+        "Lung_L-Heart, lung_L",
+        "rib no 5 left, rib_05_L",
+        "lung-trachea-bronchia, trachea",
     })
     void anOrganLessItsTargetIsTheOrgan(String name, String structure) {
         assertThat(LabelNames.structure(name)).contains(structure);
@@ -135,6 +158,12 @@ class LabelNamesTest {
         "GTV-CTV, lesion_gtv_ctv",
         "liver_tumor, lesion_liver_tumor",
         "kidney_cyst_left, kidney_cyst_L",
+        "Lung_Met_L, lesion_lung_met_L",
+        "Liver mets, lesion_liver_mets",
+        "rib 5 left met, lesion_rib_5_met_L",
+        "mesothelioma left lung, lesion_mesothelioma_lung_L",
+        "Lung granuloma, lesion_lung_granuloma",
+        "hepatoblastoma, lesion_hepatoblastoma",
         "右肺癌, lesion_lung_cancer_R",
     })
     void aLesionIsNotTheOrganAboutIt(String name, String structure) {
@@ -181,6 +210,16 @@ class LabelNamesTest {
         "Dose_GTV, dose_gtv",
         "Isodose_50Gy, isodose_50gy",
         "50 % isodose, 50_isodose",
+        "Shell_2cm, shell_2cm",
+        "PTV_Shell, ptv_shell",
+        "Lung_L_Shell, lung_shell_L",
+        "NS_Ring1, ns_ring1",
+        "Avoid, avoid",
+        "Hotspot, hotspot",
+        "Chestwall-Lung, chestwall",
+        "CW-Lung, cw_lung",
+        "Thoracic wall, thoracic_wall",
+        "Brustwand links, chest_wall_L",
         "Chestwall_R, chestwall_R",
         "Chest wall left, chest_wall_L",
         "Chestwall3cm, chestwall3cm",
@@ -354,8 +393,51 @@ class LabelNamesTest {
         "left deep back muscle, autochthon_L",
         "right common iliac artery, iliac_artery_R",
         "left common iliac vein, iliac_vein_L",
+        "kidneys_left, kidney_L",
+        "Kidneys total, organ_kidneys",
+        "LLung, lung_L",
+        "RKidney, kidney_R",
+        "Rib5Left, rib_05_L",
+        "Kidney_L_AI, kidney_L",
+        "Spleen contour, spleen",
+        "Liver remnant, liver",
+        "Future liver remnant, liver",
+        "Liver S4, liver",
+        "Liver_Seg_5, liver",
+        "Thyroid_L, thyroid_gland_L",
+        "Glnd_Adrenal_L, adrenal_gland_L",
+        "leftsurrenalgland, adrenal_gland_L",
+        "smallintestin, small_bowel",
+        "Cord, spinal_cord",
+        "Eso, oesophagus",
+        "Spinal column, bone_spine",
+        "vertebra D5, vertebra_T05",
     })
     void pluralsAndCommonSpellingsAreKnown(String name, String structure) {
+        assertThat(LabelNames.structure(name)).contains(structure);
+    }
+
+    /** Vessels in the order of words of TG-263 and of other languages, and parts of the aorta. */
+    @ParameterizedTest
+    @CsvSource({
+        "V_Portal, portal_vein",
+        "V. portae, portal_vein",
+        "V_Hepatic, hepatic_vein",
+        "A_Pulmonary, pulmonary_artery",
+        "V_Pulmonary, pulmonary_vein",
+        "A_Subclavian_L, subclavian_artery_L",
+        "RHV, hepatic_vein_R",
+        "Middle hepatic vein, hepatic_vein",
+        "V. cava inferior, inferior_vena_cava",
+        "Vena cava sup, superior_vena_cava",
+        "Inf. vena cava, inferior_vena_cava",
+        "VCI, inferior_vena_cava",
+        "Ascending aorta, aorta",
+        "Aortic arch, aorta",
+        "A_Aorta_Asc, aorta",
+        "aorta_abdominal, aorta",
+    })
+    void vesselsAreKnownByWordsInOtherOrders(String name, String structure) {
         assertThat(LabelNames.structure(name)).contains(structure);
     }
 
@@ -390,6 +472,9 @@ class LabelNamesTest {
         "rib_1-12_left, ribs_L",
         "rib 1 to 12 left, ribs_L",
         "rib 1-12L, ribs_L",
+        "Rib 11 & 12 left, ribs_L",
+        "Rib 5+6 left, ribs_L",
+        "ribs 5 and 6 left, ribs_L",
         "Rippen 1 bis 12 rechts, ribs_R",
         "ribs 1-12, ribs",
         "costal cartilages 1-7 left, costal_cartilages",
@@ -422,6 +507,32 @@ class LabelNamesTest {
         assertThat(LabelNames.structure(name)).contains(structure);
     }
 
+    /** An abbreviation of a side is one beside a word of its language alone. */
+    @ParameterizedTest
+    @CsvSource({
+        "Lunge li, lung_L",
+        "Re. Lunge, lung_R",
+        "Niere re., kidney_R",
+        "polmone dx, lung_R",
+        "polmone sx, lung_L",
+        "rene sn, kidney_L",
+        "Costa 7 sin, rib_07_L",
+        "poumon g, lung_L",
+        "côte 5 D, rib_05_R",
+        "vertèbre D5, vertebra_T05",
+        "pulmón izq., lung_L",
+        "riñón der, kidney_R",
+        "pulmão dir, lung_R",
+        "pulmo dex, lung_R",
+        "lung_re, lungs",
+        "lung re-segmented, lungs",
+        "lung dx, lungs",
+        "poumon li, lungs",
+    })
+    void aSideMayBeAbbreviatedBesideAWordOfItsLanguage(String name, String structure) {
+        assertThat(LabelNames.structure(name)).contains(structure);
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"ascites", "Aszites", "Ascite", "腹水", "free fluid abdomen", "peritoneal fluid"})
     void fluidOfTheAbdomenIsAscites(String name) {
@@ -430,7 +541,7 @@ class LabelNamesTest {
 
     /** Drains, and fluid that may lie in the chest. */
     @ParameterizedTest
-    @ValueSource(strings = {"ascites drain", "free fluid", "thoracoabdominal fluid", "R5", "5L"})
+    @ValueSource(strings = {"ascites drain", "free fluid", "thoracoabdominal fluid", "R5", "5L", "D5", "liver re"})
     void whatMayBeElsewhereIsUnknown(String name) {
         assertThat(LabelNames.structure(name)).isEmpty();
     }
