@@ -34,7 +34,7 @@ record MeshFolder(PatientBody body, List<String> statements) {
      * @throws org.phrenic.file.BadInputException if the folder or a file in it cannot be used
      */
     static MeshFolder read(Path folder, String name) {
-        Thorax thorax = ThoraxFolder.loadPart(folder, LabelNames::structure);
+        Thorax thorax = ThoraxFolder.loadPart(folder, MeshFolder::structure);
         List<String> notes = new ArrayList<>(thorax.notes());
         List<PatientStructure> structures = parted(withoutAids(thorax, notes), notes).stream()
                 .map(s -> new PatientStructure(s, source(thorax, s), Optional.empty(), Optional.empty()))
@@ -45,6 +45,12 @@ record MeshFolder(PatientBody body, List<String> statements) {
                 .toList();
         return new MeshFolder(
                 new PatientBody(name, structures, ExpectedStructures.missing(structures), notes), statements);
+    }
+
+    /** The structure of a file's name, which is the name itself where that is one of the structure's. */
+    private static Optional<String> structure(String name) {
+        return LabelNames.structure(name)
+                .map(known -> StructureName.parse(known).equals(StructureName.parse(name)) ? name : known);
     }
 
     private static List<Structure> withoutAids(Thorax thorax, List<String> notes) {

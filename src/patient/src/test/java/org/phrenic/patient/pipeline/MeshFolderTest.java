@@ -187,11 +187,12 @@ class MeshFolderTest {
         }
         write("lung_L_tumor", liver);
         write("lung_R_effusion", liver);
+        write("skin_torso", liver);
         ImportResult result = imported(folder);
         assertThat(result.body().structures())
                 .extracting(s -> s.structure().name())
                 .containsExactlyInAnyOrder(
-                        "rib_07_L", "rib_07_R", "vertebra_T07", "vertebra_T12", "lesion_lung_tumor_L");
+                        "rib_07_L", "rib_07_R", "vertebra_T07", "vertebra_T12", "lesion_lung_tumor_L", "skin_torso");
         assertThat(result.body().notes())
                 .contains("margins and aids of a radiotherapy plan, left out: other_planning-lung_ring_L,"
                         + " other_planning-ring_2cm, other_planning-ptv_60_ring, other_planning-skin_prv05")
