@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.OrganNames;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.StructureKind;
@@ -23,15 +24,6 @@ import org.phrenic.document.CsvTable;
  * order of words and separators do not matter.
  */
 public final class LabelNames {
-    private static final Pattern VERTEBRA = Pattern.compile("(th|[ctls])0*(\\d{1,2})");
-    /** The region and the number of a vertebra, written apart. */
-    private static final Pattern APART = Pattern.compile("\\b(th|[ct]) (?=0*\\d{1,2}\\b)");
-
-    /** A thoracic vertebra as Romance languages name it, where a name says that it is a vertebra. */
-    private static final Pattern DORSAL = Pattern.compile("\\bd(?: (?=0*\\d{1,2}\\b)|(?=\\d))");
-
-    private static final Map<String, String> REGIONS =
-            Map.of("cervical", "c", "thoracic", "t", "dorsal", "t", "lumbar", "l");
     static final Pattern NUMBER = Pattern.compile("0*(\\d{1,2})(?:st|nd|rd|th)?");
     private static final List<String> ORDINALS = List.of(
             "first",
@@ -56,24 +48,19 @@ public final class LabelNames {
     private static final String OF_FILE = "(mask|seg|segmentation|roi|contour|volume|label|ai|dlc|auto)";
     /** Such words at an end of a name, such as "liver_mask". */
     private static final Pattern MASK = Pattern.compile("(?i)^" + OF_FILE + "[ _-]+|[ _-]+" + OF_FILE + "$");
-    /** Words that add nothing to the name of a structure. */
-    private static final List<String> FILLERS =
-            List.of(("vertebra vertebrae vertebral vb body corpus thoracic dorsal lumbar "
-                            + "cervical upper middle lower superior inferior of the")
-                    .split(" ", -1));
-
     /** Lesions, and the target volumes of radiotherapy. */
     private static final Pattern LESION = Pattern.compile("tumou?r|lesion|metasta|\\bmets?\\b|nodule|cancer"
             + "|(carcin|sarc|aden|angi|lymph|hepat|hamart|blast|granul|melan|mesotheli|thym|fibr|neur)oma"
             + "|(?<!chole)cysts?(?![a-z])|(?<!fat |muscle |body |bone )\\bmass(es)?\\b"
             + "|\\bhcc\\b|\\b(i?[gcp]|i)tv|\\btarget volumes?\\b");
     /** Words for what lies in or beside an organ and is no part of it. */
-    private static final Pattern BESIDE = Pattern.compile(
-            "effusion|fluid|(pneumo|hydro|ha?emo)thorax|empyema|arter(y|i)|\\bveins?\\b|\\bvenae?\\b"
+    private static final Pattern BESIDE =
+            Pattern.compile("effusion|fluid|(pneumo|hydro|ha?emo)thorax|empyema|arter(y|i)|\\bveins?\\b|\\bvenae?\\b"
                     + "|lymph|\\bnodes?\\b|nerve|ligament|intercostal|\\bprv|implant|catheter|\\bdrain|\\btube"
                     + "|fracture|pacemaker|\\bleads?\\b|marker|\\bclips?\\b|bolus"
                     + "|\\bplates?\\b|\\bscrews?\\b|fixation|osteosynthes"
-                    + "|fiducial|stent|\\bwires?\\b|\\bcoils?\\b|prosthes|\\bseeds?\\b|\\bdevices?\\b|needle|\\b(b|bounding ?)box");
+                    + "|fiducial|stent|\\b(wire|coil|seed|device)s?\\b|prosthes|needle|\\b(b|bounding ?)box"
+                    + "|\\bjoints?\\b|junction|costochondral|\\b(non?|not|outside)\\b(?! \\d)");
 
     /** Fluid below the diaphragm; free fluid alone may lie in the chest. */
     private static final Pattern ASCITES =
@@ -139,8 +126,8 @@ public final class LabelNames {
     private static final Map<String, String> VESSELS = Map.of("veins", "vein", "arteries", "artery");
 
     private static final Pattern PLURAL_VESSELS = Pattern.compile("(?<![a-z])(veins|arteries)(?![a-z])");
-    /** Vertebrae that some people have beyond the usual number. */
-    private static final Set<String> EXTRA_VERTEBRAE = Set.of("T13", "L6");
+    private static final Pattern AND = Pattern.compile("(?i) ?[+&] ?|[ _]and[ _]");
+    private static final Set<String> OF_CAGE = Set.of(LabelTable.RIBS, "sternum", LabelTable.SPINE);
 
     private LabelNames() {}
 
@@ -188,8 +175,12 @@ public final class LabelNames {
         if (organ.isPresent()) {
             return organ;
         }
+        List<String> several = several(name);
+        if (!several.isEmpty()) {
+            return united(several);
+        }
         List<String> words = new ArrayList<>(Arrays.asList(
-                RibNames.apart(JOINED_SIDE.matcher(plain).replaceAll("$1 ")).split(" ", -1)));
+                BoneNames.apart(JOINED_SIDE.matcher(plain).replaceAll("$1 ")).split(" ", -1)));
         Side side = side(words);
         String suffix = side == Side.RIGHT ? "_R" : side == Side.LEFT ? "_L" : "";
         String rest = String.join(" ", words);
@@ -211,6 +202,31 @@ public final class LabelNames {
         return beside ? organ(words, suffix).filter(LabelNames::isNamed) : ofWords(name, words, side, suffix);
     }
 
+    /** The structures of a name such as "Ribs+Sternum"; empty where it is of one, or of one that is unknown. */
+    private static List<String> several(String name) {
+        String[] parts = AND.split(name, -1);
+        List<String> all = Arrays.stream(parts)
+                .flatMap(part -> parts.length == 1 ? Stream.empty() : structure(part).stream())
+                .distinct()
+                .toList();
+        boolean ofBody = all.stream().noneMatch(known -> known.startsWith("lesion_") || LabelTable.isOfPlan(known));
+        return all.size() > 1 && all.size() == parts.length && ofBody ? all : List.of();
+    }
+
+    /** What several structures under one label are: a pair, or bones that are told apart by their shape. */
+    private static Optional<String> united(List<String> several) {
+        Set<String> all = Set.copyOf(several);
+        if (all.equals(Set.of("lung_L", "lung_R"))) {
+            return Optional.of(LabelTable.LUNGS);
+        }
+        if (all.equals(Set.of("kidney_L", "kidney_R"))) {
+            return Optional.of("organ_kidneys");
+        }
+        boolean ofCage = all.contains(LabelTable.RIBS) && OF_CAGE.containsAll(all);
+        return Optional.of(all.contains(LabelTable.SPINE) ? LabelTable.ALL_BONES : LabelTable.RIBS)
+                .filter(bones -> ofCage);
+    }
+
     private static boolean isNamed(String structure) {
         return StructureName.parse(structure)
                 .map(StructureName::kind)
@@ -220,8 +236,8 @@ public final class LabelNames {
 
     private static Optional<String> ofWords(String name, List<String> words, Side side, String suffix) {
         String rest = String.join(" ", words);
-        Optional<String> rib = RibNames.structure(name, words, side, suffix);
-        if (rib.isPresent() || RibNames.isRib(rest)) {
+        Optional<String> rib = BoneNames.structure(name, words, side, suffix);
+        if (rib.isPresent() || BoneNames.isRib(rest)) {
             return rib;
         }
         Matcher sternum = STERNUM.matcher(rest);
@@ -240,12 +256,12 @@ public final class LabelNames {
         if (side != Side.MIDLINE && LUNG_LOBE.matcher(rest).matches()) {
             return Optional.of("lung" + suffix);
         }
-        return vertebra(words).or(() -> organ(words, suffix));
+        return BoneNames.vertebra(words).or(() -> organ(words, suffix));
     }
 
     /** Whether a word says what lies in or beside a structure. */
     static boolean isOfAnatomy(String word) {
-        return LESION.matcher(word).find() || BESIDE.matcher(word).find() || FILLERS.contains(word);
+        return LESION.matcher(word).find() || BESIDE.matcher(word).find() || BoneNames.FILLERS.contains(word);
     }
 
     /** English words of a name in lower case, with a space between them. */
@@ -261,49 +277,10 @@ public final class LabelNames {
         return right == left ? Side.MIDLINE : right ? Side.RIGHT : Side.LEFT;
     }
 
-    private static Optional<String> vertebra(List<String> words) {
-        String text = APART.matcher(String.join(" ", words)).replaceAll("$1");
-        boolean stated = words.contains("vertebra");
-        List<String> joined = Arrays.asList((stated ? DORSAL.matcher(text).replaceAll("t") : text).split(" ", -1));
-        for (String word : joined) {
-            Matcher m = VERTEBRA.matcher(word);
-            if (m.matches() && (joined.size() == 1 || FILLERS.containsAll(without(joined, word)))) {
-                Optional<String> usual = vertebra(m.group(1), Integer.parseInt(m.group(2)));
-                return usual.isPresent() ? usual : extraVertebra(word, joined.size() > 1);
-            }
-            Matcher number = NUMBER.matcher(ordinal(word));
-            if (number.matches() && words.contains("vertebra") && FILLERS.containsAll(without(words, word))) {
-                return words.stream()
-                        .filter(REGIONS::containsKey)
-                        .findFirst()
-                        .flatMap(region -> vertebra(REGIONS.get(region), Integer.parseInt(number.group(1))));
-            }
-        }
-        return Optional.empty();
-    }
-
-    /** @param region c, t or th, l or s */
-    private static Optional<String> vertebra(String region, int number) {
-        String letter = region.substring(0, 1).toUpperCase(Locale.ROOT);
-        return known("vertebra_" + letter + number);
-    }
-
-    /** @param stated whether the name says that it is a vertebra: "T13" alone may be anything, as a slice or a time */
-    private static Optional<String> extraVertebra(String word, boolean stated) {
-        String name = word.toUpperCase(Locale.ROOT);
-        return EXTRA_VERTEBRAE.contains(name) && (stated || name.startsWith("L"))
-                ? known("bone_vertebra_" + name)
-                : Optional.empty();
-    }
-
     /** The number of an ordinal such as "fifth"; any other word as it is. */
     static String ordinal(String word) {
         int ordinal = 1 + ORDINALS.indexOf(word);
         return ordinal > 0 ? String.valueOf(ordinal) : word;
-    }
-
-    private static List<String> without(List<String> words, String word) {
-        return words.stream().filter(other -> !other.equals(word)).toList();
     }
 
     private static Optional<String> organ(List<String> words, String suffix) {

@@ -38,7 +38,7 @@ record NamedLabels(Map<Integer, String> names, Map<Integer, String> structures) 
         Arrays.asList(Side.RIGHT, Side.LEFT).forEach(side -> {
             List<Integer> ribs = names.keySet().stream()
                     .filter(label -> !structures.containsKey(label))
-                    .filter(label -> RibNames.sideOfRib(names.get(label)).equals(Optional.of(side)))
+                    .filter(label -> BoneNames.sideOfRib(names.get(label)).equals(Optional.of(side)))
                     .toList();
             if (!ribs.isEmpty() && LabelPieces.areSeveral(volume.grid(), ribs)) {
                 ribs.forEach(label -> structures.put(label, LabelTable.ribsOf(side)));

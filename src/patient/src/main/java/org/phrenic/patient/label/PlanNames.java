@@ -18,8 +18,8 @@ final class PlanNames {
     private static final String RINGS = "(rings?|shells?)\\d*";
     /** An organ less a target volume or an organ in the names of TG-263, as "Lungs-GTV", or less anything else. */
     private static final Pattern LESS =
-            Pattern.compile("(?i)(.+?)( ?[-\u2013] ?((i?[gcp]|i)tv|(lungs?|heart|liver|kidneys?)(?![a-z]))"
-                    + "|[ _](minus|without|excluding|less|w/o)[ _]|[ _]?(minus|not?|less)[ _]?(i?[gcp]|i)tv).*");
+            Pattern.compile("(?i)(.+?)( ?[-\u2013] ?\\(?((i?[gcp]|i)tv|(lungs?|heart|liver|kidneys?)(?![a-z]))"
+                    + "|[ _](minus|without|excluding|less|w/o)[ _]|[ _]?(minus|no[nt]?|less)[ _]?(i?[gcp]|i)tv).*");
 
     private static final Pattern AID = Pattern.compile(".*prv.*|(.* )?isodoses?\\d*( .*)?"
             + "|((z|ns) )?(" + TARGET + " ((\\d+|high|mid|low) )*)*" + RINGS + "( (" + PLACE + "|" + TARGET + "))*"
@@ -68,7 +68,7 @@ final class PlanNames {
         Matcher less = LESS.matcher(name);
         return less.matches()
                 ? LabelNames.structure(less.group(1).equalsIgnoreCase("e") ? "external" : less.group(1))
-                        .filter(organ -> !organ.startsWith(LESION))
+                        .filter(organ -> !organ.startsWith(LESION) && !organ.equals(LabelTable.IGNORE))
                 : Optional.empty();
     }
 

@@ -2,10 +2,16 @@ package org.phrenic.patient.label;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.anatomy.OrganNames;
+import org.phrenic.anatomy.Resolution;
+import org.phrenic.anatomy.Structure;
+import org.phrenic.anatomy.StructureName;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 
 /** Names of tools, data sets, TG-263 and atlases that hold a word of another structure. */
 class LabelNamesTest {
@@ -60,6 +66,11 @@ class LabelNamesTest {
                 "Heart device",
                 "Lung_Fiducial",
                 "Lung bounding box",
+                "Non_Lung",
+                "Not lung",
+                "Outside lung",
+                "Rib-vertebra joint",
+                "Rib1_L_costochondral junction",
                 "L-spine",
                 "T5-T8",
                 "temporal lobe left",
@@ -128,6 +139,8 @@ class LabelNamesTest {
         "Lungs_NOT_GTV, lungs",
         "LungsNOTGTV, lungs",
         "Lungs less GTV, lungs",
+        "Lungs-(ITV), lungs",
+        "Lung_R_nonPTV, lung_R",
         "Lungs w/o GTV, lungs",
         "Liver_noGTV, liver",
         "LiverMinusGTV, liver",
@@ -417,6 +430,27 @@ class LabelNamesTest {
         assertThat(LabelNames.structure(name)).contains(structure);
     }
 
+    /** Of several structures under one label none is the others; pairs are known, and bones are told apart. */
+    @ParameterizedTest
+    @CsvSource({
+        "Lung_L+Lung_R, lungs",
+        "left kidney and right kidney, organ_kidneys",
+        "Rib cage and spine, bone_skeleton",
+        "Ribs+Sternum, ribs",
+        "Sternum and ribs, ribs",
+        "Heart+Pericardium, heart",
+        "Heart+A_Pulm, heart",
+        "Lungs+Heart, -",
+        "Aorta+Heart, -",
+        "Costal cartilages and sternum, -",
+        "Spleen & stomach, -",
+        "Liver+GTV, lesion_liver_gtv",
+        "portal_vein_and_splenic_vein, portal_and_splenic_vein",
+    })
+    void severalStructuresUnderOneLabelAreNotOneOfThem(String name, String structure) {
+        assertThat(LabelNames.structure(name).orElse("-")).isEqualTo(structure);
+    }
+
     /** Vessels in the order of words of TG-263 and of other languages, and parts of the aorta. */
     @ParameterizedTest
     @CsvSource({
@@ -544,5 +578,16 @@ class LabelNamesTest {
     @ValueSource(strings = {"ascites drain", "free fluid", "thoracoabdominal fluid", "R5", "5L", "D5", "liver re"})
     void whatMayBeElsewhereIsUnknown(String name) {
         assertThat(LabelNames.structure(name)).isEmpty();
+    }
+
+    /** A folder of meshes that Phrenic has written keeps its structures. */
+    @Test
+    void theNameOfAStructureStandsForIt() {
+        Stream<String> ofTables = NumberTable.ALL.stream().flatMap(table -> table.structures().values().stream());
+        Stream<String> ofBody = VirtualThorax.ofPreset("adult-male", Resolution.LOW).structures().stream()
+                .map(Structure::name);
+        assertThat(Stream.concat(ofTables, ofBody))
+                .allSatisfy(name -> assertThat(LabelNames.structure(name).flatMap(StructureName::parse))
+                        .isEqualTo(StructureName.parse(name)));
     }
 }

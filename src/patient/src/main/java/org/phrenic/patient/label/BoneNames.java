@@ -1,14 +1,18 @@
 package org.phrenic.patient.label;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.phrenic.anatomy.Side;
 
-/** Ribs and their cartilages by the names that files give to labels, as {@link LabelNames}. */
-final class RibNames {
+/** Ribs, their cartilages and vertebrae by the names that files give to labels, as {@link LabelNames}. */
+final class BoneNames {
     private static final Pattern CARTILAGE =
             Pattern.compile("(?=.*cartilage)(.*\\b(costal|ribs?\\d*\\b).*|cartilages?[ \\d]*)");
     private static final Pattern RIB = Pattern.compile("(.* )?rib(s|cage)?\\d*( .*)?");
@@ -32,7 +36,24 @@ final class RibNames {
     /** A German abbreviation of a side beside a number or at the end. */
     private static final Pattern GERMAN_SIDE = Pattern.compile("\\b(?:(?<=\\d )(li|re)|(li|re)(?= \\d|$))\\b");
 
-    private RibNames() {}
+    private static final Pattern VERTEBRA = Pattern.compile("(th|[ctls])0*(\\d{1,2})");
+    /** The region and the number of a vertebra, written apart. */
+    private static final Pattern APART = Pattern.compile("\\b(th|[ct]) (?=0*\\d{1,2}\\b)");
+
+    /** A thoracic vertebra as Romance languages name it, where a name says that it is a vertebra. */
+    private static final Pattern DORSAL = Pattern.compile("\\bd(?: (?=0*\\d{1,2}\\b)|(?=\\d))");
+
+    private static final Map<String, String> REGIONS =
+            Map.of("cervical", "c", "thoracic", "t", "dorsal", "t", "lumbar", "l");
+    /** Words that add nothing to the name of a structure. */
+    static final List<String> FILLERS = List.of(("vertebra vertebrae vertebral vb body corpus thoracic dorsal lumbar "
+                    + "cervical upper middle lower superior inferior of the")
+            .split(" ", -1));
+
+    /** Vertebrae that some people have beyond the usual number. */
+    private static final Set<String> EXTRA_VERTEBRAE = Set.of("T13", "L6");
+
+    private BoneNames() {}
 
     /** Whether a name is of ribs or cartilages, whose numbers and sides may be unknown. */
     static boolean isRib(String name) {
@@ -92,5 +113,45 @@ final class RibNames {
     private static boolean isRange(String name) {
         Matcher range = RANGE.matcher(LabelWords.english(name));
         return range.find() && Integer.parseInt(range.group(1)) < Integer.parseInt(range.group(2));
+    }
+
+    /** The vertebra that words name, of which all others add nothing to it. */
+    static Optional<String> vertebra(List<String> words) {
+        String text = APART.matcher(String.join(" ", words)).replaceAll("$1");
+        boolean stated = words.contains("vertebra");
+        List<String> joined = Arrays.asList((stated ? DORSAL.matcher(text).replaceAll("t") : text).split(" ", -1));
+        for (String word : joined) {
+            Matcher m = VERTEBRA.matcher(word);
+            if (m.matches() && (joined.size() == 1 || FILLERS.containsAll(without(joined, word)))) {
+                Optional<String> usual = vertebra(m.group(1), Integer.parseInt(m.group(2)));
+                return usual.isPresent() ? usual : extraVertebra(word, joined.size() > 1);
+            }
+            Matcher number = LabelNames.NUMBER.matcher(LabelNames.ordinal(word));
+            if (number.matches() && words.contains("vertebra") && FILLERS.containsAll(without(words, word))) {
+                return words.stream()
+                        .filter(REGIONS::containsKey)
+                        .findFirst()
+                        .flatMap(region -> vertebra(REGIONS.get(region), Integer.parseInt(number.group(1))));
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** @param region c, t or th, l or s */
+    private static Optional<String> vertebra(String region, int number) {
+        String letter = region.substring(0, 1).toUpperCase(Locale.ROOT);
+        return LabelNames.known("vertebra_" + letter + number);
+    }
+
+    /** @param stated whether the name says that it is a vertebra: "T13" alone may be anything, as a slice or a time */
+    private static Optional<String> extraVertebra(String word, boolean stated) {
+        String name = word.toUpperCase(Locale.ROOT);
+        return EXTRA_VERTEBRAE.contains(name) && (stated || name.startsWith("L"))
+                ? LabelNames.known("bone_vertebra_" + name)
+                : Optional.empty();
+    }
+
+    private static List<String> without(List<String> words, String word) {
+        return words.stream().filter(other -> !other.equals(word)).toList();
     }
 }
