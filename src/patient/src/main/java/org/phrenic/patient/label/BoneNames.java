@@ -7,9 +7,12 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.phrenic.anatomy.Side;
+import org.phrenic.anatomy.StructureKind;
 
 /** Ribs, their cartilages and vertebrae by the names that files give to labels, as {@link LabelNames}. */
 final class BoneNames {
@@ -36,6 +39,15 @@ final class BoneNames {
     /** A German abbreviation of a side beside a number or at the end. */
     private static final Pattern GERMAN_SIDE = Pattern.compile("\\b(?:(?<=\\d )(li|re)|(li|re)(?= \\d|$))\\b");
 
+    /** An ordinal in Romance languages, as in "5a costa"; "rib 5a" is a part of one. */
+    private static final Pattern ORDINAL = Pattern.compile("(?<=^\\d{1,2})(a|o|er?|re|eme|ere)$");
+
+    private static final Pattern GERMANIC = Pattern.compile("(?i)ri(b|pp)");
+    private static final Pattern ROMAN =
+            Pattern.compile("(?<![\\p{L}\\d])(I{1,3}|IV|VI{0,3}|IX|XI{0,2})(?![\\p{L}\\d])");
+    private static final List<String> ROMANS =
+            List.of("I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX", "X", "XI", "XII");
+
     private static final Pattern VERTEBRA = Pattern.compile("(th|[ctls])0*(\\d{1,2})");
     /** The region and the number of a vertebra, written apart. */
     private static final Pattern APART = Pattern.compile("\\b(th|[ct]) (?=0*\\d{1,2}\\b)");
@@ -52,6 +64,8 @@ final class BoneNames {
 
     /** Vertebrae that some people have beyond the usual number. */
     private static final Set<String> EXTRA_VERTEBRAE = Set.of("T13", "L6");
+
+    private static final Set<String> SOFT_TISSUES = Set.of(LabelTable.SKIN, "muscle_skeletal");
 
     private BoneNames() {}
 
@@ -99,15 +113,24 @@ final class BoneNames {
 
     private static Optional<String> levelled(String name, List<String> words, Side side, String stem, String common) {
         boolean several = words.stream().anyMatch(word -> SEVERAL.matcher(word).matches());
+        boolean germanic = GERMANIC.matcher(name).find();
         List<String> numbers = words.stream()
+                .map(word -> germanic ? word : ORDINAL.matcher(word).replaceFirst(""))
                 .map(word -> LabelNames.NUMBER.matcher(LabelNames.ordinal(word).replaceAll("^(ribs?|cartilages?)", "")))
                 .filter(Matcher::matches)
                 .map(m -> m.group(1))
                 .toList();
+        numbers = numbers.isEmpty() && !several ? roman(name) : numbers;
         if (side == Side.MIDLINE || numbers.isEmpty() || (several && numbers.size() > 1) || isRange(name)) {
             return side == Side.MIDLINE || several || !numbers.isEmpty() ? Optional.of(common) : Optional.empty();
         }
         return LabelNames.known(stem + "_" + numbers.get(0) + (side == Side.RIGHT ? "_R" : "_L"));
+    }
+
+    /** The one Roman number of a name; empty where it has several. */
+    private static List<String> roman(String name) {
+        List<String> all = ROMAN.matcher(name).results().map(MatchResult::group).toList();
+        return all.size() == 1 ? List.of(String.valueOf(1 + ROMANS.indexOf(all.get(0)))) : List.of();
     }
 
     private static boolean isRange(String name) {
@@ -115,10 +138,54 @@ final class BoneNames {
         return range.find() && Integer.parseInt(range.group(1)) < Integer.parseInt(range.group(2));
     }
 
+    /** Whether structures are ribs and cartilages, which a name says by the latter. */
+    static boolean haveCartilage(List<String> structures) {
+        return structures.stream().anyMatch(BoneNames::isCartilage)
+                && structures.stream().allMatch(known -> isRibs(known) || isCartilage(known));
+    }
+
+    private static boolean isRibs(String structure) {
+        return Set.of(LabelTable.RIBS, LabelTable.RIGHT_RIBS, LabelTable.LEFT_RIBS)
+                        .contains(structure)
+                || LabelNames.isOfKind(structure, StructureKind.RIB);
+    }
+
+    private static boolean isCartilage(String structure) {
+        return structure.equals(LabelTable.COSTAL_CARTILAGES)
+                || LabelNames.isOfKind(structure, StructureKind.COSTAL_CARTILAGE);
+    }
+
+    private static boolean isOtherBone(String structure) {
+        return Stream.of(StructureKind.STERNUM, StructureKind.BONE, StructureKind.VERTEBRA)
+                .anyMatch(kind -> LabelNames.isOfKind(structure, kind));
+    }
+
+    /** What several structures under one label are: a pair, soft tissues, or bones that are told apart by shape. */
+    static Optional<String> united(List<String> several, String plain) {
+        Set<String> all = Set.copyOf(several);
+        if (all.stream().allMatch(BoneNames::isRibs)) {
+            Side side = LabelNames.side(new ArrayList<>(Arrays.asList(plain.split(" ", -1))));
+            return Optional.of(side == Side.MIDLINE ? LabelTable.RIBS : LabelTable.ribsOf(side));
+        }
+        if (all.equals(Set.of("lung_L", "lung_R"))) {
+            return Optional.of(LabelTable.LUNGS);
+        }
+        if (all.equals(Set.of("kidney_L", "kidney_R"))) {
+            return Optional.of("organ_kidneys");
+        }
+        if (all.equals(SOFT_TISSUES)) {
+            return Optional.of(LabelTable.SKIN);
+        }
+        boolean ofCage =
+                all.contains(LabelTable.RIBS) && all.stream().allMatch(known -> isRibs(known) || isOtherBone(known));
+        boolean haveSpine = all.contains(LabelTable.SPINE) || all.stream().anyMatch(LabelNames::isVertebra);
+        return Optional.of(haveSpine ? LabelTable.ALL_BONES : LabelTable.RIBS).filter(bones -> ofCage);
+    }
+
     /** The vertebra that words name, of which all others add nothing to it. */
     static Optional<String> vertebra(List<String> words) {
         String text = APART.matcher(String.join(" ", words)).replaceAll("$1");
-        boolean stated = words.contains("vertebra");
+        boolean stated = words.contains("vertebra") || words.contains("vertebrae");
         List<String> joined = Arrays.asList((stated ? DORSAL.matcher(text).replaceAll("t") : text).split(" ", -1));
         for (String word : joined) {
             Matcher m = VERTEBRA.matcher(word);

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -44,12 +43,12 @@ public final class LabelNames {
     private static final Pattern JOINED_SIDE = Pattern.compile("\\b(left|right)(?=[a-z])");
     /** A side in one word with what it is of, such as "LLung". */
     private static final Pattern CAPITAL_SIDE = Pattern.compile("^([LR])(?=[A-Z][a-z]{2})");
-    /** What a file is, or what has made it. */
-    private static final String OF_FILE = "(mask|seg|segmentation|roi|contour|volume|label|ai|dlc|auto)";
-    /** Such words at an end of a name, such as "liver_mask". */
-    private static final Pattern MASK = Pattern.compile("(?i)^" + OF_FILE + "[ _-]+|[ _-]+" + OF_FILE + "$");
+    /** Words at an end of a name for what a file is, such as "liver_mask". */
+    private static final Pattern MASK = ofFile("mask|seg|segmentation");
+    /** Words for what a file is, or what has made it, beside the name of an organ: a "T1 volume" is no vertebra. */
+    private static final Pattern MADE = ofFile("mask|seg|segmentation|roi|contour|volume|label|ai|dlc|auto");
     /** Lesions, and the target volumes of radiotherapy. */
-    private static final Pattern LESION = Pattern.compile("tumou?r|lesion|metasta|\\bmets?\\b|nodule|cancer"
+    private static final Pattern LESION = Pattern.compile("tumou?r|lesion|metasta|(?<= )mets?\\b|nodule|cancer"
             + "|(carcin|sarc|aden|angi|lymph|hepat|hamart|blast|granul|melan|mesotheli|thym|fibr|neur)oma"
             + "|(?<!chole)cysts?(?![a-z])|(?<!fat |muscle |body |bone )\\bmass(es)?\\b"
             + "|\\bhcc\\b|\\b(i?[gcp]|i)tv|\\btarget volumes?\\b");
@@ -59,8 +58,8 @@ public final class LabelNames {
                     + "|lymph|\\bnodes?\\b|nerve|ligament|intercostal|\\bprv|implant|catheter|\\bdrain|\\btube"
                     + "|fracture|pacemaker|\\bleads?\\b|marker|\\bclips?\\b|bolus"
                     + "|\\bplates?\\b|\\bscrews?\\b|fixation|osteosynthes"
-                    + "|fiducial|stent|\\b(wire|coil|seed|device)s?\\b|prosthes|needle|\\b(b|bounding ?)box"
-                    + "|\\bjoints?\\b|junction|costochondral|\\b(non?|not|outside)\\b(?! \\d)");
+                    + "|(?<= )((wire|coil|seed|device|stent|fiducial|needle|joint)s?|junction|costochondral)\\b"
+                    + "|(?<= )(prosthes[ie]s|(b|bounding ?)box)\\b|^(non?|not|outside) (?!\\d)");
 
     /** Fluid below the diaphragm; free fluid alone may lie in the chest. */
     private static final Pattern ASCITES =
@@ -126,10 +125,19 @@ public final class LabelNames {
     private static final Map<String, String> VESSELS = Map.of("veins", "vein", "arteries", "artery");
 
     private static final Pattern PLURAL_VESSELS = Pattern.compile("(?<![a-z])(veins|arteries)(?![a-z])");
+    /** The "L" of an L spine is no side. */
+    private static final Pattern LUMBAR_SPINE = Pattern.compile("(?i)l[ _-]?spine");
+
     private static final Pattern AND = Pattern.compile("(?i) ?[+&] ?|[ _]and[ _]");
-    private static final Set<String> OF_CAGE = Set.of(LabelTable.RIBS, "sternum", LabelTable.SPINE);
+
+    /** Beginnings of the names that an import writes. */
+    private static final Pattern WRITTEN = Pattern.compile("(organ|vessel|muscle|bone|lesion|other)_.*");
 
     private LabelNames() {}
+
+    private static Pattern ofFile(String words) {
+        return Pattern.compile("(?i)^(" + words + ")[ _-]+|[ _-]+(" + words + ")$");
+    }
 
     private static Map<String, String> ofTools() {
         Map<String, String> all = new TreeMap<>();
@@ -152,6 +160,10 @@ public final class LabelNames {
     public static Optional<String> structure(String name) {
         return ofName(name)
                 .or(() -> ofOther(name, MASK.matcher(name).replaceAll("")))
+                .or(() -> Optional.of(MADE.matcher(name).replaceAll(""))
+                        .filter(rest ->
+                                LabelWords.WHOLE_WORD.matcher(plain(rest)).find())
+                        .flatMap(rest -> ofOther(name, rest)))
                 .or(() -> ofOther(name, CAPITAL_SIDE.matcher(name).replaceAll("$1 ")));
     }
 
@@ -160,15 +172,25 @@ public final class LabelNames {
     }
 
     private static Optional<String> ofName(String name) {
-        if (LabelWords.isPartlyKnown(name)) {
+        Optional<String> ofLatin = LabelWords.latin(name).flatMap(LabelNames::structure);
+        if (ofLatin.isEmpty() && LabelWords.isPartlyKnown(name)) {
             return Optional.empty();
+        }
+        String english = plain(name);
+        if (ofLatin.filter(known -> !isVertebra(known)).isPresent()
+                && LabelWords.WHOLE_WORD.matcher(name).find()
+                && !LESION.matcher(english).find()
+                && !BESIDE.matcher(english).find()) {
+            return ofLatin;
         }
         String plain = plain(JOINED_WORDS.matcher(name).replaceAll(" "));
         String ofTool = OF_TOOLS.get(plain.replace(' ', '_'));
         if (ofTool != null) {
             return Optional.of(ofTool);
         }
-        if (LabelTable.isOfPlan(name)) {
+        boolean isWritten =
+                WRITTEN.matcher(name).matches() && StructureName.usual(name).equals(name);
+        if (LabelTable.isOfPlan(name) || (isWritten && isNamed(name))) {
             return Optional.of(LabelTable.usual(name));
         }
         Optional<String> organ = PlanNames.organ(name, plain);
@@ -177,7 +199,7 @@ public final class LabelNames {
         }
         List<String> several = several(name);
         if (!several.isEmpty()) {
-            return united(several);
+            return BoneNames.united(several, plain);
         }
         List<String> words = new ArrayList<>(Arrays.asList(
                 BoneNames.apart(JOINED_SIDE.matcher(plain).replaceAll("$1 ")).split(" ", -1)));
@@ -209,22 +231,25 @@ public final class LabelNames {
                 .flatMap(part -> parts.length == 1 ? Stream.empty() : structure(part).stream())
                 .distinct()
                 .toList();
-        boolean ofBody = all.stream().noneMatch(known -> known.startsWith("lesion_") || LabelTable.isOfPlan(known));
-        return all.size() > 1 && all.size() == parts.length && ofBody ? all : List.of();
+        boolean ofBody = all.stream()
+                .noneMatch(known -> isLesion(known) || LabelTable.isOfPlan(known) || known.equals(LabelTable.IGNORE));
+        return all.size() > 1 && all.size() == parts.length && ofBody && !BoneNames.haveCartilage(all)
+                ? all
+                : List.of();
     }
 
-    /** What several structures under one label are: a pair, or bones that are told apart by their shape. */
-    private static Optional<String> united(List<String> several) {
-        Set<String> all = Set.copyOf(several);
-        if (all.equals(Set.of("lung_L", "lung_R"))) {
-            return Optional.of(LabelTable.LUNGS);
-        }
-        if (all.equals(Set.of("kidney_L", "kidney_R"))) {
-            return Optional.of("organ_kidneys");
-        }
-        boolean ofCage = all.contains(LabelTable.RIBS) && OF_CAGE.containsAll(all);
-        return Optional.of(all.contains(LabelTable.SPINE) ? LabelTable.ALL_BONES : LabelTable.RIBS)
-                .filter(bones -> ofCage);
+    static boolean isLesion(String structure) {
+        return isOfKind(structure, StructureKind.LESION);
+    }
+
+    static boolean isVertebra(String structure) {
+        return isOfKind(structure, StructureKind.VERTEBRA) || structure.startsWith("vertebra_");
+    }
+
+    static boolean isOfKind(String structure, StructureKind kind) {
+        return StructureName.parse(structure)
+                .filter(name -> name.kind() == kind)
+                .isPresent();
     }
 
     private static boolean isNamed(String structure) {
@@ -246,8 +271,8 @@ public final class LabelNames {
         }
         for (Map.Entry<Pattern, String> known : BY_EXPRESSION.entrySet()) {
             if (known.getKey().matcher(rest).matches()) {
-                // The "L" of an L spine is no side.
-                return Optional.of(known.getValue()).filter(of -> side == Side.MIDLINE || !of.equals(LabelTable.SPINE));
+                return Optional.of(known.getValue())
+                        .filter(of -> !LUMBAR_SPINE.matcher(name).matches());
             }
         }
         if (LUNG.matcher(rest).matches()) {

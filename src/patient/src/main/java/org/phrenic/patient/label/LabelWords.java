@@ -5,6 +5,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
@@ -30,7 +32,11 @@ final class LabelWords {
     private static final Pattern IDEOGRAPH = Pattern.compile("\\p{IsHan}");
 
     /** A word that may be an abbreviation; a letter beside a number is that of a vertebra. */
-    private static final Pattern SHORT = Pattern.compile("(?<![\\p{L}\\d])\\p{L}{1,3}(?![\\p{L}\\d])");
+    private static final Pattern SHORT = Pattern.compile("(?<![\\p{L}\\d])\\p{L}{1,3}(?![\\p{L}\\d'\u2019])");
+    /** The letter of a dorsal vertebra in a name that says that it is a vertebra. */
+    private static final Pattern DORSAL = Pattern.compile("(?<=v[e\u00e9]rt[e\u00e8]b.{1,9}) d(?= ?\\d)");
+    /** Letters that say more than a side. */
+    static final Pattern WHOLE_WORD = Pattern.compile("\\p{IsLatin}{3}");
 
     private static final String ABBREVIATION = " abbreviation";
 
@@ -39,6 +45,8 @@ final class LabelWords {
     private static final Map<String, String> LANGUAGES = new TreeMap<>();
     /** English words of abbreviations, by language. */
     private static final Map<String, Map<String, String>> ABBREVIATIONS = new TreeMap<>();
+
+    private static final Set<String> SIDES = Set.of("left", "right");
     /** Words of scripts that write no spaces, the longest first. */
     private static final List<String> UNSPACED;
 
@@ -74,10 +82,23 @@ final class LabelWords {
 
     /**
      * Whether a name in a script without spaces has words that are not in the list, which may say that it is no organ
-     * but, for one, its lymph nodes. A name that has Latin letters as well is taken by these.
+     * but, for one, its lymph nodes.
      */
     static boolean isPartlyKnown(String name) {
-        return !LATIN.matcher(name).find() && IDEOGRAPH.matcher(english(name)).find();
+        return IDEOGRAPH.matcher(english(name)).find();
+    }
+
+    /** The Latin part of a name that is in two scripts, with the sides of both; empty for other names. */
+    static Optional<String> latin(String name) {
+        if (!IDEOGRAPH.matcher(name).find() || !LATIN.matcher(name).find()) {
+            return Optional.empty();
+        }
+        String text = Normalizer.normalize(name, Normalizer.Form.NFC);
+        for (String word : UNSPACED) {
+            String english = ENGLISH.get(word);
+            text = text.replace(word, SIDES.contains(english) ? " " + english + " " : " ");
+        }
+        return Optional.of(IDEOGRAPH.matcher(text).replaceAll(" ").strip());
     }
 
     /** A name in lower case in which known words of other languages are English ones. */
@@ -91,6 +112,7 @@ final class LabelWords {
                 .results()
                 .forEach(word ->
                         sides.putAll(ABBREVIATIONS.getOrDefault(LANGUAGES.getOrDefault(word.group(), ""), Map.of())));
+        text = DORSAL.matcher(text).replaceAll(" t");
         text = SHORT.matcher(text).replaceAll(word -> sides.getOrDefault(word.group(), word.group()));
         text = WORD.matcher(text).replaceAll(word -> Matcher.quoteReplacement(english(word)));
         return LUMBAR.matcher(THORACIC.matcher(text).replaceAll("t")).replaceAll("l");

@@ -9,17 +9,25 @@ import java.util.regex.Pattern;
  * about organs, rings and shells, doses, what a plan is optimised by, and the rind of the chest wall.
  */
 final class PlanNames {
-    private static final String LESION = "lesion_";
     private static final String TARGET = "(i?[gcp]|i)tv\\w*";
     private static final Pattern TARGET_WORD = Pattern.compile("\\b" + TARGET);
     /** How far away or how large an aid is. */
     private static final String PLACE = "\\d\\w*|c?gy|[cm]m|inner|outer|near|far|high|mid|low";
 
     private static final String RINGS = "(rings?|shells?)\\d*";
-    /** An organ less a target volume or an organ in the names of TG-263, as "Lungs-GTV", or less anything else. */
-    private static final Pattern LESS =
-            Pattern.compile("(?i)(.+?)( ?[-\u2013] ?\\(?((i?[gcp]|i)tv|(lungs?|heart|liver|kidneys?)(?![a-z]))"
-                    + "|[ _](minus|without|excluding|less|w/o)[ _]|[ _]?(minus|no[nt]?|less)[ _]?(i?[gcp]|i)tv).*");
+    /** An organ less a target volume in the names of TG-263, as "Lungs-GTV", or less anything else. */
+    private static final Pattern LESS = Pattern.compile("(?i)(.+?)( ?[-\u2013] ?\\(?(i?[gcp]|i)tv"
+            + "|[ _](minus|without|excluding|less|w/o)[ _]|[ _]?(minus|no[nt]?|less)[ _]?(i?[gcp]|i)tv).*");
+
+    private static final String ORGAN = "(lungs?|heart|liver|kidneys?|spleen|stomach)([ _](l|r|left|right))?";
+    /**
+     * An organ less another, or a body or a chest wall less the lungs; other words before a dash may be a case or a
+     * region.
+     */
+    private static final Pattern LESS_ORGAN = Pattern.compile("(?i)(" + ORGAN + ") ?[-\u2013] ?" + ORGAN
+            + "|(e|external|body) ?[-\u2013] ?lungs|chest ?wall ?[-\u2013] ?lungs?");
+
+    private static final Pattern DASH = Pattern.compile(" ?[-\u2013] ?");
 
     private static final Pattern AID = Pattern.compile(".*prv.*|(.* )?isodoses?\\d*( .*)?"
             + "|((z|ns) )?(" + TARGET + " ((\\d+|high|mid|low) )*)*" + RINGS + "( (" + PLACE + "|" + TARGET + "))*"
@@ -53,8 +61,8 @@ final class PlanNames {
         String about = ring.group("after") == null ? ring.group("before") : ring.group("after");
         return LabelNames.structure(about)
                 .filter(known -> !known.equals(AIRWAY) && !known.equals(LabelTable.IGNORE))
-                .filter(known ->
-                        !known.startsWith(LESION) || TARGET_WORD.matcher(about).find())
+                .filter(known -> !LabelNames.isLesion(known)
+                        || TARGET_WORD.matcher(about).find())
                 .isPresent();
     }
 
@@ -63,13 +71,20 @@ final class PlanNames {
         return withoutTarget(name).or(() -> optimised(plain));
     }
 
+    /** Whether a name is that of an organ less another. */
+    static boolean isLessOrgan(String name) {
+        return LESS_ORGAN.matcher(name).matches();
+    }
+
     /** "E" is External in the names of TG-263. */
     private static Optional<String> withoutTarget(String name) {
         Matcher less = LESS.matcher(name);
-        return less.matches()
-                ? LabelNames.structure(less.group(1).equalsIgnoreCase("e") ? "external" : less.group(1))
-                        .filter(organ -> !organ.startsWith(LESION) && !organ.equals(LabelTable.IGNORE))
-                : Optional.empty();
+        if (!isLessOrgan(name) && !less.matches()) {
+            return Optional.empty();
+        }
+        String organ = isLessOrgan(name) ? DASH.split(name, 2)[0] : less.group(1);
+        return LabelNames.structure(organ.equalsIgnoreCase("e") ? "external" : organ)
+                .filter(known -> !LabelNames.isLesion(known) && !known.equals(LabelTable.IGNORE));
     }
 
     /** Targets and aids keep their whole names. */
@@ -77,6 +92,7 @@ final class PlanNames {
         String bare = OPTIMISED.matcher(plain).replaceAll("").strip();
         return bare.equals(plain) || !WHOLE_WORD.matcher(bare).find()
                 ? Optional.empty()
-                : LabelNames.structure(bare).filter(organ -> !organ.startsWith(LESION) && !LabelTable.isOfPlan(organ));
+                : LabelNames.structure(bare)
+                        .filter(organ -> !LabelNames.isLesion(organ) && !LabelTable.isOfPlan(organ));
     }
 }

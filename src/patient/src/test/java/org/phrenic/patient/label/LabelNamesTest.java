@@ -146,6 +146,21 @@ class LabelNamesTest {
         "LiverMinusGTV, liver",
         "Liver-Heart, liver",
         "Lung_L-Heart, lung_L",
+        "left lung-heart, lung_L",
+        "External-Lungs, skin",
+        "Colon - liver metastasis, lesion_colon_liver_metastasis",
+        "Kidney_L - lung metastasis, lesion_kidney_lung_metastasis_L",
+        "T10 - lung tumor, lesion_t10_lung_tumor",
+        "Rib_5_L-Lung-Tumor, lesion_rib_5_lung_tumor_L",
+        "Body-Lung-Tumor, lesion_body_lung_tumor",
+        "Chest wall - lung tumor, lesion_chest_wall_lung_tumor",
+        "Lesion-Liver, lesion_lesion_liver",
+        "Lesion-CTV, lesion_lesion_ctv",
+        "Body-Lung_L, lung_L",
+        "Torso-Heart, heart",
+        "Skeleton-Heart, heart",
+        "Spine-Lung, lungs",
+        "C1-Heart, heart",
         "rib no 5 left, rib_05_L",
         "lung-trachea-bronchia, trachea",
     })
@@ -174,6 +189,8 @@ class LabelNamesTest {
         "Lung_Met_L, lesion_lung_met_L",
         "Liver mets, lesion_liver_mets",
         "rib 5 left met, lesion_rib_5_met_L",
+        "Tumeur d'estomac, lesion_tumor_d_stomach",
+        "tumeur d’un rein gauche, lesion_tumor_d_un_kidney_L",
         "mesothelioma left lung, lesion_mesothelioma_lung_L",
         "Lung granuloma, lesion_lung_granuloma",
         "hepatoblastoma, lesion_hepatoblastoma",
@@ -379,7 +396,24 @@ class LabelNamesTest {
 
     /** What lies in or beside an organ is not the organ. */
     @ParameterizedTest
-    @CsvSource({"肺门淋巴结", "胃周淋巴结", "肋骨骨折", "肝内胆管", "Lungenhilus", "Lungenembolie"})
+    @CsvSource({
+        "肺门淋巴结",
+        "胃周淋巴结",
+        "肋骨骨折",
+        "肝内胆管",
+        "锁骨_L",
+        "左锁骨L",
+        "股骨_R",
+        "左股骨 (L)",
+        "肩胛骨_R",
+        "骨盆_L",
+        "骨髓_R",
+        "软骨_L",
+        "腎盂_L",
+        "骨盆_mask",
+        "Lungenhilus",
+        "Lungenembolie"
+    })
     void aNameWithAnUnknownWordIsNoOrgan(String name) {
         assertThat(LabelNames.structure(name)).isEmpty();
     }
@@ -425,6 +459,20 @@ class LabelNamesTest {
         "Eso, oesophagus",
         "Spinal column, bone_spine",
         "vertebra D5, vertebra_T05",
+        "vertèbre D 10, vertebra_T10",
+        "vertèbres D10, vertebra_T10",
+        "Spine R, bone_spine",
+        "Lung L non-contrast, lung_L",
+        "Lung_R (no contrast), lung_R",
+        "Heart_non_gated, heart",
+        "rib_left_5_non_displaced, rib_05_L",
+        "Rib 5 L not complete, rib_05_L",
+        "ribs non-floating left, ribs_L",
+        "Skin_Outside, skin",
+        "sternum non union, sternum_non_union",
+        "lung distention left, lung_L",
+        "persistent heart, heart",
+        "Lung (consistent), lungs",
     })
     void pluralsAndCommonSpellingsAreKnown(String name, String structure) {
         assertThat(LabelNames.structure(name)).contains(structure);
@@ -436,6 +484,14 @@ class LabelNamesTest {
         "Lung_L+Lung_R, lungs",
         "left kidney and right kidney, organ_kidneys",
         "Rib cage and spine, bone_skeleton",
+        "rib 5 & rib 6 left, ribs_L",
+        "right rib 5 and left rib 5, ribs",
+        "Rib and cartilage, costal_cartilages",
+        "Rib 5 left and cartilage, costal_cartilage_05_L",
+        "ribs and scapula, ribs",
+        "ribs and T5, bone_skeleton",
+        "Skin and muscle, skin",
+        "Skin and muscles, skin",
         "Ribs+Sternum, ribs",
         "Sternum and ribs, ribs",
         "Heart+Pericardium, heart",
@@ -554,6 +610,16 @@ class LabelNamesTest {
         "poumon g, lung_L",
         "côte 5 D, rib_05_R",
         "vertèbre D5, vertebra_T05",
+        "poumon d'un patient, lungs",
+        "2ème côte gauche, rib_02_L",
+        "1ère côte D, rib_01_R",
+        "5e côte G, rib_05_L",
+        "1er côte G, rib_01_L",
+        "5a costa sx, rib_05_L",
+        "V costa sx, rib_05_L",
+        "XII costa sx, rib_12_L",
+        "Costa I dx, rib_01_R",
+        "costae I-XII sin, ribs_L",
         "pulmón izq., lung_L",
         "riñón der, kidney_R",
         "pulmão dir, lung_R",
@@ -575,9 +641,73 @@ class LabelNamesTest {
 
     /** Drains, and fluid that may lie in the chest. */
     @ParameterizedTest
-    @ValueSource(strings = {"ascites drain", "free fluid", "thoracoabdominal fluid", "R5", "5L", "D5", "liver re"})
+    @ValueSource(
+            strings = {
+                "ascites drain",
+                "free fluid",
+                "thoracoabdominal fluid",
+                "R5",
+                "5L",
+                "D5",
+                "liver re",
+                "rib 5a left",
+                "Rib I-XII left",
+                "OS",
+                "T1_label",
+                "T1 volume",
+                "T1_ROI",
+                "T2_auto",
+                "volume_S1",
+                "label_L1",
+                "T1 contour"
+            })
     void whatMayBeElsewhereIsUnknown(String name) {
         assertThat(LabelNames.structure(name)).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "胰腺 Pancreas, pancreas",
+        "十二指肠 Duodenum, duodenum",
+        "膀胱 urinary_bladder, urinary_bladder",
+        "甲状腺 Thyroid gland, thyroid_gland",
+        "脊髓 Spinal cord, spinal_cord",
+        "脊髓 SpinalCord, spinal_cord",
+        "脊柱 Spine, bone_spine",
+        "肩胛骨 Scapula_L, scapula_L",
+        "左股骨 Femur, femur_L",
+        "颅骨 skull, skull",
+        "肝脏 Liver, liver",
+        "左肺 Lung, lung_L",
+        "肋骨 5 left, rib_05_L",
+        "胸椎 T5, vertebra_T05",
+        "肝 S1, liver",
+        "肺癌 Lung, lesion_lung_cancer_lung",
+    })
+    void aNameInTwoScriptsIsTakenByItsLatinPart(String name, String structure) {
+        assertThat(LabelNames.structure(name)).contains(structure);
+    }
+
+    /** The name of a structure that holds words of others. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "Liver and Spleen",
+                "Heart + Lungs",
+                "ribs_and_scapula",
+                "pacemaker lead",
+                "sternum wire",
+                "Lungs-GTV",
+                "liver opt",
+                "lung tumor",
+                "no lung",
+                "ring liver"
+            })
+    void aWrittenNameStandsForItself(String words) {
+        String other = OrganNames.other(words, 1);
+        String bone = other.replace("other_", "bone_");
+        assertThat(LabelNames.structure(other)).contains(other);
+        assertThat(LabelNames.structure(bone)).contains(bone);
     }
 
     /** A folder of meshes that Phrenic has written keeps its structures. */
