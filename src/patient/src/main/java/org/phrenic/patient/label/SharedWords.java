@@ -10,8 +10,6 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import org.phrenic.anatomy.StructureKind;
-import org.phrenic.anatomy.StructureName;
 import org.phrenic.mesh.io.volume.LabelVolume;
 
 /**
@@ -29,6 +27,7 @@ final class SharedWords {
     /** Beginning of the structure of a lesion, which has its name after it. */
     private static final String LESION = "lesion_";
 
+    private static final Pattern ABBREVIATION = Pattern.compile("[A-Z]{2,3}");
     private static final Pattern CAPITALS = Pattern.compile("[A-Z]{2,}");
     /** Words for cases, scans and files. */
     private static final Set<String> OF_FILES = Set.of(
@@ -122,9 +121,14 @@ final class SharedWords {
      * to keep their structures and one that is more than common has to become known.
      */
     private boolean mayBeBetter(List<String> bare, int first, int last) {
-        if (Stream.concat(ends(first, true), ends(last, false)).noneMatch(SharedWords::isLevel)) {
+        List<String> removed =
+                Stream.concat(ends(first, true), ends(last, false)).toList();
+        if (removed.stream().noneMatch(SharedWords::isLevel)) {
             return true;
         }
+        // Of T5-T8 the second is no case.
+        boolean isSpan =
+                bare.stream().distinct().count() == 1 && removed.stream().anyMatch(SharedWords::isVertebra);
         boolean foundOne = false;
         for (int n = 0; n < names.size(); n++) {
             String before = LabelNames.structure(names.get(n)).orElse("");
@@ -134,8 +138,8 @@ final class SharedWords {
             if (!before.isEmpty() && !before.equals(after) && !keepsKind) {
                 return false;
             }
-            // Of T5-T8 the second is no case.
-            foundOne |= before.isEmpty() && !after.isEmpty() && !COMMON.contains(after) && !isVertebra(after);
+            boolean isOne = !COMMON.contains(after) && !(isSpan && LabelNames.isVertebra(after));
+            foundOne |= before.isEmpty() && !after.isEmpty() && isOne;
         }
         return foundOne;
     }
@@ -180,10 +184,8 @@ final class SharedWords {
         return LEVEL.matcher(word).matches() && !OF_FILES.contains(letters(word));
     }
 
-    private static boolean isVertebra(String structure) {
-        return StructureName.parse(structure)
-                .filter(name -> name.kind() == StructureKind.VERTEBRA)
-                .isPresent();
+    private static boolean isVertebra(String word) {
+        return LabelNames.structure(word).filter(LabelNames::isVertebra).isPresent();
     }
 
     private static String letters(String word) {
@@ -216,11 +218,27 @@ final class SharedWords {
             shared.add(all.get(0));
         }
         boolean numbered = shared.stream().anyMatch(word -> DIGITS.matcher(word).find());
+        // Of all names none is that of an organ less another.
+        boolean beforeDash = fromBeginning && names.size() > 1 && names.stream().allMatch(PlanNames::isLessOrgan);
         int count = 0;
-        while (count < shared.size() && isOfCase(shared.get(count), numbered)) {
+        while (count < shared.size()
+                && ((count == 0 && beforeDash)
+                        || isOfCase(shared.get(count), numbered)
+                        || isAbbreviation(shared, count, fromBeginning))) {
             count++;
         }
         return count;
+    }
+
+    /** Whether a word is one in capitals before the number of a case, which may be short for a vein or an artery. */
+    private static boolean isAbbreviation(List<String> shared, int place, boolean fromBeginning) {
+        String word = shared.get(place);
+        return fromBeginning
+                && ABBREVIATION.matcher(word).matches()
+                && !OF_ANATOMY.contains(letters(word))
+                && !LabelNames.isOfAnatomy(letters(word))
+                && place + 1 < shared.size()
+                && DIGITS.matcher(shared.get(place + 1)).matches();
     }
 
     /** @param numbered whether a number stands beside the word */
@@ -232,7 +250,7 @@ final class SharedWords {
         boolean ofAnatomy = OF_ANATOMY.contains(letters)
                 || LabelNames.isOfAnatomy(letters)
                 || LabelNames.structure(word)
-                        .filter(known -> !LabelTable.isOfPlan(known))
+                        .filter(known -> !LabelTable.isOfPlan(known) && !known.equals(LabelTable.IGNORE))
                         .isPresent();
         if (ofAnatomy) {
             return false;

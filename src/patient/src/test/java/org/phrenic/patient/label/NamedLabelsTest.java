@@ -81,6 +81,38 @@ class NamedLabelsTest {
         assertThat(structures(List.of("S1_liver", "S1_T5"))).containsExactly("liver", "vertebra_T05");
     }
 
+    /** Vertebrae of a case keep their names, as do organs behind a dash or a word that is short for others. */
+    @ParameterizedTest
+    @CsvSource({
+        "AB12_T5|AB12_T6|AB12_L1, vertebra_T05|vertebra_T06|vertebra_L01",
+        "AB12_T5, vertebra_T05",
+        "S3_T5|S3_T6, vertebra_T05|vertebra_T06",
+        "V5 T5|V5 T6, vertebra_T05|vertebra_T06",
+        "T5_A1|T6_A1, vertebra_T05|vertebra_T06",
+        "AB12_vertebra_T5|AB12_vertebra_T6, vertebra_T05|vertebra_T06",
+        "S1-Liver|S1-Spleen|S1-Heart|S1-Kidney_L, liver|spleen|heart|kidney_L",
+        "T1-Liver|T1-Spleen|T1-Kidney_L, liver|spleen|kidney_L",
+        "C1-Lung_L|C1-Lung_R|C1-Heart, lung_L|lung_R|heart",
+        "L2-heart|L2-lung_left, heart|lung_L",
+        "Liver-Heart|Liver-Kidney_L|Liver-Lung_R, heart|kidney_L|lung_R",
+        "Lesion-Liver|Lesion-Lung, lesion_lesion_liver|lesion_lesion_lung",
+        "MET_001_liver|MET_001_lung_left, liver|lung_L",
+        "met01_liver|met01_heart, liver|heart",
+        "MET_liver|MET_heart, -|heart",
+        "GTV_1_liver|GTV_1_lung, lesion_gtv_1_liver|lesion_gtv_1_lung",
+        "RIB_05_L|RIB_05_R, rib_05_L|rib_05_R",
+        "SEED_007_liver|SEED_007_heart, liver|heart",
+        "STENT_01_liver|STENT_01_heart, liver|heart",
+        "OS_001_liver|OS_001_heart, liver|heart",
+        "ESO_001_liver|ESO_001_heart, liver|heart",
+        "VCI_01_liver|VCI_01_heart, liver|heart",
+        "NON_01_liver|NON_01_heart, liver|heart",
+        "TABLE_01_liver|TABLE_01_heart, liver|heart",
+    })
+    void aWordThatAllNamesShareIsACase(String names, String structures) {
+        assertThat(structures(List.of(names.split("\\|", -1)))).containsExactly(structures.split("\\|", -1));
+    }
+
     /** Segments of a liver or a lung have numbers of which the first is also that of a sacral vertebra. */
     @Test
     void theFirstSegmentOfAnOrganIsNoVertebra() {
