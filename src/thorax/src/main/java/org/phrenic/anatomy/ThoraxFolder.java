@@ -162,7 +162,8 @@ public final class ThoraxFolder {
             String structure = naming.apply(entry.getKey()).orElse("");
             Optional<StructureName> known = StructureName.parse(structure);
             if (known.isEmpty()) {
-                if (yaml.has("structures")) {
+                if (yaml.has("structures")
+                        && StructureName.parse(entry.getKey()).isEmpty()) {
                     throw yaml.map("structures")
                             .bad(entry.getKey(), "is no structure's name, expected one such as rib_05_R or diaphragm");
                 }

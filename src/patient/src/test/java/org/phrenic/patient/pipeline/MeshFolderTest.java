@@ -199,10 +199,13 @@ class MeshFolderTest {
                 .contains("lung_R_effusion.vtp: left out, its name is no structure's");
         Files.writeString(
                 folder.resolve("thorax.yaml"),
-                "axes: LPS\nunits: mm\nstructures:\n  rib_07_L: rib_07_L.vtp\n  Ring_2cm: Ring_2cm.vtp\n");
+                "axes: LPS\nunits: mm\nstructures:\n  rib_07_L: rib_07_L.vtp\n  Ring_2cm: Ring_2cm.vtp\n"
+                        + "  other_liver_and_spleen: lung_L_tumor.vtp\n  sternum_wire: lung_R_effusion.vtp\n");
         assertThat(imported(folder).body().structures())
                 .extracting(s -> s.structure().name())
-                .containsExactly("rib_07_L");
+                .containsExactlyInAnyOrder("rib_07_L", "other_liver_and_spleen");
+        assertThat(imported(folder).body().notes())
+                .contains("lung_R_effusion.vtp: left out, its name is no structure's");
     }
 
     /** A folder that an import has made is imported again. */
