@@ -188,14 +188,15 @@ public final class LabelNames {
         if (ofTool != null) {
             return Optional.of(ofTool);
         }
-        boolean isWritten =
-                WRITTEN.matcher(name).matches() && StructureName.usual(name).equals(name);
-        if (LabelTable.isOfPlan(name) || (isWritten && isNamed(name))) {
+        boolean isWritten = WRITTEN.matcher(name).matches()
+                && isNamed(name)
+                && StructureName.usual(name).equals(name);
+        if (LabelTable.isOfPlan(name)) {
             return Optional.of(LabelTable.usual(name));
         }
-        Optional<String> organ = PlanNames.organ(name, plain);
-        if (organ.isPresent()) {
-            return organ;
+        Optional<String> organ = PlanNames.organ(name, plain).filter(known -> !(isWritten && name.startsWith(known)));
+        if (organ.isPresent() || isWritten) {
+            return organ.or(() -> Optional.of(name));
         }
         List<String> several = several(name);
         if (!several.isEmpty()) {

@@ -21,11 +21,11 @@ final class PlanNames {
 
     private static final String ORGAN = "(lungs?|heart|liver|kidneys?|spleen|stomach)([ _](l|r|left|right))?";
     /**
-     * An organ less another, or a body or a chest wall less the lungs; other words before a dash may be a case or a
+     * An organ less another one, or a body or a chest wall less the lungs; other words before a dash may be a case or a
      * region.
      */
-    private static final Pattern LESS_ORGAN = Pattern.compile("(?i)(" + ORGAN + ") ?[-\u2013] ?" + ORGAN
-            + "|(e|external|body) ?[-\u2013] ?lungs|chest ?wall ?[-\u2013] ?lungs?");
+    private static final Pattern LESS_ORGAN = Pattern.compile("(?i)(?!([a-z]{4}).*[-\u2013] ?\\1)" + ORGAN
+            + " ?[-\u2013] ?" + ORGAN + "|(e|external|body) ?[-\u2013] ?lungs|chest ?wall ?[-\u2013] ?lungs?");
 
     private static final Pattern DASH = Pattern.compile(" ?[-\u2013] ?");
 

@@ -161,6 +161,9 @@ class LabelNamesTest {
         "Skeleton-Heart, heart",
         "Spine-Lung, lungs",
         "C1-Heart, heart",
+        "Lung-Lung_L, lung_L",
+        "bone_opt, bone_skeleton",
+        "bone_without_tumor, bone_skeleton",
         "rib no 5 left, rib_05_L",
         "lung-trachea-bronchia, trachea",
     })
@@ -699,6 +702,8 @@ class LabelNamesTest {
                 "sternum wire",
                 "Lungs-GTV",
                 "liver opt",
+                "lungs minus gtv",
+                "stomach without tumor",
                 "lung tumor",
                 "no lung",
                 "ring liver"
