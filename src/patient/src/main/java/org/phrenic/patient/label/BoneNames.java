@@ -160,6 +160,20 @@ final class BoneNames {
                 .anyMatch(kind -> LabelNames.isOfKind(structure, kind));
     }
 
+    /** Whether a structure is several, of which another is one. */
+    static boolean holds(String several, String one) {
+        return switch (several) {
+            case LabelTable.ALL_BONES -> isRibs(one) || isCartilage(one) || isOtherBone(one);
+            case LabelTable.SPINE -> LabelNames.isVertebra(one);
+            case LabelTable.RIBS, LabelTable.RIGHT_RIBS, LabelTable.LEFT_RIBS -> isRibs(one);
+            case LabelTable.COSTAL_CARTILAGES -> isCartilage(one);
+            case LabelTable.LUNGS -> LabelNames.isOfKind(one, StructureKind.LUNG);
+            case "organ_kidneys" -> Set.of("kidney_L", "kidney_R").contains(one);
+            case "organ_bowel" -> Set.of("small_bowel", "colon", "duodenum").contains(one);
+            default -> false;
+        };
+    }
+
     /** What several structures under one label are: a pair, soft tissues, or bones that are told apart by shape. */
     static Optional<String> united(List<String> several, String plain) {
         Set<String> all = Set.copyOf(several);

@@ -172,17 +172,14 @@ public final class LabelNames {
     }
 
     private static Optional<String> ofName(String name) {
-        Optional<String> ofLatin = LabelWords.latin(name).flatMap(LabelNames::structure);
-        if (ofLatin.isEmpty() && LabelWords.isPartlyKnown(name)) {
-            return Optional.empty();
+        if (LabelWords.isInTwoScripts(name)) {
+            return LabelWords.ofTwoScripts(name);
         }
-        String english = plain(name);
-        if (ofLatin.filter(known -> !isVertebra(known)).isPresent()
-                && LabelWords.WHOLE_WORD.matcher(name).find()
-                && !LESION.matcher(english).find()
-                && !BESIDE.matcher(english).find()) {
-            return ofLatin;
-        }
+        return LabelWords.isPartlyKnown(name) ? Optional.empty() : ofWhole(name);
+    }
+
+    /** The structure of a name in English words; letters of scripts without such words are passed over. */
+    static Optional<String> ofWhole(String name) {
         String plain = plain(JOINED_WORDS.matcher(name).replaceAll(" "));
         String ofTool = OF_TOOLS.get(plain.replace(' ', '_'));
         if (ofTool != null) {
@@ -285,9 +282,16 @@ public final class LabelNames {
         return BoneNames.vertebra(words).or(() -> organ(words, suffix));
     }
 
-    /** Whether a word says what lies in or beside a structure. */
+    /** Whether words say what lies in or beside a structure. */
+    static boolean isOfOther(String words) {
+        return LESION.matcher(words).find()
+                || BESIDE.matcher(words).find()
+                || ASCITES.matcher(words).matches();
+    }
+
+    /** Whether a word says what lies in or beside a structure, or which part of it. */
     static boolean isOfAnatomy(String word) {
-        return LESION.matcher(word).find() || BESIDE.matcher(word).find() || BoneNames.FILLERS.contains(word);
+        return isOfOther(word) || BoneNames.FILLERS.contains(word);
     }
 
     /** English words of a name in lower case, with a space between them. */

@@ -1,6 +1,7 @@
 package org.phrenic.patient.label;
 
 import java.text.Normalizer;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -30,6 +31,15 @@ final class LabelWords {
 
     private static final Pattern LATIN = Pattern.compile("\\p{IsLatin}");
     private static final Pattern IDEOGRAPH = Pattern.compile("\\p{IsHan}");
+    /** Text without spaces. */
+    private static final Pattern UNSPACED_TEXT = Pattern.compile("[\\p{IsHan}\\p{IsHiragana}\\p{IsKatakana}\u30fc]+");
+    /** Letters with a number, as those of a case or a vertebra; that of a rib may have a side. */
+    private static final Pattern LATIN_WORD = Pattern.compile("\\p{IsLatin}+\\d*");
+
+    private static final Pattern SIDE = Pattern.compile("(?i)(left|right|lt|rt|[lr])\\d*");
+    private static final Pattern BONE = Pattern.compile("(bones?|skeleton)( (left|right|[lr]|\\d+))*");
+    /** Lungs and airways share words. */
+    private static final String AIRWAY = "trachea";
 
     /** A word that may be an abbreviation; a letter beside a number is that of a vertebra. */
     private static final Pattern SHORT = Pattern.compile("(?<![\\p{L}\\d])\\p{L}{1,3}(?![\\p{L}\\d'\u2019])");
@@ -88,17 +98,124 @@ final class LabelWords {
         return IDEOGRAPH.matcher(english(name)).find();
     }
 
-    /** The Latin part of a name that is in two scripts, with the sides of both; empty for other names. */
-    static Optional<String> latin(String name) {
-        if (!IDEOGRAPH.matcher(name).find() || !LATIN.matcher(name).find()) {
-            return Optional.empty();
+    /** Whether a name has letters and ideographs. */
+    static boolean isInTwoScripts(String name) {
+        return IDEOGRAPH.matcher(name).find() && LATIN.matcher(name).find();
+    }
+
+    /**
+     * The structure of a name that has letters and ideographs. Mostly both name the same. Else that counts which says
+     * more: "Femur" beside the ideograph for bone, those for a lung beside "opt" or "Body". If both are of one thing
+     * each, the structure is unknown.
+     */
+    static Optional<String> ofTwoScripts(String name) {
+        Optional<String> whole = LabelNames.ofWhole(name);
+        if (whole.filter(name::equals).isPresent()) {
+            return whole;
         }
-        String text = Normalizer.normalize(name, Normalizer.Form.NFC);
+        String known = withoutUnknown(name);
+        String letters = letters(known);
+        Optional<String> ofLetters = LabelNames.structure(letters);
+        boolean isForeign = WORD.matcher(letters.toLowerCase(Locale.ROOT))
+                .results()
+                .anyMatch(word -> LANGUAGES.containsKey(word.group()));
+        if (!IDEOGRAPH.matcher(known).find()) {
+            return whole.filter(structure -> !(isForeign && isPartlyKnown(name)));
+        }
+        if (isPartlyKnown(known)) {
+            return ofLetters.filter(one -> isOfKind(known, one)).or(() -> ofLetters
+                    .flatMap(one -> whole)
+                    .filter(one -> !plainIdeographs(known).equals("bone")));
+        }
+        Optional<String> ofIdeographs = LabelNames.ofWhole(ideographs(known));
+        if (ofLetters.equals(ofIdeographs)) {
+            return ofLetters.or(() -> whole);
+        }
+        boolean isOfOther = LabelNames.isOfOther(LabelNames.plain(name));
+        if (ofLetters.isEmpty()
+                || ofIdeographs.isEmpty()
+                || isOfOther
+                || whole.filter(LabelTable::isOfPlan).isPresent()) {
+            return whole;
+        }
+        boolean saysLess = isForeign
+                || saysLess(ofLetters.get())
+                || BONE.matcher(LabelNames.plain(letters)).matches();
+        return saysLess ? ofIdeographs : ofEither(ofLetters.get(), ofIdeographs.get(), whole);
+    }
+
+    /** The structure of a name in two scripts by those of its letters and its ideographs, which differ. */
+    private static Optional<String> ofEither(String letters, String ideographs, Optional<String> whole) {
+        // Ideographs have no plural.
+        boolean isPlural = letters.equals("organ_" + ideographs + "s");
+        if (isPlural || letters.startsWith(ideographs + "_") || BoneNames.holds(ideographs, letters)) {
+            return Optional.of(letters);
+        }
+        if (BoneNames.holds(letters, ideographs)) {
+            return Optional.of(ideographs);
+        }
+        return whole.filter(one -> LabelNames.isVertebra(letters)
+                || one.equals(AIRWAY)
+                || BoneNames.haveCartilage(List.of(letters, ideographs)));
+    }
+
+    /** Whether a structure is none, or what another one may be beside its name, as the body in which it lies. */
+    private static boolean saysLess(String structure) {
+        return LabelTable.isOfPlan(structure)
+                || Set.of(LabelTable.IGNORE, LabelTable.SKIN, LabelTable.ALL_BONES)
+                        .contains(structure);
+    }
+
+    /** Whether a structure is of the kind that a name states by ideographs, beside others that are unknown. */
+    private static boolean isOfKind(String name, String structure) {
+        String words = plainIdeographs(name);
+        return (words.contains("vertebra") && LabelNames.isVertebra(structure))
+                || LabelNames.structure(words)
+                        .filter(several -> BoneNames.holds(several, structure))
+                        .isPresent();
+    }
+
+    /** English words of the ideographs of a name without the sides. */
+    private static String plainIdeographs(String name) {
+        List<String> words =
+                new ArrayList<>(List.of(LabelNames.plain(ideographs(name)).split(" ", -1)));
+        LabelNames.side(words);
+        return String.join(" ", words);
+    }
+
+    /** A name without the groups of ideographs in which no word but a side is known, as that of a person. */
+    private static String withoutUnknown(String name) {
+        return UNSPACED_TEXT
+                .matcher(Normalizer.normalize(name, Normalizer.Form.NFC))
+                .replaceAll(text -> {
+                    List<String> words = new ArrayList<>(
+                            List.of(LabelNames.plain(text.group()).split(" ", -1)));
+                    List<String> sides = words.stream().filter(SIDES::contains).toList();
+                    boolean isKnown = words.size() > sides.size() && !words.contains("");
+                    return isKnown ? text.group() : " " + String.join(" ", sides) + " ";
+                });
+    }
+
+    /** A name in two scripts without its ideographs but for the sides. */
+    private static String letters(String name) {
+        String text = name;
         for (String word : UNSPACED) {
             String english = ENGLISH.get(word);
             text = text.replace(word, SIDES.contains(english) ? " " + english + " " : " ");
         }
-        return Optional.of(IDEOGRAPH.matcher(text).replaceAll(" ").strip());
+        return IDEOGRAPH
+                .matcher(text)
+                .replaceAll(" ")
+                .replaceAll("[ _]* [ _]*", " ")
+                .strip();
+    }
+
+    /** A name in two scripts without its letters but for the sides. */
+    private static String ideographs(String name) {
+        return LATIN_WORD
+                .matcher(name)
+                .replaceAll(word -> SIDE.matcher(word.group()).matches() ? word.group() : " ")
+                .strip();
     }
 
     /** A name in lower case in which known words of other languages are English ones. */
