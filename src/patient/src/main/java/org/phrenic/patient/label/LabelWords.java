@@ -224,15 +224,22 @@ final class LabelWords {
         for (String word : UNSPACED) {
             text = text.replace(word, " " + ENGLISH.get(word) + " ");
         }
-        Map<String, String> sides = new TreeMap<>();
-        WORD.matcher(text)
-                .results()
-                .forEach(word ->
-                        sides.putAll(ABBREVIATIONS.getOrDefault(LANGUAGES.getOrDefault(word.group(), ""), Map.of())));
+        Map<String, String> sides = sides(text);
         text = DORSAL.matcher(text).replaceAll(" t");
         text = SHORT.matcher(text).replaceAll(word -> sides.getOrDefault(word.group(), word.group()));
         text = WORD.matcher(text).replaceAll(word -> Matcher.quoteReplacement(english(word)));
         return LUMBAR.matcher(THORACIC.matcher(text).replaceAll("t")).replaceAll("l");
+    }
+
+    /** The sides of abbreviations in a text of their language, in which no side is written out. */
+    private static Map<String, String> sides(String text) {
+        Map<String, String> sides = new TreeMap<>();
+        List<MatchResult> words = WORD.matcher(text).results().toList();
+        if (words.stream().noneMatch(word -> SIDES.contains(english(word)))) {
+            words.forEach(word ->
+                    sides.putAll(ABBREVIATIONS.getOrDefault(LANGUAGES.getOrDefault(word.group(), ""), Map.of())));
+        }
+        return sides;
     }
 
     private static String english(MatchResult word) {

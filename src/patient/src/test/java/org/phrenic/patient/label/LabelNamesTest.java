@@ -631,6 +631,12 @@ class LabelNamesTest {
         "lung re-segmented, lungs",
         "lung dx, lungs",
         "poumon li, lungs",
+        "Patient_D_poumon gauche, lung_L",
+        "G_01_poumon droit, lung_R",
+        "côte 5 gauche D, rib_05_L",
+        "CT_re_Lunge links, lung_L",
+        "CT_re_Rippe 5 links, rib_05_L",
+        "pulmón der izquierdo, lung_L",
     })
     void aSideMayBeAbbreviatedBesideAWordOfItsLanguage(String name, String structure) {
         assertThat(LabelNames.structure(name)).contains(structure);
