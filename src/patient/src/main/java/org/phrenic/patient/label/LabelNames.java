@@ -325,9 +325,9 @@ public final class LabelNames {
     }
 
     private static Optional<String> ofStem(String stem, String suffix) {
+        String usual = SYNONYMS.getOrDefault(stem, stem);
         // Both kidneys of a side are one.
-        String usual = stem.equals("kidneys") && !suffix.isEmpty() ? "kidney" : SYNONYMS.getOrDefault(stem, stem);
-        return known(usual + suffix);
+        return known((usual.equals("organ_kidneys") && !suffix.isEmpty() ? "kidney" : usual) + suffix);
     }
 
     static Optional<String> known(String structure) {
