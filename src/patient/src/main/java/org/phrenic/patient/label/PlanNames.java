@@ -1,5 +1,6 @@
 package org.phrenic.patient.label;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -19,13 +20,19 @@ final class PlanNames {
     private static final Pattern LESS = Pattern.compile("(?i)(.+?)( ?[-\u2013] ?\\(?(i?[gcp]|i)tv"
             + "|[ _](minus|without|excluding|less|w/o)[ _]|[ _]?(minus|no[nt]?|less)[ _]?(i?[gcp]|i)tv).*");
 
-    private static final String ORGAN = "(lungs?|heart|liver|kidneys?|spleen|stomach)([ _](l|r|left|right))?";
+    private static final String SIDE = "([ _](l|r|left|right))?";
+    private static final String CHEST = "(lungs?|heart)" + SIDE;
+    private static final String ABDOMEN = "(liver|kidneys?|spleen|stomach)" + SIDE;
     /**
-     * An organ less another one, or a body or a chest wall less the lungs; other words before a dash may be a case or a
-     * region.
+     * A lung less an organ, an organ of the abdomen less one of the chest, or a heart, a body or a chest wall less the
+     * lungs. Others may be two organs under one label.
      */
-    private static final Pattern LESS_ORGAN = Pattern.compile("(?i)(?!([a-z]{4}).*[-\u2013] ?\\1)" + ORGAN
-            + " ?[-\u2013] ?" + ORGAN + "|(e|external|body) ?[-\u2013] ?lungs|chest ?wall ?[-\u2013] ?lungs?");
+    private static final Pattern LESS_ORGAN = Pattern.compile("(?i)(?!([a-z]{4}).*[-\u2013] ?\\1)(lungs?" + SIDE
+            + " ?[-\u2013] ?(" + CHEST + "|" + ABDOMEN + ")|" + ABDOMEN + " ?[-\u2013] ?" + CHEST
+            + "|(e|external|body|heart) ?[-\u2013] ?lungs|heart ?[-\u2013] ?lung|chest ?wall ?[-\u2013] ?lungs?)");
+    /** An organ or a region before the dash of anything but a target volume. */
+    private static final Pattern BEFORE_DASH = Pattern.compile(
+            "(?i)(lungs?|heart|liver|kidneys?|spleen|stomach|body|e|external) ?[-\u2013] ?+(?!\\(?" + TARGET + ").*");
 
     private static final Pattern DASH = Pattern.compile(" ?[-\u2013] ?");
 
@@ -71,8 +78,13 @@ final class PlanNames {
         return withoutTarget(name).or(() -> optimised(plain));
     }
 
-    /** Whether a name is that of an organ less another. */
-    static boolean isLessOrgan(String name) {
+    /** Whether names, of which each may be that of an organ less another, are of organs of one region. */
+    static boolean areOfRegion(List<String> names) {
+        return names.size() > 1
+                && names.stream().allMatch(name -> BEFORE_DASH.matcher(name).matches());
+    }
+
+    private static boolean isLessOrgan(String name) {
         return LESS_ORGAN.matcher(name).matches();
     }
 

@@ -219,7 +219,7 @@ final class SharedWords {
         }
         boolean numbered = shared.stream().anyMatch(word -> DIGITS.matcher(word).find());
         // Of all names none is that of an organ less another.
-        boolean beforeDash = fromBeginning && names.size() > 1 && names.stream().allMatch(PlanNames::isLessOrgan);
+        boolean beforeDash = fromBeginning && PlanNames.areOfRegion(names);
         int count = 0;
         while (count < shared.size()
                 && ((count == 0 && beforeDash)
