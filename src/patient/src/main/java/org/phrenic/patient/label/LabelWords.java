@@ -33,8 +33,10 @@ final class LabelWords {
     private static final Pattern IDEOGRAPH = Pattern.compile("\\p{IsHan}");
     /** Text without spaces. */
     private static final Pattern UNSPACED_TEXT = Pattern.compile("[\\p{IsHan}\\p{IsHiragana}\\p{IsKatakana}\u30fc]+");
+    /** A number that is none of a rib or a vertebra. */
+    private static final Pattern CASE = Pattern.compile("\\d{3}");
     /** Letters with a number, as those of a case or a vertebra; that of a rib may have a side. */
-    private static final Pattern LATIN_WORD = Pattern.compile("\\p{IsLatin}+\\d*");
+    private static final Pattern LATIN_WORD = Pattern.compile("\\p{IsLatin}+\\d*|\\d{3,}");
 
     private static final Pattern SIDE = Pattern.compile("(?i)(left|right|lt|rt|[lr])\\d*");
     private static final Pattern BONE = Pattern.compile("(bones?|skeleton)( (left|right|[lr]|\\d+))*");
@@ -57,6 +59,7 @@ final class LabelWords {
     private static final Map<String, Map<String, String>> ABBREVIATIONS = new TreeMap<>();
 
     private static final Set<String> SIDES = Set.of("left", "right");
+    private static final Set<String> PARTS = Set.of("upper", "middle", "lower");
     /** Words of scripts that write no spaces, the longest first. */
     private static final List<String> UNSPACED;
 
@@ -122,41 +125,42 @@ final class LabelWords {
         if (!IDEOGRAPH.matcher(known).find()) {
             return whole.filter(structure -> !(isForeign && isPartlyKnown(name)));
         }
+        Optional<String> ofKind = ofLetters.filter(one -> isOfKind(known, one));
         if (isPartlyKnown(known)) {
-            return ofLetters.filter(one -> isOfKind(known, one)).or(() -> ofLetters
-                    .flatMap(one -> whole)
-                    .filter(one -> !plainIdeographs(known).equals("bone")));
+            boolean isBone = plainIdeographs(known).equals("bone");
+            return ofKind.or(() -> ofLetters.flatMap(one -> whole).filter(one -> !isBone || LabelNames.isLesion(one)));
         }
         Optional<String> ofIdeographs = LabelNames.ofWhole(ideographs(known));
         if (ofLetters.equals(ofIdeographs)) {
             return ofLetters.or(() -> whole);
         }
         boolean isOfOther = LabelNames.isOfOther(LabelNames.plain(name));
-        if (ofLetters.isEmpty()
-                || ofIdeographs.isEmpty()
-                || isOfOther
-                || whole.filter(LabelTable::isOfPlan).isPresent()) {
+        if (isOfOther || whole.filter(LabelTable::isOfPlan).isPresent()) {
             return whole;
         }
+        if (ofLetters.isEmpty() || ofIdeographs.isEmpty()) {
+            return whole.or(() -> ofKind);
+        }
         boolean saysLess = isForeign
+                || CASE.matcher(letters).find()
                 || saysLess(ofLetters.get())
                 || BONE.matcher(LabelNames.plain(letters)).matches();
-        return saysLess ? ofIdeographs : ofEither(ofLetters.get(), ofIdeographs.get(), whole);
+        return narrower(ofLetters.get(), ofIdeographs.get())
+                .or(() -> saysLess
+                        ? ofIdeographs
+                        : whole.filter(one -> LabelNames.isVertebra(ofLetters.get())
+                                || one.equals(AIRWAY)
+                                || BoneNames.haveCartilage(List.of(ofLetters.get(), ofIdeographs.get()))));
     }
 
-    /** The structure of a name in two scripts by those of its letters and its ideographs, which differ. */
-    private static Optional<String> ofEither(String letters, String ideographs, Optional<String> whole) {
+    /** Of the structures of letters and of ideographs the one that is a part of the other, or one of several. */
+    private static Optional<String> narrower(String letters, String ideographs) {
         // Ideographs have no plural.
         boolean isPlural = letters.equals("organ_" + ideographs + "s");
         if (isPlural || letters.startsWith(ideographs + "_") || BoneNames.holds(ideographs, letters)) {
             return Optional.of(letters);
         }
-        if (BoneNames.holds(letters, ideographs)) {
-            return Optional.of(ideographs);
-        }
-        return whole.filter(one -> LabelNames.isVertebra(letters)
-                || one.equals(AIRWAY)
-                || BoneNames.haveCartilage(List.of(letters, ideographs)));
+        return BoneNames.holds(letters, ideographs) ? Optional.of(ideographs) : Optional.empty();
     }
 
     /** Whether a structure is none, or what another one may be beside its name, as the body in which it lies. */
@@ -169,17 +173,19 @@ final class LabelWords {
     /** Whether a structure is of the kind that a name states by ideographs, beside others that are unknown. */
     private static boolean isOfKind(String name, String structure) {
         String words = plainIdeographs(name);
-        return (words.contains("vertebra") && LabelNames.isVertebra(structure))
+        boolean isSpine = structure.equals(LabelTable.SPINE) || LabelNames.isVertebra(structure);
+        return (isSpine && words.contains("vertebra"))
                 || LabelNames.structure(words)
                         .filter(several -> BoneNames.holds(several, structure))
                         .isPresent();
     }
 
-    /** English words of the ideographs of a name without the sides. */
+    /** English words of the ideographs of a name without the sides and parts. */
     private static String plainIdeographs(String name) {
         List<String> words =
                 new ArrayList<>(List.of(LabelNames.plain(ideographs(name)).split(" ", -1)));
         LabelNames.side(words);
+        words.removeAll(PARTS);
         return String.join(" ", words);
     }
 
@@ -214,8 +220,12 @@ final class LabelWords {
     private static String ideographs(String name) {
         return LATIN_WORD
                 .matcher(name)
-                .replaceAll(word -> SIDE.matcher(word.group()).matches() ? word.group() : " ")
+                .replaceAll(word -> isSide(word.group()) ? word.group() : " ")
                 .strip();
+    }
+
+    private static boolean isSide(String word) {
+        return SIDE.matcher(word).matches() || SIDES.contains(LabelNames.plain(word));
     }
 
     /** A name in lower case in which known words of other languages are English ones. */
