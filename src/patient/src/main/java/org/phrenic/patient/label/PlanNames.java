@@ -1,9 +1,13 @@
 package org.phrenic.patient.label;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /**
  * Names that plans of radiotherapy give to organs, as {@code zLiver_opt} or {@code Lungs-GTV}, and to aids: margins
@@ -30,9 +34,12 @@ final class PlanNames {
     private static final Pattern LESS_ORGAN = Pattern.compile("(?i)(?!([a-z]{4}).*[-\u2013] ?\\1)(lungs?" + SIDE
             + " ?[-\u2013] ?(" + CHEST + "|" + ABDOMEN + ")|" + ABDOMEN + " ?[-\u2013] ?" + CHEST
             + "|(e|external|body|heart) ?[-\u2013] ?lungs|heart ?[-\u2013] ?lung|chest ?wall ?[-\u2013] ?lungs?)");
-    /** An organ or a region before the dash of anything but a target volume. */
-    private static final Pattern BEFORE_DASH = Pattern.compile(
-            "(?i)(lungs?|heart|liver|kidneys?|spleen|stomach|body|e|external) ?[-\u2013] ?+(?!\\(?" + TARGET + ").*");
+    /** A dash and anything but a target volume. */
+    private static final String NO_TARGET = " ?[-\u2013] ?+(?!\\(?" + TARGET + ").*";
+
+    private static final Pattern OF_ORGAN =
+            Pattern.compile("(?i)(lungs?|heart|liver|kidneys?|spleen|stomach)" + NO_TARGET);
+    private static final Pattern OF_BODY = Pattern.compile("(?i)(body|e|external)" + NO_TARGET);
 
     private static final Pattern DASH = Pattern.compile(" ?[-\u2013] ?");
 
@@ -78,10 +85,77 @@ final class PlanNames {
         return withoutTarget(name).or(() -> optimised(plain));
     }
 
-    /** Whether names, of which each may be that of an organ less another, are of organs of one region. */
-    static boolean areOfRegion(List<String> names) {
-        return names.size() > 1
-                && names.stream().allMatch(name -> BEFORE_DASH.matcher(name).matches());
+    /**
+     * Whether names, of which each may be that of an organ less another, are of other organs. After "Heart", "T1" may
+     * be an image and "Body" a part; where most names but lesions are of other organs, they are a vertebra and the
+     * skin.
+     */
+    static boolean areOfOthers(List<String> names) {
+        if (names.size() < 2
+                || !names.stream().allMatch(name -> OF_ORGAN.matcher(name).matches())) {
+            return false;
+        }
+        List<String> rests =
+                SharedWords.removed(names.stream().map(PlanNames::behindDash).toList());
+        if (rests.stream().flatMap(rest -> LabelNames.structure(rest).stream()).anyMatch(LabelTable::isOfPlan)) {
+            return false;
+        }
+        Optional<String> organ = LabelNames.structure(DASH.split(names.get(0), 2)[0]);
+        long others = rests.stream()
+                .filter(rest -> isOrgan(rest) && !LabelNames.structure(rest).equals(organ))
+                .count();
+        long lesions = rests.stream()
+                .filter(rest ->
+                        LabelNames.structure(rest).filter(LabelNames::isLesion).isPresent())
+                .count();
+        return 2 * others > names.size() - lesions
+                || (others > 0 && rests.stream().allMatch(PlanNames::isInWords));
+    }
+
+    /** Names without a body before a dash where it stands before several organs, which are not named otherwise. */
+    static List<String> withoutBody(List<String> names) {
+        Map<Boolean, List<String>> all = names.stream()
+                .collect(Collectors.partitioningBy(name -> OF_BODY.matcher(name).matches()));
+        List<Optional<String>> organs = all.get(true).stream()
+                .map(PlanNames::behindDash)
+                .filter(PlanNames::isOrgan)
+                .map(LabelNames::structure)
+                .toList();
+        boolean areSeveral =
+                all.get(true).size() > 1 && (organs.size() > 1 || all.get(false).isEmpty());
+        if (!areSeveral || all.get(false).stream().map(LabelNames::structure).anyMatch(organs::contains)) {
+            return names;
+        }
+        return names.stream()
+                .map(name -> OF_BODY.matcher(name).matches() && isOfBody(behindDash(name)) ? behindDash(name) : name)
+                .toList();
+    }
+
+    private static String behindDash(String name) {
+        return DASH.split(name, 2)[1];
+    }
+
+    /** Whether a name is known and is neither a lesion nor an aid. */
+    private static boolean isOfBody(String name) {
+        return LabelNames.structure(name)
+                .filter(known -> !LabelNames.isLesion(known) && !LabelTable.isOfPlan(known))
+                .isPresent();
+    }
+
+    /** Whether a name says more than a side and a number, and is none for a whole body or for none. */
+    private static boolean isInWords(String name) {
+        List<String> words = new ArrayList<>(List.of(LabelNames.plain(name).split(" ", -1)));
+        LabelNames.side(words);
+        return words.stream().anyMatch(word -> WHOLE_WORD.matcher(word).find())
+                && LabelNames.structure(name)
+                        .filter(Set.of(LabelTable.SKIN, LabelTable.IGNORE)::contains)
+                        .isEmpty();
+    }
+
+    private static boolean isOrgan(String name) {
+        return isInWords(name)
+                && isOfBody(name)
+                && !LabelNames.structure(name).equals(Optional.of(LabelTable.ALL_BONES));
     }
 
     private static boolean isLessOrgan(String name) {

@@ -113,7 +113,7 @@ final class SharedWords {
                 }
             }
         }
-        return best;
+        return PlanNames.withoutBody(best);
     }
 
     /**
@@ -219,7 +219,7 @@ final class SharedWords {
         }
         boolean numbered = shared.stream().anyMatch(word -> DIGITS.matcher(word).find());
         // Of all names none is that of an organ less another.
-        boolean beforeDash = fromBeginning && PlanNames.areOfRegion(names);
+        boolean beforeDash = fromBeginning && PlanNames.areOfOthers(names);
         int count = 0;
         while (count < shared.size()
                 && ((count == 0 && beforeDash)

@@ -102,6 +102,29 @@ class NamedLabelsTest {
         "Lungs-Heart|Lungs-GTV, lungs|lungs",
         "Lungs - Heart|Lungs - GTV, lungs|lungs",
         "Liver-Spleen|Liver|Spleen, -|liver|spleen",
+        "Heart-T1|Heart-T2, heart|heart",
+        "Lung-Left-T1|Lung-Left-T2, lung_L|lung_L",
+        "Lung-L1|Lung-L2, lungs|lungs",
+        "Lung-opt1|Lung-opt2, lungs|lungs",
+        "Liver-T1|Liver-T2, -|-",
+        "Stomach-Body|Stomach-Fundus, -|-",
+        "Heart-Muscle|Heart-Fat, heart|-",
+        "Heart-table|Heart-Aorta, heart|heart",
+        "Lung-Bone|Lung-Lung, lungs|lungs",
+        "Liver-tumor|Liver-metastasis, lesion_liver_tumor|lesion_liver_metastasis",
+        "Liver-Tumor|Liver-Liver|Liver-Vessels, lesion_liver_tumor|-|liver_vessels",
+        "Liver-heart|Liver-body|Liver-lung_left, heart|skin|lung_L",
+        "lung-01_liver|lung-01_spleen, liver|spleen",
+        "Lung-01_heart|Lung-01_lung_left|Lung-01_GTV|Lung-01_PTV|Lung-01_CTV|Lung-01_Body, "
+                + "heart|lung_L|lesion_gtv|lesion_ptv|lesion_ctv|skin",
+        "Liver-Heart|Liver-Vertebrae_T5, heart|vertebra_T05",
+        "Liver-Heart|Liver-Spleen|Liver-T5, heart|spleen|vertebra_T05",
+        "Body-Lungs|Body-Heart|Body-T5, lungs|heart|vertebra_T05",
+        "Body-Lungs|Body-Heart|Body-Liver|Tumor, lungs|heart|liver|lesion_tumor",
+        "E-Lungs|E-T5|E-opt, lungs|vertebra_T05|-",
+        "External-Lungs|External-Heart|Couch, lungs|heart|ignore",
+        "Body-Lungs|Body-PTV|Heart, skin|skin|heart",
+        "Body-Lungs|Body-Heart|Lungs, skin|heart|lungs",
         "Lesion-Liver|Lesion-Lung, lesion_lesion_liver|lesion_lesion_lung",
         "MET_001_liver|MET_001_lung_left, liver|lung_L",
         "met01_liver|met01_heart, liver|heart",
@@ -188,6 +211,7 @@ class NamedLabelsTest {
 
     @Test
     void namesOfWhichNoneBecomesKnownStayAsTheyAre() {
+        assertThat(SharedWords.removed(List.of())).isEmpty();
         assertThat(SharedWords.removed(List.of("case_0001", "case_0002"))).containsExactly("case_0001", "case_0002");
         assertThat(SharedWords.removed(List.of("Label 1", "Label 2"))).containsExactly("Label 1", "Label 2");
     }
