@@ -691,6 +691,8 @@ class LabelNamesTest {
         "脊髓 Spinal cord, spinal_cord",
         "脊髓 SpinalCord, spinal_cord",
         "脊柱 Spine, bone_spine",
+        "骨骼肌 Skeletal muscle, muscle_skeletal",
+        "骨格筋_muscles, muscle_skeletal",
         "肩胛骨 Scapula_L, scapula_L",
         "左股骨 Femur, femur_L",
         "颅骨 skull, skull",
