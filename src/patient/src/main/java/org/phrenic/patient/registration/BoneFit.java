@@ -52,7 +52,7 @@ final class BoneFit {
     private static final int LEAST_VERTEBRAE = 3;
 
     /** Share of a vertebra that the scan shows from which on it is fitted as a whole one. */
-    private static final double WHOLE_SHARE = 0.7;
+    static final double WHOLE_SHARE = 0.7;
 
     private static final int LEAST_RIBS = 6;
     /** Of a spine under one label, whose vertebrae may lie at other heights. */
@@ -105,10 +105,7 @@ final class BoneFit {
                 addSternum(s);
             }
         }
-        boolean endsInLungs =
-                organs.stream().anyMatch(organ -> organ.kind() == StructureKind.LUNG && !organ.isComplete());
-        boolean bonesTell = endsInLungs && vertebrae.size() >= LEAST_VERTEBRAE && ribs.size() >= LEAST_RIBS;
-        organs.stream().filter(organ -> !bonesTell || tellsBesideBones(organ)).forEach(surfaces::add);
+        surfaces.addAll(guides(organs, vertebrae.size(), ribs.size()));
         belowSternum = SharedStructure.belowSternum(shared);
     }
 
@@ -130,6 +127,22 @@ final class BoneFit {
                 && !s.cutAt().contains("I")
                 && IntStream.range(0, atCut.length)
                         .noneMatch(v -> atCut[v] && s.scan().z(v) < bound);
+    }
+
+    /**
+     * The organs that tell where bones lie: of a scan that ends within the lungs and shows enough bones not the liver
+     * and these lungs.
+     *
+     * @param vertebrae number of those that the scan shows whole or but for a small part
+     * @param ribs number of those that it shows whole or in part
+     */
+    static List<SurfacePair> guides(List<SurfacePair> organs, int vertebrae, int ribs) {
+        boolean endsInLungs =
+                organs.stream().anyMatch(organ -> organ.kind() == StructureKind.LUNG && !organ.isComplete());
+        boolean bonesTell = endsInLungs && vertebrae >= LEAST_VERTEBRAE && ribs >= LEAST_RIBS;
+        return organs.stream()
+                .filter(organ -> !bonesTell || tellsBesideBones(organ))
+                .toList();
     }
 
     /**

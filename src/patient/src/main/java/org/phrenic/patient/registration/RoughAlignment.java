@@ -12,8 +12,8 @@ import org.phrenic.mesh.TriangleMesh;
 
 /**
  * First alignment of a template to a scan: pose, size and proportions from landmarks of the structures that both have,
- * refined by nearest points of lungs and liver and of what the scan cuts off. Rotation and proportions that the
- * structures leave open stay those of an upright body in LPS.
+ * refined by nearest points of lungs and liver, unless bones tell more, and of what the scan cuts off. Rotation and
+ * proportions that the structures leave open stay those of an upright body in LPS.
  */
 final class RoughAlignment {
     /** Fractions of a rib's course from the back that serve as landmarks; the posterior end may be missing. */
@@ -34,13 +34,17 @@ final class RoughAlignment {
     /** The same of one structure that the scan cuts off. */
     private static final int CUT_POINTS = 12;
     /**
-     * Landmarks of whole structures from which on truncated ones count by nearest points, as organs do and where there
-     * are any, not by their centroids.
+     * Landmarks of whole structures from which on the centroids of truncated ones do not count. With fewer, truncated
+     * vertebrae and ribs are placed by them first; where there are organs, nearest points refine the place.
      */
     private static final int ENOUGH_LANDMARKS = 8;
 
     private final double plane;
     private final PointPairs landmarks = new PointPairs();
+    /** Vertebrae, whole or but for a small part. */
+    private int vertebrae;
+    /** Ribs, whole or in part. */
+    private int ribs;
     /**
      * Structures that the scan cuts off. The centroid of the part lies farther within the scan than that of the whole
      * structure in the template, as if the body were smaller.
@@ -54,6 +58,11 @@ final class RoughAlignment {
     /** Adds the landmarks of a structure and its counterpart. */
     void add(SharedStructure shared) {
         StructureKind kind = shared.kind();
+        if (kind == StructureKind.RIB) {
+            ribs++;
+        } else if (kind == StructureKind.VERTEBRA && shared.shownShare(shared.template()) >= BoneFit.WHOLE_SHARE) {
+            vertebrae++;
+        }
         if (!shared.isComplete()) {
             cut.add(shared);
         } else if (kind == StructureKind.RIB) {
@@ -78,6 +87,18 @@ final class RoughAlignment {
                     };
             landmarks.add(centroid(shared.template()), centroid(shared.scan()), sigma);
         }
+    }
+
+    /**
+     * Adds the centroid of a part. It lies within the scan, by up to half of the length that the scan does not show
+     * from the centroid of the whole structure, which is its standard deviation.
+     */
+    private static void addCentroid(PointPairs pairs, SharedStructure part) {
+        double[] box = part.template().bounds();
+        double length = Math.max(box[3] - box[0], Math.max(box[4] - box[1], box[5] - box[2]));
+        double missing = 1 - Math.min(1, part.shownShare(part.template()));
+        double sigma = Math.max(BONE_SIGMA_MM, 0.5 * length * missing);
+        pairs.add(centroid(part.template()), centroid(part.scan()), sigma);
     }
 
     /** Centre of the area of a surface, mm. */
@@ -109,15 +130,25 @@ final class RoughAlignment {
 
     /** Pose, size and proportions of the template. */
     TemplateMap align(List<SurfacePair> organs) {
+        boolean enough = landmarks.count() >= ENOUGH_LANDMARKS;
+        PointPairs first = new PointPairs();
+        first.addAll(landmarks);
         PointPairs known = new PointPairs();
         known.addAll(landmarks);
         List<SurfacePair> cutPairs = new ArrayList<>();
-        if (landmarks.count() >= ENOUGH_LANDMARKS) {
-            cut.forEach(s -> cutPairs.add(s.pair(true)));
-        } else {
-            cut.forEach(s -> known.add(centroid(s.template()), centroid(s.scan()), CUT_SIGMA_MM));
+        for (SharedStructure s : cut) {
+            boolean byNearest = enough || s.kind() == StructureKind.VERTEBRA || s.kind() == StructureKind.RIB;
+            if (byNearest) {
+                cutPairs.add(s.pair(true));
+            } else {
+                addCentroid(known, s);
+            }
+            if (!enough) {
+                addCentroid(first, s);
+            }
         }
-        TemplateMap map = fit(known);
+        List<SurfacePair> guides = BoneFit.guides(organs, vertebrae, ribs);
+        TemplateMap map = fit(first);
         for (int i = 0; i < REFINEMENTS && !organs.isEmpty(); i++) {
             PointPairs pairs = new PointPairs();
             pairs.addAll(known);
@@ -125,7 +156,7 @@ final class RoughAlignment {
                 pair.place(map);
                 pairs.addAll(pair.nearest(CUT_POINTS, BONE_SIGMA_MM));
             }
-            for (SurfacePair pair : organs) {
+            for (SurfacePair pair : guides) {
                 pair.place(map);
                 pairs.addAll(
                         pair.nearest(POINTS, pair.kind() == StructureKind.LUNG ? 2 * LUNG_SIGMA_MM : CUT_SIGMA_MM));

@@ -48,15 +48,23 @@ class CutBonesTest {
     }
 
     private static List<PatientStructure> scan(Thorax body, CutPlane end, Predicate<Structure> shown) {
+        return scan(body, List.of(end), shown);
+    }
+
+    /** Of a structure of which a plane leaves 15 mm or less the scan shows nothing. */
+    private static List<PatientStructure> scan(Thorax body, List<CutPlane> planes, Predicate<Structure> shown) {
         List<PatientStructure> seen = new ArrayList<>();
         for (Structure s : body.structures()) {
-            double[] depths = depths(s.mesh(), end);
-            if (shown.test(s) && depths[1] > 15) {
-                boolean cut = depths[0] < 0;
-                TriangleMesh mesh = cut ? inside(s.mesh(), end) : s.mesh();
+            if (shown.test(s) && planes.stream().allMatch(end -> depths(s.mesh(), end)[1] > 15)) {
+                List<CutPlane> ends = planes.stream()
+                        .filter(end -> depths(s.mesh(), end)[0] < 0)
+                        .toList();
+                TriangleMesh mesh = s.mesh();
+                for (CutPlane end : ends) {
+                    mesh = inside(mesh, end);
+                }
                 MeshedSegment meshed =
                         new MeshedSegment(mesh, 0, 0, DistanceSummary.NONE, MeshQuality.of(mesh), 0.2, 1, 0);
-                List<CutPlane> ends = cut ? List.of(end) : List.of();
                 seen.add(PatientStructure.ofScan(
                         s.withMesh(mesh), new PatientStructure.Scan(List.of(1), 1000, 1000, ends, meshed)));
             }
@@ -158,6 +166,29 @@ class CutBonesTest {
         assertThat(error(body, large, "vertebra_T10")).isLessThan(1);
         assertThat(error(body, large, "vertebra_T09")).isLessThan(3);
         assertThat(error(body, large, "vertebra_T08")).isLessThan(6);
+    }
+
+    /**
+     * A scan of 75 mm whose posterior end cuts the spinous processes off, as one of the heart, shows hardly anything
+     * whole. With the centroid of each part as a landmark of one standard deviation T1 comes out 74 mm off, and 45 mm
+     * if those of vertebrae and ribs count to the end.
+     */
+    @Test
+    void aSlabOfAThoraxSaysWhereTheSpineLies() {
+        double[] spine = WOMAN.find("vertebra_T10").orElseThrow().mesh().bounds();
+        double middle = middleOf("vertebra_T10");
+        List<CutPlane> planes = List.of(
+                new CutPlane("S", 0, 0, 1, middle + 25),
+                new CutPlane("I", 0, 0, -1, 50 - middle),
+                new CutPlane("P", 0, 1, 0, spine[1] + 0.7 * (spine[4] - spine[1])));
+        PatientBody body = completed(scan(
+                WOMAN,
+                planes,
+                s -> isRibOrVertebra(s) || s.kind() == StructureKind.LUNG || s.kind() == StructureKind.LIVER));
+        assertThat(vertebraError(body, "vertebra_T08")).isLessThan(7.5);
+        assertThat(vertebraError(body, "vertebra_T05")).isLessThan(15);
+        assertThat(vertebraError(body, "vertebra_T01")).isLessThan(26);
+        assertThat(error(body, WOMAN, "rib_05_R")).isLessThan(9);
     }
 
     private static Structure enlarged(Structure s) {
