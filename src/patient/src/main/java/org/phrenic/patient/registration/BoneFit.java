@@ -52,7 +52,7 @@ final class BoneFit {
     private static final int LEAST_VERTEBRAE = 3;
 
     /** Share of a vertebra that the scan shows from which on it is fitted as a whole one. */
-    static final double WHOLE_SHARE = 0.7;
+    private static final double WHOLE_SHARE = 0.7;
 
     private static final int LEAST_RIBS = 6;
     /** Of a spine under one label, whose vertebrae may lie at other heights. */
@@ -93,7 +93,7 @@ final class BoneFit {
         this.template = template;
         this.plane = plane;
         for (SharedStructure s : shared) {
-            if (s.kind() == StructureKind.VERTEBRA && s.shownShare(start.apply(s.template())) >= WHOLE_SHARE) {
+            if (isShown(s, start)) {
                 vertebrae.add(s);
             } else if (s.kind() == StructureKind.RIB) {
                 ribs.add(new RibFit(s));
@@ -105,7 +105,8 @@ final class BoneFit {
                 addSternum(s);
             }
         }
-        surfaces.addAll(guides(organs, vertebrae.size(), ribs.size()));
+        boolean bonesTell = bonesTell(shared, start, organs);
+        organs.stream().filter(organ -> !bonesTell || tellsBesideBones(organ)).forEach(surfaces::add);
         belowSternum = SharedStructure.belowSternum(shared);
     }
 
@@ -130,26 +131,25 @@ final class BoneFit {
     }
 
     /**
-     * The organs that tell where bones lie: of a scan that ends within the lungs and shows enough bones not the liver
-     * and these lungs.
-     *
-     * @param vertebrae number of those that the scan shows whole or but for a small part
-     * @param ribs number of those that it shows whole or in part
+     * Whether a scan ends within the lungs and shows enough bones, so that neither the liver nor these lungs say more
+     * of where bones lie.
      */
-    static List<SurfacePair> guides(List<SurfacePair> organs, int vertebrae, int ribs) {
-        boolean endsInLungs =
-                organs.stream().anyMatch(organ -> organ.kind() == StructureKind.LUNG && !organ.isComplete());
-        boolean bonesTell = endsInLungs && vertebrae >= LEAST_VERTEBRAE && ribs >= LEAST_RIBS;
-        return organs.stream()
-                .filter(organ -> !bonesTell || tellsBesideBones(organ))
-                .toList();
+    static boolean bonesTell(List<SharedStructure> bones, TemplateMap placed, List<SurfacePair> organs) {
+        return organs.stream().anyMatch(organ -> organ.kind() == StructureKind.LUNG && !organ.isComplete())
+                && bones.stream().filter(s -> isShown(s, placed)).count() >= LEAST_VERTEBRAE
+                && bones.stream().filter(s -> s.kind() == StructureKind.RIB).count() >= LEAST_RIBS;
+    }
+
+    /** Whether a scan shows a vertebra whole or but for a small part. */
+    private static boolean isShown(SharedStructure s, TemplateMap placed) {
+        return s.kind() == StructureKind.VERTEBRA && s.shownShare(placed.apply(s.template())) >= WHOLE_SHARE;
     }
 
     /**
      * Whether an organ tells where bones lie beyond the end of a scan that cuts lungs off and shows enough bones. Liver
      * and lower ends of lungs stand at other heights against the spine in other people, and lower at inspiration.
      */
-    private static boolean tellsBesideBones(SurfacePair organ) {
+    static boolean tellsBesideBones(SurfacePair organ) {
         return organ.kind() != StructureKind.LIVER && (organ.kind() != StructureKind.LUNG || organ.isComplete());
     }
 

@@ -34,17 +34,15 @@ final class RoughAlignment {
     /** The same of one structure that the scan cuts off. */
     private static final int CUT_POINTS = 12;
     /**
-     * Landmarks of whole structures from which on the centroids of truncated ones do not count. With fewer, truncated
-     * vertebrae and ribs are placed by them first; where there are organs, nearest points refine the place.
+     * Landmarks of whole structures from which on truncated ones count by nearest points, as organs do and where there
+     * are any, not by their centroids. Truncated vertebrae count so in any case.
      */
     private static final int ENOUGH_LANDMARKS = 8;
 
     private final double plane;
     private final PointPairs landmarks = new PointPairs();
-    /** Vertebrae, whole or but for a small part. */
-    private int vertebrae;
-    /** Ribs, whole or in part. */
-    private int ribs;
+    /** Vertebrae and ribs, whole or in part. */
+    private final List<SharedStructure> bones = new ArrayList<>();
     /**
      * Structures that the scan cuts off. The centroid of the part lies farther within the scan than that of the whole
      * structure in the template, as if the body were smaller.
@@ -58,10 +56,8 @@ final class RoughAlignment {
     /** Adds the landmarks of a structure and its counterpart. */
     void add(SharedStructure shared) {
         StructureKind kind = shared.kind();
-        if (kind == StructureKind.RIB) {
-            ribs++;
-        } else if (kind == StructureKind.VERTEBRA && shared.shownShare(shared.template()) >= BoneFit.WHOLE_SHARE) {
-            vertebrae++;
+        if (kind == StructureKind.RIB || kind == StructureKind.VERTEBRA) {
+            bones.add(shared);
         }
         if (!shared.isComplete()) {
             cut.add(shared);
@@ -90,14 +86,16 @@ final class RoughAlignment {
     }
 
     /**
-     * Adds the centroid of a part. It lies within the scan, by up to half of the length that the scan does not show
-     * from the centroid of the whole structure, which is its standard deviation.
+     * Adds the centroid of a part. It lies within the scan, off the centroid of the whole structure by up to half of
+     * the length that is missing, which is its standard deviation. That of a vertebra is little off.
      */
     private static void addCentroid(PointPairs pairs, SharedStructure part) {
-        double[] box = part.template().bounds();
-        double length = Math.max(box[3] - box[0], Math.max(box[4] - box[1], box[5] - box[2]));
-        double missing = 1 - Math.min(1, part.shownShare(part.template()));
-        double sigma = Math.max(BONE_SIGMA_MM, 0.5 * length * missing);
+        double[] whole = part.template().bounds();
+        double[] shown = part.scan().bounds();
+        double sigma = part.kind() == StructureKind.VERTEBRA ? BONE_SIGMA_MM : CUT_SIGMA_MM;
+        for (int k = 0; k < 3; k++) {
+            sigma = Math.max(sigma, 0.5 * (whole[k + 3] - whole[k] - (shown[k + 3] - shown[k])));
+        }
         pairs.add(centroid(part.template()), centroid(part.scan()), sigma);
     }
 
@@ -133,22 +131,25 @@ final class RoughAlignment {
         boolean enough = landmarks.count() >= ENOUGH_LANDMARKS;
         PointPairs first = new PointPairs();
         first.addAll(landmarks);
+        cut.stream().filter(s -> !enough).forEach(s -> addCentroid(first, s));
+        TemplateMap map = fit(first);
+        boolean bonesTell = BoneFit.bonesTell(bones, map, organs);
         PointPairs known = new PointPairs();
         known.addAll(landmarks);
         List<SurfacePair> cutPairs = new ArrayList<>();
         for (SharedStructure s : cut) {
-            boolean byNearest = enough || s.kind() == StructureKind.VERTEBRA || s.kind() == StructureKind.RIB;
-            if (byNearest) {
+            if (bonesTell && (s.kind() == StructureKind.LIVER || s.kind() == StructureKind.LUNG)) {
+                continue;
+            }
+            if (enough || s.kind() == StructureKind.VERTEBRA) {
                 cutPairs.add(s.pair(true));
             } else {
                 addCentroid(known, s);
             }
-            if (!enough) {
-                addCentroid(first, s);
-            }
         }
-        List<SurfacePair> guides = BoneFit.guides(organs, vertebrae, ribs);
-        TemplateMap map = fit(first);
+        List<SurfacePair> guides = organs.stream()
+                .filter(organ -> !bonesTell || BoneFit.tellsBesideBones(organ))
+                .toList();
         for (int i = 0; i < REFINEMENTS && !organs.isEmpty(); i++) {
             PointPairs pairs = new PointPairs();
             pairs.addAll(known);
