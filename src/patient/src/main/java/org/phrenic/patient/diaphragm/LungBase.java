@@ -135,7 +135,9 @@ final class LungBase {
         if (top < middle) {
             top = dome;
         }
-        judge(lung, organs, all);
+        if (inScan) {
+            judge(lung, organs, all);
+        }
     }
 
     private void judge(TriangleMesh lung, Optional<TriangleTree> organs, Optional<TriangleTree> all) {
