@@ -28,10 +28,8 @@ final class LungBase {
     private static final double STEEP = -0.1;
     /** Share of the base's level area below its stated top. */
     private static final double TOP_SHARE = 0.9;
-
     /** Level faces higher than this above the middle one, mm, lie over the heart. */
     private static final double HEART_MM = 30;
-
     /**
      * Share of a lung's underside, in plan, below the middle of its base: the heart takes up to a third of it. At a
      * deep inspiration the base is steep, and most of its level faces are those of its lower border.
@@ -135,13 +133,13 @@ final class LungBase {
         if (top < middle) {
             top = dome;
         }
-        if (inScan) {
-            judge(lung, organs, all);
-        }
+        judge(lung, organs, all);
     }
 
     private void judge(TriangleMesh lung, Optional<TriangleTree> organs, Optional<TriangleTree> all) {
-        Optional<Below> near = organs.flatMap(with -> below(lung, with));
+        // Of a template's lungs: the liver fills the right dome; fat and bowel lie between stomach and the left one.
+        Optional<Below> near =
+                organs.filter(with -> inScan || side == Side.RIGHT).flatMap(with -> below(lung, with));
         if (near.isEmpty() || (!near.get().parted() && side != Side.RIGHT)) {
             return;
         }
@@ -299,9 +297,9 @@ final class LungBase {
         top = dome;
     }
 
-    /** A note on a lung that does not lie on the diaphragm, or perhaps not. */
+    /** A note on a lung of the scan that does not lie on the diaphragm, or perhaps not. */
     Optional<String> note() {
-        if (liesOnDiaphragm() && gapMm > 0) {
+        if (inScan && liesOnDiaphragm() && gapMm > 0) {
             return Optional.of(Numbers.format(
                     "three quarters of the base of the right lung lie more than %.0f mm above the organs below: with"
                             + " air or fluid in the chest without a label between, the diaphragm lies lower than it"
@@ -316,7 +314,7 @@ final class LungBase {
                 : "the base of the %s lung reaches %.0f mm above the organs below the diaphragm: the diaphragm is"
                         + " laid on these, as with fluid in the chest or lung without a label between; with"
                         + " ascites without a label, or after resection of the liver, it lies higher";
-        return liesOnDiaphragm()
+        return !inScan || liesOnDiaphragm()
                 ? Optional.empty()
                 : Optional.of(Numbers.format(text, side == Side.RIGHT ? "right" : "left", partedMm));
     }

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
@@ -100,20 +101,42 @@ class LungBaseTest {
     @Test
     void aBaseFarAboveThatOfTheOtherLungLiesOnTheDiaphragmIfAnOrganIsBelow() {
         Thorax high = body(Side.LEFT, 0.65);
-        double dome = LungBase.of(high).get(1).dome();
         List<Structure> all = new ArrayList<>(high.structures());
-        double[] box = all.stream()
-                .filter(s -> s.side() == Side.LEFT)
+        all.add(below(high, Side.LEFT, StructureKind.ORGAN, "stomach", 5));
+        Thorax risen = new Thorax("stomach", all, List.of());
+        assertThat(UnequalBases.parted(risen, LungBase.of(risen))).isEmpty();
+    }
+
+    /** A ball as broad as a lung, so far below its dome. */
+    private static Structure below(Thorax body, Side side, StructureKind kind, String name, double gapMm) {
+        double[] box = body.structures().stream()
+                .filter(s -> s.side() == side)
                 .findFirst()
                 .orElseThrow()
                 .mesh()
                 .bounds();
         double radius = 0.5 * (box[3] - box[0]);
+        double dome = LungBase.of(body).get(side == Side.RIGHT ? 0 : 1).dome();
         TriangleMesh ball =
-                Shapes.moved(Shapes.sphere(radius, 4), box[0] + radius, 0.5 * (box[1] + box[4]), dome - radius - 5);
-        all.add(new Structure("stomach", StructureKind.ORGAN, 0, Side.MIDLINE, ball));
-        Thorax risen = new Thorax("stomach", all, List.of());
-        assertThat(UnequalBases.parted(risen, LungBase.of(risen))).isEmpty();
+                Shapes.moved(Shapes.sphere(radius, 4), box[0] + radius, 0.5 * (box[1] + box[4]), dome - radius - gapMm);
+        return new Structure(name, kind, 0, Side.MIDLINE, ball);
+    }
+
+    /** Organs 60 mm below both domes, under lungs of the scan and under a template's. */
+    @Test
+    void aboveOrgansALeftLungThatTheScanDoesNotShowKeepsItsDome() {
+        Thorax lungs = new Thorax("lungs", LUNGS, List.of());
+        List<Structure> all = new ArrayList<>(LUNGS);
+        all.add(below(lungs, Side.RIGHT, StructureKind.LIVER, "liver", 60));
+        all.add(below(lungs, Side.LEFT, StructureKind.ORGAN, "stomach", 60));
+        List<LungBase> shown = LungBase.of(new Thorax("shown", all, List.of()));
+        assertThat(shown).noneMatch(LungBase::liesOnDiaphragm).allMatch(base -> base.note()
+                .isPresent());
+        List<LungBase> completed = LungBase.of(new Thorax("completed", all, List.of(), Set.of("lung_R", "lung_L")));
+        assertThat(completed.get(0).dome()).isEqualTo(shown.get(0).dome());
+        assertThat(completed.get(1).liesOnDiaphragm()).isTrue();
+        assertThat(completed.get(1).dome()).isEqualTo(bases(LUNGS).get(1).dome());
+        assertThat(completed).allMatch(base -> base.note().isEmpty());
     }
 
     /**
