@@ -65,7 +65,7 @@ final class LungBase {
      * @param gap height above them, mm, beyond which three quarters of the base lie
      * @param parted whether the base does not lie on the diaphragm
      */
-    private record Below(double roof, double gap, boolean parted) {}
+    record Below(double roof, double gap, boolean parted) {}
 
     private final Side side;
     private final boolean inScan;
@@ -82,6 +82,8 @@ final class LungBase {
     private double gapMm;
     /** Whether that is known from the base of the other lung alone. */
     private boolean besideOther;
+    /** Whether organs of the scan lie close below a template's left lung. */
+    private boolean isAtOrgans;
 
     /**
      * @param organs the organs below, if there are any
@@ -133,32 +135,32 @@ final class LungBase {
         if (top < middle) {
             top = dome;
         }
-        judge(lung, organs, all);
+        judge(organs, all);
     }
 
-    private void judge(TriangleMesh lung, Optional<TriangleTree> organs, Optional<TriangleTree> all) {
-        // Of a template's lungs: the liver fills the right dome; fat and bowel lie between stomach and the left one.
-        Optional<Below> near =
-                organs.filter(with -> inScan || side == Side.RIGHT).flatMap(with -> below(lung, with));
-        if (near.isEmpty() || (!near.get().parted() && side != Side.RIGHT)) {
+    private void judge(Optional<TriangleTree> organs, Optional<TriangleTree> all) {
+        Optional<Below> near = organs.flatMap(this::below);
+        if (near.isEmpty() || (!near.get().parted() && side != Side.RIGHT && inScan)) {
             return;
         }
-        Optional<Below> any = all.isPresent() ? all.flatMap(with -> below(lung, with)) : near;
-        if (any.isEmpty()) {
-            return;
-        }
-        if (near.get().parted() && any.get().parted()) {
+        Optional<Below> any = all.isPresent() ? all.flatMap(this::below) : near;
+        boolean parted = near.get().parted() && any.isPresent() && any.get().parted();
+        if (!inScan && side != Side.RIGHT) {
+            // Fat and bowel lie between stomach and dome: organs of the scan do not tell a template's left dome.
+            isAtOrgans = !parted;
+        } else if (parted) {
             partedMm = top - near.get().roof();
             top = near.get().roof();
             dome = top;
-        } else if (side == Side.RIGHT) {
+        } else if (side == Side.RIGHT && any.isPresent()) {
             double least = Math.min(near.get().gap(), any.get().gap());
             gapMm = least > NOTED_MM ? least : 0;
         }
     }
 
     /** Compares the base with the upper surfaces of the organs below; empty if too little of it lies above them. */
-    private Optional<Below> below(TriangleMesh lung, TriangleTree below) {
+    Optional<Below> below(TriangleTree below) {
+        TriangleMesh lung = tree.mesh();
         double[] roofs = MeshMeasure.triangleNormals(below.mesh());
         TriangleTree.Hit hit = new TriangleTree.Hit();
         double[] area = new double[lung.triangleCount()];
@@ -190,29 +192,6 @@ final class LungBase {
             return Optional.of(new Below(roofTop, quarter, quarter > PARTED_MM || top > roofTop + PARTED_TOP_MM));
         }
         return Optional.empty();
-    }
-
-    /** Whether enough of the base lies above the roofs of organs for a judgement of the distance between. */
-    boolean liesAbove(TriangleTree organs) {
-        TriangleMesh lung = tree.mesh();
-        double[] roofs = MeshMeasure.triangleNormals(organs.mesh());
-        TriangleTree.Hit hit = new TriangleTree.Hit();
-        double[] cross = new double[3];
-        double base = 0;
-        double area = 0;
-        for (int t = 0; t < lung.triangleCount(); t++) {
-            double[] m = MeshMeasure.centroid(lung, t);
-            if (normals[3 * t + 2] <= ABOVE_ORGANS
-                    && tree.countAlongRay(m[0], m[1], m[2] - CLEAR_MM, 0, 0, -1, hit) == 0) {
-                double here = 0.5 * MeshMeasure.triangleCrossProduct(lung, t, cross);
-                base += here;
-                area += organs.nearestAlongRay(m[0], m[1], m[2] + PARTED_MM, 0, 0, -1, hit)
-                                && roofs[3 * hit.triangle + 2] > ROOF
-                        ? here
-                        : 0;
-            }
-        }
-        return area > LEAST_ABOVE * base;
     }
 
     private static int[] sorted(double[] keys) {
@@ -267,7 +246,11 @@ final class LungBase {
             return Optional.empty();
         }
         TriangleMesh lung = MeshMerge.merge(lobes.stream().map(Structure::mesh).toList());
-        return Optional.of(new LungBase(side, lung, lobes.stream().anyMatch(body::isInScan), below, all));
+        boolean inScan = lobes.stream().anyMatch(body::isInScan);
+        // A template's right dome is told by the liver, which fills it, alone.
+        Optional<TriangleTree> under =
+                inScan || side == Side.LEFT ? below : inScan(body, body.structuresOf(StructureKind.LIVER));
+        return Optional.of(new LungBase(side, lung, inScan, under, all));
     }
 
     /** Whether the scan shows the lung. */
@@ -289,6 +272,18 @@ final class LungBase {
         return tree.mesh().bounds()[5];
     }
 
+    /** A template's left lung, lowered as far as a right one laid on the liver, unless it lies on scanned organs. */
+    LungBase beside(LungBase right) {
+        if (inScan || right.inScan || isAtOrgans || right.partedMm == 0) {
+            return this;
+        }
+        double[] p = tree.mesh().positions().clone();
+        for (int z = 2; z < p.length; z += 3) {
+            p[z] -= right.partedMm;
+        }
+        return new LungBase(side, tree.mesh().withPositions(p), false, Optional.empty(), Optional.empty());
+    }
+
     /** Lowers the dome by so much, since it is known from the base of the other lung alone. */
     void lower(double mm) {
         besideOther = true;
@@ -297,26 +292,29 @@ final class LungBase {
         top = dome;
     }
 
-    /** A note on a lung of the scan that does not lie on the diaphragm, or perhaps not. */
+    /** A note on a lung that does not lie on the diaphragm, or perhaps not. */
     Optional<String> note() {
-        if (inScan && liesOnDiaphragm() && gapMm > 0) {
-            return Optional.of(Numbers.format(
+        if (liesOnDiaphragm()) {
+            String gap =
                     "three quarters of the base of the right lung lie more than %.0f mm above the organs below: with"
                             + " air or fluid in the chest without a label between, the diaphragm lies lower than it"
-                            + " is laid",
-                    gapMm));
+                            + " is laid";
+            return inScan && gapMm > 0 ? Optional.of(Numbers.format(gap, gapMm)) : Optional.empty();
         }
-        String text = besideOther
-                ? "the base of the %s lung stands %.0f mm higher than beside the other one in people, and the scan"
-                        + " labels no organ below it: the diaphragm is laid at the level of the other side, as with"
-                        + " fluid in the chest or lung without a label between; with a paresis of that half, or after"
-                        + " resection of a lobe, it lies higher"
-                : "the base of the %s lung reaches %.0f mm above the organs below the diaphragm: the diaphragm is"
-                        + " laid on these, as with fluid in the chest or lung without a label between; with"
-                        + " ascites without a label, or after resection of the liver, it lies higher";
-        return !inScan || liesOnDiaphragm()
-                ? Optional.empty()
-                : Optional.of(Numbers.format(text, side == Side.RIGHT ? "right" : "left", partedMm));
+        String text = "the base of the %s lung reaches %.0f mm above the organs below the diaphragm: the diaphragm is"
+                + " laid on these, as with fluid in the chest or lung without a label between; with"
+                + " ascites without a label, or after resection of the liver, it lies higher";
+        if (besideOther) {
+            text = "the base of the %s lung stands %.0f mm higher than beside the other one in people, and the scan"
+                    + " labels no organ below it: the diaphragm is laid at the level of the other side, as with"
+                    + " fluid in the chest or lung without a label between; with a paresis of that half, or after"
+                    + " resection of a lobe, it lies higher";
+        } else if (!inScan) {
+            text = "the %s lung, which the scan does not show, is placed with its base %.0f mm above the liver: the"
+                    + " diaphragm is laid on the liver, and the left dome, where the scan shows no lung or organ at"
+                    + " it, as much lower; with a liver that is small or was resected it lies higher";
+        }
+        return Optional.of(Numbers.format(text, side == Side.RIGHT ? "right" : "left", partedMm));
     }
 
     /** Height of the top of the base, or of the organs below if it does not lie on the diaphragm, mm. */

@@ -38,9 +38,7 @@ final class UnequalBases {
                         ContactingOrgans.abdominal(body).stream(), ContactingOrgans.between(body).stream())
                 .toList();
         return Math.abs(above) > PARTED_SHARE * heightAbove(bases.get(0), bases.get(1))
-                        && LungBase.inScan(body, organs)
-                                .filter(higher::liesAbove)
-                                .isEmpty()
+                        && LungBase.inScan(body, organs).flatMap(higher::below).isEmpty()
                 ? Optional.of(higher.side())
                 : Optional.empty();
     }
@@ -57,7 +55,7 @@ final class UnequalBases {
 
     /**
      * The bases of the lungs of a body of which one is known not to lie on the diaphragm: its dome is taken to stand as
-     * usual beside the other one.
+     * usual beside the other one. A template's left dome goes down with its right one.
      *
      * @param parted side of {@link #parted}; empty if both lie on the diaphragm or organs show where it is
      */
@@ -68,6 +66,6 @@ final class UnequalBases {
             LungBase high = bases.get(parted.get() == Side.RIGHT ? 0 : 1);
             high.lower(Math.max(0, high.side() == Side.RIGHT ? above : -above));
         }
-        return bases;
+        return bases.size() == 2 ? List.of(bases.get(0), bases.get(1).beside(bases.get(0))) : bases;
     }
 }

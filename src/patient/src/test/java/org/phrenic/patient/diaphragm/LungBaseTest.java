@@ -122,21 +122,78 @@ class LungBaseTest {
         return new Structure(name, kind, 0, Side.MIDLINE, ball);
     }
 
-    /** Organs 60 mm below both domes, under lungs of the scan and under a template's. */
-    @Test
-    void aboveOrgansALeftLungThatTheScanDoesNotShowKeepsItsDome() {
-        Thorax lungs = new Thorax("lungs", LUNGS, List.of());
+    /** The lungs with organs so far below their domes. */
+    private static List<Structure> above(Structure... organs) {
         List<Structure> all = new ArrayList<>(LUNGS);
-        all.add(below(lungs, Side.RIGHT, StructureKind.LIVER, "liver", 60));
-        all.add(below(lungs, Side.LEFT, StructureKind.ORGAN, "stomach", 60));
-        List<LungBase> shown = LungBase.of(new Thorax("shown", all, List.of()));
+        all.addAll(List.of(organs));
+        return all;
+    }
+
+    /** The bases of a template's lungs above organs of a scan. */
+    private static List<LungBase> ofTemplate(Structure... organs) {
+        Thorax body = new Thorax("completed", above(organs), List.of(), Set.of("lung_R", "lung_L"));
+        return UnequalBases.of(body, Optional.empty());
+    }
+
+    private static Structure liver(double gapMm) {
+        return below(new Thorax("lungs", LUNGS, List.of()), Side.RIGHT, StructureKind.LIVER, "liver", gapMm);
+    }
+
+    private static Structure stomach(Side side, double gapMm) {
+        return below(new Thorax("lungs", LUNGS, List.of()), side, StructureKind.ORGAN, "stomach", gapMm);
+    }
+
+    /** The halves of the diaphragm stay together: their domes differ as those of the template. */
+    @Test
+    void aTemplatesLeftDomeGoesDownWithTheRightOneOntoTheLiver() {
+        List<LungBase> own = bases(LUNGS);
+        double difference = own.get(0).top() - own.get(1).top();
+        for (List<LungBase> lowered : List.of(
+                ofTemplate(liver(60), stomach(Side.LEFT, 60)),
+                ofTemplate(liver(60), stomach(Side.LEFT, 100)),
+                ofTemplate(liver(60)))) {
+            double right = lowered.get(0).dome();
+            assertThat(right).isCloseTo(own.get(0).dome() - 60, within(8.0));
+            assertThat(lowered.get(1).top()).isCloseTo(lowered.get(0).top() - difference, within(0.01));
+            assertThat(lowered.get(1).liesOnDiaphragm()).isTrue();
+            assertThat(lowered.get(0).note()).hasValueSatisfying(note -> assertThat(note)
+                    .contains("which the scan does not show", "above the liver")
+                    .doesNotContain("fluid"));
+            assertThat(lowered.get(1).note()).isEmpty();
+        }
+    }
+
+    @Test
+    void aTemplatesLeftDomeStaysUpOnItsOrgansOrBesideARightOneThatStays() {
+        double own = bases(LUNGS).get(1).dome();
+        assertThat(ofTemplate(liver(60), stomach(Side.LEFT, 5)).get(1).dome()).isEqualTo(own);
+        assertThat(ofTemplate(liver(5), stomach(Side.LEFT, 60)).get(1).dome()).isEqualTo(own);
+        assertThat(ofTemplate(stomach(Side.LEFT, 60)).get(1).dome()).isEqualTo(own);
+    }
+
+    /** Fat and bowel may lie above a stomach, on the right side too; the liver alone fills the dome. */
+    @Test
+    void aTemplatesRightDomeIsToldByTheLiverAlone() {
+        double own = bases(LUNGS).get(0).dome();
+        assertThat(ofTemplate(stomach(Side.RIGHT, 60)).get(0).dome()).isEqualTo(own);
+        assertThat(ofTemplate(liver(60)).get(0).dome()).isLessThan(own - 50);
+    }
+
+    /** Lungs of the scan are each judged by the organs below. */
+    @Test
+    void lungsOfTheScanFarAboveOrgansDoNotLieOnTheDiaphragm() {
+        List<LungBase> shown = bases(above(liver(60), stomach(Side.LEFT, 60)));
         assertThat(shown).noneMatch(LungBase::liesOnDiaphragm).allMatch(base -> base.note()
+                .filter(note -> note.contains("fluid"))
                 .isPresent());
-        List<LungBase> completed = LungBase.of(new Thorax("completed", all, List.of(), Set.of("lung_R", "lung_L")));
-        assertThat(completed.get(0).dome()).isEqualTo(shown.get(0).dome());
-        assertThat(completed.get(1).liesOnDiaphragm()).isTrue();
-        assertThat(completed.get(1).dome()).isEqualTo(bases(LUNGS).get(1).dome());
-        assertThat(completed).allMatch(base -> base.note().isEmpty());
+    }
+
+    /** A gap as of air or fluid is noted of a lung that the scan shows alone. */
+    @Test
+    void aGapBelowALungThatTheScanDoesNotShowIsNotNoted() {
+        assertThat(bases(above(liver(25))).get(0).note())
+                .hasValueSatisfying(note -> assertThat(note).contains("three quarters of the base of the right lung"));
+        assertThat(ofTemplate(liver(25)).get(0).note()).isEmpty();
     }
 
     /**
