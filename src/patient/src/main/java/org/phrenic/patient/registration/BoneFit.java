@@ -49,7 +49,7 @@ final class BoneFit {
     private static final double LUNG_SIGMA_MM = 6;
     private static final double LIVER_SIGMA_MM = 15;
     /** Whole vertebrae and ribs, whole or in part, from which on the heights of organs say nothing more of bones. */
-    private static final int LEAST_VERTEBRAE = 3;
+    static final int LEAST_VERTEBRAE = 3;
 
     /** Share of a vertebra that the scan shows from which on it is fitted as a whole one. */
     private static final double WHOLE_SHARE = 0.7;
@@ -141,7 +141,7 @@ final class BoneFit {
     }
 
     /** Whether a scan shows a vertebra whole or but for a small part. */
-    private static boolean isShown(SharedStructure s, TemplateMap placed) {
+    static boolean isShown(SharedStructure s, TemplateMap placed) {
         return s.kind() == StructureKind.VERTEBRA && s.shownShare(placed.apply(s.template())) >= WHOLE_SHARE;
     }
 

@@ -3,6 +3,7 @@ package org.phrenic.patient.registration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.cage.RibCourse;
@@ -48,6 +49,8 @@ final class RoughAlignment {
      * structure in the template, as if the body were smaller.
      */
     private final List<SharedStructure> cut = new ArrayList<>();
+    /** Vertebrae that tell the lengths along the body; none where others do. */
+    private PointPairs spine = new PointPairs();
 
     RoughAlignment(double plane) {
         this.plane = plane;
@@ -132,7 +135,9 @@ final class RoughAlignment {
         PointPairs first = new PointPairs();
         first.addAll(landmarks);
         cut.stream().filter(s -> !enough).forEach(s -> addCentroid(first, s));
+        spine = new PointPairs();
         TemplateMap map = fit(first);
+        spine = spine(map, organs);
         boolean bonesTell = BoneFit.bonesTell(bones, map, organs);
         PointPairs known = new PointPairs();
         known.addAll(landmarks);
@@ -167,6 +172,36 @@ final class RoughAlignment {
         return map;
     }
 
+    /**
+     * Vertebrae that the scan shows whole or but for a small part, if it shows enough of them and no lung whole. Below
+     * and above such a scan a body goes on as its spine does: upper ribs, the other marks of its length, slope more or
+     * less steeply in other people.
+     */
+    private PointPairs spine(TemplateMap map, List<SurfacePair> organs) {
+        PointPairs pairs = new PointPairs();
+        boolean wholeLung = organs.stream().anyMatch(o -> o.kind() == StructureKind.LUNG && o.isComplete());
+        List<SharedStructure> shown = bones.stream()
+                .filter(s -> !wholeLung && BoneFit.isShown(s, map))
+                .toList();
+        for (SharedStructure s : shown.size() < BoneFit.LEAST_VERTEBRAE ? List.<SharedStructure>of() : shown) {
+            TriangleMesh placed = map.apply(s.template());
+            TriangleMesh fitted = placed.withPositions(VertebraFit.fit(placed, s.scan()));
+            pairs.add(centroid(s.template()), centroid(fitted), VERTEBRA_SIGMA_MM);
+        }
+        return pairs;
+    }
+
+    private Optional<SymmetricAffine.Spine> upright(RigidMotion pose, double scale) {
+        if (spine.count() == 0) {
+            return Optional.empty();
+        }
+        double[] to = spine.to();
+        pose.inverse().apply(to);
+        PointPairs upright = new PointPairs();
+        upright.addAll(spine.from(), to, VERTEBRA_SIGMA_MM);
+        return Optional.of(SymmetricAffine.Spine.of(upright, scale));
+    }
+
     private TemplateMap fit(PointPairs pairs) {
         double[] weights = pairs.weights();
         double[] from = pairs.from();
@@ -184,7 +219,7 @@ final class RoughAlignment {
                 .after(turn);
         double[] upright = to.clone();
         pose.inverse().apply(upright);
-        return TemplateMap.of(pose, SymmetricAffine.fit(from, upright, weights, plane, scale));
+        return TemplateMap.of(pose, SymmetricAffine.fit(from, upright, weights, plane, scale, upright(pose, scale)));
     }
 
     /**

@@ -1,6 +1,7 @@
 package org.phrenic.patient.registration;
 
 import java.util.Arrays;
+import java.util.Optional;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
@@ -14,6 +15,8 @@ final class SymmetricAffine implements PointTransform {
 
     /** Weight of the uniform scale relative to the points. */
     private static final double HOLD = 0.05;
+    /** Standard deviation among people of the length of a trunk over that of the template, for their scale. */
+    private static final double PROPORTION_SIGMA = 0.1;
     /** Weight of no shear relative to that of the uniform scale. */
     private static final double SHEAR_HOLD = 10;
 
@@ -22,6 +25,38 @@ final class SymmetricAffine implements PointTransform {
     /** The rows y' and z', each with the factors of y, z and 1. */
     private final double[] inPlane;
 
+    /**
+     * What a spine tells of the lengths along a body.
+     *
+     * @param factor length along the body over the template's, between that of the spine and the scale of the body
+     * @param certainty variance of that factor without the spine over the one with it
+     * @param from place of the spine in the template, mm
+     * @param z height of the spine in the upright body, mm
+     */
+    record Spine(double factor, double certainty, double[] from, double z) {
+        /**
+         * The factor of least error from the heights of vertebrae, to within their standard deviations, and the scale.
+         *
+         * @param vertebrae their places in the template, with those in the upright body
+         */
+        static Spine of(PointPairs vertebrae, double scale) {
+            double[] w = vertebrae.weights();
+            double[] p = vertebrae.from();
+            double[] q = vertebrae.to();
+            double[] from = PointPairs.centroid(p, w);
+            double[] to = PointPairs.centroid(q, w);
+            double prior = 1 / (PROPORTION_SIGMA * PROPORTION_SIGMA);
+            double square = prior;
+            double product = prior * scale;
+            for (int i = 0; i < w.length; i++) {
+                double z = p[3 * i + 2] - from[2];
+                square += w[i] * z * z;
+                product += w[i] * z * (q[3 * i + 2] - to[2]);
+            }
+            return new Spine(product / square, square / prior, from, to[2]);
+        }
+    }
+
     private SymmetricAffine(double plane, double across, double[] inPlane) {
         this.plane = plane;
         this.across = across;
@@ -29,13 +64,15 @@ final class SymmetricAffine implements PointTransform {
     }
 
     /**
-     * Fits by weighted least squares, held to a uniform scale.
+     * Fits by weighted least squares, held to a uniform scale; the factor along the body and the height are those of
+     * the spine if one is given.
      *
      * @param p points as x, y, z in turn, mm
      * @param q corresponding points
      * @param scale scale to which the factors are held
      */
-    static SymmetricAffine fit(double[] p, double[] q, double[] weights, double plane, double scale) {
+    static SymmetricAffine fit(
+            double[] p, double[] q, double[] weights, double plane, double scale, Optional<Spine> spine) {
         double[] c = PointPairs.centroid(p, weights);
         double prior = HOLD * Arrays.stream(weights).sum() * ARM_MM * ARM_MM;
         double square = prior;
@@ -63,13 +100,20 @@ final class SymmetricAffine implements PointTransform {
             for (int a = 0; a < 2; a++) {
                 m.add(a, a, a == component ? prior : SHEAR_HOLD * prior);
             }
-            r.add(component, 0, prior * scale);
+            if (component == 1 && spine.isPresent()) {
+                double hold = prior * spine.get().certainty();
+                m.add(1, 1, hold - prior);
+                r.add(1, 0, hold * spine.get().factor());
+            } else {
+                r.add(component, 0, prior * scale);
+            }
             DMatrixRMaj found = new DMatrixRMaj(3, 1);
             CommonOps_DDRM.solve(m, r, found);
             inPlane[3 * component] = found.get(0);
             inPlane[3 * component + 1] = found.get(1);
             inPlane[3 * component + 2] = found.get(2) - found.get(0) * c[1] - found.get(1) * c[2];
         }
+        spine.ifPresent(at -> inPlane[5] = at.z() - inPlane[3] * at.from()[1] - inPlane[4] * at.from()[2]);
         return new SymmetricAffine(plane, product / square, inPlane);
     }
 
