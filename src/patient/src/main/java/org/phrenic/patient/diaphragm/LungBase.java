@@ -35,14 +35,13 @@ final class LungBase {
      * deep inspiration the base is steep, and most of its level faces are those of its lower border.
      */
     private static final double MIDDLE_SHARE = 0.4;
-    /** Parts of the underside higher than this above that middle, mm, lie over the heart. */
+    /** Parts of the underside higher than this above that middle, mm, lie over the heart or at the end of a scan. */
     private static final double STEEP_BASE_MM = 50;
     /** Share of the base, in plan, below its dome: what is higher lies beside the heart. */
     private static final double DOME_SHARE = 0.8;
-
     /** Faces higher than this above the top, mm, lie over the heart or at the hilum. */
     private static final double ABOVE_TOP_MM = 6;
-
+    /** Offset of a ray's origin below its face, mm. */
     private static final double CLEAR_MM = 0.5;
     /** Faces of a base above organs: within 41 degrees of the horizontal. */
     private static final double ABOVE_ORGANS = -0.75;
@@ -76,9 +75,7 @@ final class LungBase {
     private double dome;
     /** Height of the base above organs, mm, if it does not lie on the diaphragm; else 0. */
     private double partedMm;
-    /**
-     * Height above organs, mm, beyond which three quarters of a base lie that may have air or fluid below it; else 0.
-     */
+    /** Height above organs, mm, beyond which 3/4 of a base lie that may have air or fluid below it; else 0. */
     private double gapMm;
     /** Whether that is known from the base of the other lung alone. */
     private boolean besideOther;
@@ -134,6 +131,8 @@ final class LungBase {
         dome = quantile(order, plan, height, DOME_SHARE, middle + STEEP_BASE_MM);
         if (top < middle) {
             top = dome;
+        } else if (top > middle + STEEP_BASE_MM) {
+            top = Math.max(dome, quantile(order, area, height, TOP_SHARE, middle + STEEP_BASE_MM));
         }
         judge(organs, all);
     }
@@ -185,8 +184,7 @@ final class LungBase {
                 level[t] = roofs[3 * hit.triangle + 2] > -LEVEL ? here : 0;
             }
         }
-        boolean hasRoof = Arrays.stream(level).sum() > 0;
-        if (hasRoof && Arrays.stream(area).sum() > LEAST_ABOVE * base) {
+        if (Arrays.stream(level).sum() > 0 && Arrays.stream(area).sum() > LEAST_ABOVE * base) {
             double roofTop = quantile(sorted(roof), level, roof, TOP_SHARE, Double.POSITIVE_INFINITY);
             double quarter = quantile(sorted(gap), area, gap, 0.25, Double.POSITIVE_INFINITY);
             return Optional.of(new Below(roofTop, quarter, quarter > PARTED_MM || top > roofTop + PARTED_TOP_MM));

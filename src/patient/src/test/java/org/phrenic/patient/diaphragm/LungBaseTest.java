@@ -210,6 +210,18 @@ class LungBaseTest {
         assertThat(base.dome()).isEqualTo(base.top());
     }
 
+    /**
+     * A cone of 50 degrees below, and 60 mm above it an overhang, the only level face, as where a template continues a
+     * lung below the end of a scan: it takes two fifths of the underside.
+     */
+    @Test
+    void anOverhangFarAboveTheBaseIsNotItsTop() {
+        double[][] profile = {{0, 0}, {15, -18}, {30, -36}, {45, -54}, {46, 60}, {53, 60}, {60, 60}, {60, 120}, {0, 150}
+        };
+        LungBase base = bases(List.of(revolved(profile))).get(0);
+        assertThat(base.top()).isBetween(-35.0, 0.0);
+    }
+
     /** A right lung of the profile (radius, height) from the bottom to the top, mm. */
     private static Structure revolved(double[]... profile) {
         int around = 48;
