@@ -173,15 +173,18 @@ final class RoughAlignment {
     }
 
     /**
-     * Vertebrae that the scan shows whole or but for a small part, if it shows enough of them and no lung whole. Below
-     * and above such a scan a body goes on as its spine does: upper ribs, the other marks of its length, slope more or
-     * less steeply in other people.
+     * Vertebrae that the scan shows whole or but for a small part, if it shows enough of them and ends below within the
+     * lungs. Below such a scan a body goes on as its spine does: upper ribs, the other marks of its length, slope more
+     * or less steeply in other people.
      */
     private PointPairs spine(TemplateMap map, List<SurfacePair> organs) {
         PointPairs pairs = new PointPairs();
-        boolean wholeLung = organs.stream().anyMatch(o -> o.kind() == StructureKind.LUNG && o.isComplete());
+        boolean endsInLungs = organs.stream().noneMatch(o -> o.kind() == StructureKind.LUNG && o.isComplete())
+                && cut.stream()
+                        .anyMatch(
+                                s -> s.kind() == StructureKind.LUNG && s.cutAt().contains("I"));
         List<SharedStructure> shown = bones.stream()
-                .filter(s -> !wholeLung && BoneFit.isShown(s, map))
+                .filter(s -> endsInLungs && BoneFit.isShown(s, map))
                 .toList();
         for (SharedStructure s : shown.size() < BoneFit.LEAST_VERTEBRAE ? List.<SharedStructure>of() : shown) {
             TriangleMesh placed = map.apply(s.template());
