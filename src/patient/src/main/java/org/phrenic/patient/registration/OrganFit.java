@@ -38,6 +38,8 @@ final class OrganFit {
     private static final int STEPS_PER_RADIUS = 5;
     /** Number of bone points that are kept fixed. */
     private static final int BONE_POINTS = 1200;
+    /** Number of points of a base that are kept fixed, as many as of other surfaces count. */
+    private static final int BASE_POINTS = 500;
 
     /** Height of a diaphragm with its serous membranes, mm. */
     private static final double SHEET_MM = 4;
@@ -184,9 +186,10 @@ final class OrganFit {
 
     private void followClosely() {
         List<SurfacePair> pairs = pairs();
+        PointPairs unseen = unseenBases();
         for (double radius : RADII_MM) {
             for (int step = 0; step < STEPS_PER_RADIUS; step++) {
-                double[][] points = correspondences(pairs);
+                double[][] points = correspondences(pairs, unseen);
                 double[] bounds = MeshMerge.merge(
                                 template.stream().map(Structure::mesh).toList())
                         .bounds();
@@ -219,7 +222,7 @@ final class OrganFit {
                     DiaphragmaticSurface.complement(s.scan()),
                     DiaphragmaticSurface.complement(placed),
                     true));
-            if (base.triangleCount() > 0 && templateBase.triangleCount() > 0) {
+            if (base.triangleCount() > 0 && templateBase.triangleCount() > 0 && !endsAtBase(s)) {
                 pairs.add(new SurfacePair(s.organ(), base, templateBase, false));
             }
         }
@@ -238,16 +241,51 @@ final class OrganFit {
                 .filter(s -> BONES.contains(s.kind()))
                 .map(Structure::mesh)
                 .toList());
-        int stride = Math.max(1, bone.vertexCount() / count);
-        double[] points = new double[3 * ((bone.vertexCount() + stride - 1) / stride)];
+        return sampled(bone, count);
+    }
+
+    /** About so many vertices of a surface. */
+    private static double[] sampled(TriangleMesh mesh, int count) {
+        int stride = Math.max(1, mesh.vertexCount() / count);
+        double[] points = new double[3 * ((mesh.vertexCount() + stride - 1) / stride)];
         for (int i = 0; i < points.length / 3; i++) {
-            System.arraycopy(bone.positions(), 3 * i * stride, points, 3 * i, 3);
+            System.arraycopy(mesh.positions(), 3 * i * stride, points, 3 * i, 3);
         }
         return points;
     }
 
-    private double[][] correspondences(List<SurfacePair> pairs) {
+    /**
+     * Points, kept fixed, on bases of lungs of which the scan shows none. Finer displacements would draw them along
+     * with the wall of the mediastinum at the end of the scan.
+     */
+    private PointPairs unseenBases() {
+        PointPairs points = new PointPairs();
+        for (SharedStructure s : shared) {
+            if (s.kind() == StructureKind.LUNG && endsAtBase(s)) {
+                double[] fixed = sampled(
+                        DiaphragmaticSurface.of(
+                                PatientBody.merged(template, s.organ().structure())
+                                        .orElseThrow()),
+                        BASE_POINTS);
+                points.addAll(fixed, fixed, 1);
+            }
+        }
+        return points;
+    }
+
+    /** Whether most of what faces down of a lung is the end of the scan. */
+    private static boolean endsAtBase(SharedStructure lung) {
+        boolean[] base = DiaphragmaticSurface.vertexMask(lung.scan());
+        boolean[] atCut = lung.organ().verticesAtCut(SurfacePair.CUT_MM);
+        long all = IntStream.range(0, base.length).filter(v -> base[v]).count();
+        long cut =
+                IntStream.range(0, base.length).filter(v -> base[v] && atCut[v]).count();
+        return 2 * cut > all;
+    }
+
+    private double[][] correspondences(List<SurfacePair> pairs, PointPairs unseen) {
         PointPairs all = new PointPairs();
+        all.addAll(unseen);
         pairs.parallelStream().map(SurfacePair::correspondences).toList().forEach(points -> {
             for (int i = 0; i < points.from().size(); i++) {
                 all.add(points.from().get(i), points.to().get(i), 1);

@@ -224,6 +224,51 @@ class CutBonesTest {
         assertThat(error(body, tall, "rib_10_R")).isLessThan(19);
     }
 
+    /**
+     * The walls of this woman's mediastinum stand farther apart where the scan ends. Drawn along with them, the bases
+     * of her lungs, which it does not show, reach 4 and 5.5 mm too high.
+     */
+    @Test
+    void aWideMediastinumDoesNotLiftBasesOfLungsBelowTheScan() {
+        double bottom = middleOf("vertebra_T07");
+        Thorax wide = new Thorax(
+                "wide", WOMAN.structures().stream().map(s -> apart(s, bottom)).toList(), List.of());
+        CutPlane end = new CutPlane("I", 0, 0, -1, -bottom);
+        List<PatientStructure> seen = new ArrayList<>(scan(wide, end, CutBonesTest::isRibOrVertebra));
+        for (Structure s : wide.structuresOf(StructureKind.LUNG)) {
+            double[] p = s.mesh().positions().clone();
+            for (int i = 2; i < p.length; i += 3) {
+                p[i] = Math.max(p[i], bottom);
+            }
+            TriangleMesh mesh = s.mesh().withPositions(p);
+            MeshedSegment meshed = new MeshedSegment(mesh, 0, 0, DistanceSummary.NONE, MeshQuality.of(mesh), 0.2, 1, 0);
+            seen.add(PatientStructure.ofScan(
+                    s.withMesh(mesh), new PatientStructure.Scan(List.of(1), 1000, 1000, List.of(end), meshed)));
+        }
+        PatientBody body = completed(seen);
+        for (String n : List.of("lung_R", "lung_L")) {
+            TriangleMesh mesh = body.structure(n).orElseThrow().structure().mesh();
+            assertThat(DiaphragmaticSurface.of(mesh).bounds()[5])
+                    .as("top of the base of " + n)
+                    .isCloseTo(
+                            DiaphragmaticSurface.of(WOMAN.find(n).orElseThrow().mesh())
+                                    .bounds()[5],
+                            within(2.5));
+        }
+    }
+
+    /** A lung whose inner wall stands farther out at a height, by 0.3 of the breadth there. */
+    private static Structure apart(Structure s, double height) {
+        double[] p = s.mesh().positions().clone();
+        double[] box = s.mesh().bounds();
+        double wall = s.side() == Side.RIGHT ? box[0] : box[3];
+        for (int i = 0; i < p.length && s.kind() == StructureKind.LUNG; i += 3) {
+            double off = (p[i + 2] - height) / 50;
+            p[i] = wall + (1 - 0.3 * Math.exp(-off * off)) * (p[i] - wall);
+        }
+        return s.withMesh(s.mesh().withPositions(p));
+    }
+
     private static Structure scaled(Structure s, double x, double y, double z) {
         double[] p = s.mesh().positions().clone();
         for (int i = 0; i < p.length; i += 3) {
