@@ -222,7 +222,7 @@ final class OrganFit {
                     DiaphragmaticSurface.complement(s.scan()),
                     DiaphragmaticSurface.complement(placed),
                     true));
-            if (base.triangleCount() > 0 && templateBase.triangleCount() > 0 && !endsAtBase(s)) {
+            if (base.triangleCount() > 0 && templateBase.triangleCount() > 0 && !endsAbove(s, templateBase)) {
                 pairs.add(new SurfacePair(s.organ(), base, templateBase, false));
             }
         }
@@ -261,26 +261,21 @@ final class OrganFit {
     private PointPairs unseenBases() {
         PointPairs points = new PointPairs();
         for (SharedStructure s : shared) {
-            if (s.kind() == StructureKind.LUNG && endsAtBase(s)) {
-                double[] fixed = sampled(
-                        DiaphragmaticSurface.of(
-                                PatientBody.merged(template, s.organ().structure())
-                                        .orElseThrow()),
-                        BASE_POINTS);
+            if (s.kind() == StructureKind.LUNG) {
+                TriangleMesh base = DiaphragmaticSurface.of(
+                        PatientBody.merged(template, s.organ().structure()).orElseThrow());
+                double[] fixed = endsAbove(s, base) ? sampled(base, BASE_POINTS) : new double[0];
                 points.addAll(fixed, fixed, 1);
             }
         }
         return points;
     }
 
-    /** Whether most of what faces down of a lung is the end of the scan. */
-    private static boolean endsAtBase(SharedStructure lung) {
-        boolean[] base = DiaphragmaticSurface.vertexMask(lung.scan());
-        boolean[] atCut = lung.organ().verticesAtCut(SurfacePair.CUT_MM);
-        long all = IntStream.range(0, base.length).filter(v -> base[v]).count();
-        long cut =
-                IntStream.range(0, base.length).filter(v -> base[v] && atCut[v]).count();
-        return 2 * cut > all;
+    /** Whether the scan ends above the base of a lung, where the template is placed. */
+    private static boolean endsAbove(SharedStructure lung, TriangleMesh base) {
+        return lung.cutAt().contains("I")
+                && base.triangleCount() > 0
+                && base.bounds()[5] < lung.scan().bounds()[2];
     }
 
     private double[][] correspondences(List<SurfacePair> pairs, PointPairs unseen) {
