@@ -48,7 +48,9 @@ final class LungBase {
     /** Upward component of the normal of an organ's roof. */
     private static final double ROOF = 0.5;
     /** Least share of a base that lies above the roofs of organs, for a judgement of the distance between. */
-    private static final double LEAST_ABOVE = 0.4;
+    static final double LEAST_ABOVE = 0.4;
+    /** Least share of a template's left base above an organ that tells where it lies, such as the spleen. */
+    private static final double LEAST_AT = 0.05;
     /** A lung of whose base three quarters lie higher above organs, mm, does not lie on the diaphragm. */
     private static final double PARTED_MM = 35;
     /** Neither does one the top of whose base is higher above that of the organs, mm. */
@@ -131,18 +133,19 @@ final class LungBase {
         dome = quantile(order, plan, height, DOME_SHARE, middle + STEEP_BASE_MM);
         if (top < middle) {
             top = dome;
-        } else if (top > middle + STEEP_BASE_MM) {
+        } else if (total > 0 && top > middle + STEEP_BASE_MM) {
             top = Math.max(dome, quantile(order, area, height, TOP_SHARE, middle + STEEP_BASE_MM));
         }
         judge(organs, all);
     }
 
     private void judge(Optional<TriangleTree> organs, Optional<TriangleTree> all) {
-        Optional<Below> near = organs.flatMap(this::below);
+        double least = inScan || side == Side.RIGHT ? LEAST_ABOVE : LEAST_AT;
+        Optional<Below> near = organs.flatMap(with -> below(with, least));
         if (near.isEmpty() || (!near.get().parted() && side != Side.RIGHT && inScan)) {
             return;
         }
-        Optional<Below> any = all.isPresent() ? all.flatMap(this::below) : near;
+        Optional<Below> any = all.isPresent() ? all.flatMap(with -> below(with, least)) : near;
         boolean parted = near.get().parted() && any.isPresent() && any.get().parted();
         if (!inScan && side != Side.RIGHT) {
             // Fat and bowel lie between stomach and dome: organs of the scan do not tell a template's left dome.
@@ -152,13 +155,13 @@ final class LungBase {
             top = near.get().roof();
             dome = top;
         } else if (side == Side.RIGHT && any.isPresent()) {
-            double least = Math.min(near.get().gap(), any.get().gap());
-            gapMm = least > NOTED_MM ? least : 0;
+            double gap = Math.min(near.get().gap(), any.get().gap());
+            gapMm = gap > NOTED_MM ? gap : 0;
         }
     }
 
     /** Compares the base with the upper surfaces of the organs below; empty if too little of it lies above them. */
-    Optional<Below> below(TriangleTree below) {
+    Optional<Below> below(TriangleTree below, double least) {
         TriangleMesh lung = tree.mesh();
         double[] roofs = MeshMeasure.triangleNormals(below.mesh());
         TriangleTree.Hit hit = new TriangleTree.Hit();
@@ -184,7 +187,7 @@ final class LungBase {
                 level[t] = roofs[3 * hit.triangle + 2] > -LEVEL ? here : 0;
             }
         }
-        if (Arrays.stream(level).sum() > 0 && Arrays.stream(area).sum() > LEAST_ABOVE * base) {
+        if (Arrays.stream(level).sum() > 0 && Arrays.stream(area).sum() > least * base) {
             double roofTop = quantile(sorted(roof), level, roof, TOP_SHARE, Double.POSITIVE_INFINITY);
             double quarter = quantile(sorted(gap), area, gap, 0.25, Double.POSITIVE_INFINITY);
             return Optional.of(new Below(roofTop, quarter, quarter > PARTED_MM || top > roofTop + PARTED_TOP_MM));

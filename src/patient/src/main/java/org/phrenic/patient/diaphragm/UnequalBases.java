@@ -38,7 +38,9 @@ final class UnequalBases {
                         ContactingOrgans.abdominal(body).stream(), ContactingOrgans.between(body).stream())
                 .toList();
         return Math.abs(above) > PARTED_SHARE * heightAbove(bases.get(0), bases.get(1))
-                        && LungBase.inScan(body, organs).flatMap(higher::below).isEmpty()
+                        && LungBase.inScan(body, organs)
+                                .flatMap(with -> higher.below(with, LungBase.LEAST_ABOVE))
+                                .isEmpty()
                 ? Optional.of(higher.side())
                 : Optional.empty();
     }

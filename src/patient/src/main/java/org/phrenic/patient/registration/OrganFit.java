@@ -271,11 +271,22 @@ final class OrganFit {
         return points;
     }
 
-    /** Whether the scan ends above the base of a lung, where the template is placed. */
+    /**
+     * Whether the scan ends above the base of a lung, where the template is placed, and most of what faces down of it
+     * is the end of the scan.
+     */
     private static boolean endsAbove(SharedStructure lung, TriangleMesh base) {
-        return lung.cutAt().contains("I")
-                && base.triangleCount() > 0
-                && base.bounds()[5] < lung.scan().bounds()[2];
+        if (!lung.cutAt().contains("I")
+                || base.triangleCount() == 0
+                || base.bounds()[5] >= lung.scan().bounds()[2]) {
+            return false;
+        }
+        boolean[] down = DiaphragmaticSurface.vertexMask(lung.scan());
+        boolean[] atCut = lung.organ().verticesAtCut(SurfacePair.CUT_MM);
+        long all = IntStream.range(0, down.length).filter(v -> down[v]).count();
+        long cut =
+                IntStream.range(0, down.length).filter(v -> down[v] && atCut[v]).count();
+        return 2 * cut > all;
     }
 
     private double[][] correspondences(List<SurfacePair> pairs, PointPairs unseen) {

@@ -21,7 +21,7 @@ final class SurfacePair {
     /** Number of sample points on each surface. */
     private static final int POINTS = 500;
     /** Vertices closer than this to the boundary of the scan belong to the cut, mm. */
-    private static final double CUT_MM = 8;
+    static final double CUT_MM = 8;
 
     /** Pairs are farther apart than usual beyond this multiple of the median distance. */
     private static final double OUTLIER = 2.5;

@@ -15,7 +15,7 @@ final class SymmetricAffine implements PointTransform {
 
     /** Weight of the uniform scale relative to the points. */
     private static final double HOLD = 0.05;
-    /** Standard deviation among people of the length of a trunk over that of the template, for their scale. */
+    /** Standard deviation among people of the length of a trunk, relative to that which their scale gives. */
     private static final double PROPORTION_SIGMA = 0.1;
     /** Weight of no shear relative to that of the uniform scale. */
     private static final double SHEAR_HOLD = 10;
@@ -45,7 +45,7 @@ final class SymmetricAffine implements PointTransform {
             double[] q = vertebrae.to();
             double[] from = PointPairs.centroid(p, w);
             double[] to = PointPairs.centroid(q, w);
-            double prior = 1 / (PROPORTION_SIGMA * PROPORTION_SIGMA);
+            double prior = 1 / (PROPORTION_SIGMA * scale * PROPORTION_SIGMA * scale);
             double square = prior;
             double product = prior * scale;
             for (int i = 0; i < w.length; i++) {
@@ -64,8 +64,8 @@ final class SymmetricAffine implements PointTransform {
     }
 
     /**
-     * Fits by weighted least squares, held to a uniform scale; the factor along the body and the height are those of
-     * the spine if one is given.
+     * Fits by weighted least squares, held to a uniform scale; if a spine is given, the factor along the body is held
+     * to its factor and the height is its own.
      *
      * @param p points as x, y, z in turn, mm
      * @param q corresponding points

@@ -143,6 +143,23 @@ class LungBaseTest {
         return below(new Thorax("lungs", LUNGS, List.of()), side, StructureKind.ORGAN, "stomach", gapMm);
     }
 
+    /** A ball below a small part of the left base. */
+    private static Structure spleen() {
+        double[] box = LUNGS.stream()
+                .filter(s -> s.side() == Side.LEFT)
+                .findFirst()
+                .orElseThrow()
+                .mesh()
+                .bounds();
+        double radius = 0.15 * (box[3] - box[0]);
+        TriangleMesh ball = Shapes.moved(
+                Shapes.sphere(radius, 4),
+                0.5 * (box[0] + box[3]),
+                0.5 * (box[1] + box[4]),
+                bases(LUNGS).get(1).dome() - radius - 5);
+        return new Structure("spleen", StructureKind.ORGAN, 0, Side.MIDLINE, ball);
+    }
+
     /** The halves of the diaphragm stay together: their domes differ as those of the template. */
     @Test
     void aTemplatesLeftDomeGoesDownWithTheRightOneOntoTheLiver() {
@@ -167,6 +184,7 @@ class LungBaseTest {
     void aTemplatesLeftDomeStaysUpOnItsOrgansOrBesideARightOneThatStays() {
         double own = bases(LUNGS).get(1).dome();
         assertThat(ofTemplate(liver(60), stomach(Side.LEFT, 5)).get(1).dome()).isEqualTo(own);
+        assertThat(ofTemplate(liver(60), spleen()).get(1).dome()).isEqualTo(own);
         assertThat(ofTemplate(liver(5), stomach(Side.LEFT, 60)).get(1).dome()).isEqualTo(own);
         assertThat(ofTemplate(stomach(Side.LEFT, 60)).get(1).dome()).isEqualTo(own);
     }
