@@ -71,10 +71,9 @@ public final class HingeBending implements ForceField {
             blockStart[block + 1] += blockStart[block];
         }
         loadAtRest = new double[3 * row.length];
-        double energy = 0.5 * loads(layout.toInternal(rest), loadAtRest);
-        energyAtRest = energy;
+        workKept = loads(layout.toInternal(rest), loadAtRest);
+        energyAtRest = 0.5 * workKept;
         loadKept = loadAtRest.clone();
-        workKept = 2 * energy;
         load = loadAtRest.clone();
     }
 

@@ -135,11 +135,14 @@ final class PlanNames {
         return DASH.split(name, 2)[1];
     }
 
+    /** The structure of a name, if that is neither a lesion nor an aid. */
+    private static Optional<String> ofBody(String name) {
+        return LabelNames.structure(name).filter(known -> !LabelNames.isLesion(known) && !LabelTable.isOfPlan(known));
+    }
+
     /** Whether a name is known and is neither a lesion nor an aid. */
     private static boolean isOfBody(String name) {
-        return LabelNames.structure(name)
-                .filter(known -> !LabelNames.isLesion(known) && !LabelTable.isOfPlan(known))
-                .isPresent();
+        return ofBody(name).isPresent();
     }
 
     /** Whether a name says more than a side and a number, and is none for a whole body or for none. */
@@ -176,9 +179,6 @@ final class PlanNames {
     /** Targets and aids keep their whole names. */
     private static Optional<String> optimised(String plain) {
         String bare = OPTIMISED.matcher(plain).replaceAll("").strip();
-        return bare.equals(plain) || !WHOLE_WORD.matcher(bare).find()
-                ? Optional.empty()
-                : LabelNames.structure(bare)
-                        .filter(organ -> !LabelNames.isLesion(organ) && !LabelTable.isOfPlan(organ));
+        return bare.equals(plain) || !WHOLE_WORD.matcher(bare).find() ? Optional.empty() : ofBody(bare);
     }
 }

@@ -261,7 +261,7 @@ final class OrganFit {
     private PointPairs unseenBases() {
         PointPairs points = new PointPairs();
         for (SharedStructure s : shared) {
-            if (s.kind() == StructureKind.LUNG) {
+            if (s.kind() == StructureKind.LUNG && s.cutAt().contains("I")) {
                 TriangleMesh base = DiaphragmaticSurface.of(
                         PatientBody.merged(template, s.organ().structure()).orElseThrow());
                 double[] fixed = endsAbove(s, base) ? sampled(base, BASE_POINTS) : new double[0];
