@@ -42,6 +42,8 @@ public record BreathLevel(
         DOMES("the domes", "T8 and T9", new double[] {8, 9}, new double[] {11.5, 12}, 0.2),
         /** The same, with the upper surface of the organs below a lung whose base lies far above them. */
         ORGANS("the domes, by the organs below a lung that ends far above them,", DOMES, 0.2),
+        /** Top of the liver in a scan that shows no right lung: the right dome lies there. */
+        LIVER("the top of the liver", "T8", new double[] {8, 9}, new double[] {11.5, 12}, 0.3),
         /** The same in a scan without bones, against the spine that the costal surfaces of the lungs imply. */
         SHAPE("the domes, by the shape of the lungs alone,", DOMES, 0.3),
         /**
@@ -98,9 +100,9 @@ public record BreathLevel(
     private static final int LAST_LEVEL = StructureName.FIRST_LUMBAR + 2;
 
     /**
-     * Estimates the level of a body; empty if the scan shows neither the dome below a lung nor its lower end. A scan
-     * that ends below the top of a completed lung's base does not show the domes. Of a scan with few bones and two
-     * whole lungs the level is known only if it is clearly one at inspiration.
+     * Estimates the level of a body; empty if the scan shows neither the dome below a lung nor its lower end nor the
+     * top of the liver. A scan that ends below the top of a completed lung's base does not show the domes. Of a scan
+     * with few bones and two whole lungs the level is known only if it is clearly one at inspiration.
      *
      * @param scanned body as scanned, LPS, mm
      * @param completed the same body, completed
@@ -132,9 +134,10 @@ public record BreathLevel(
         double[] borders = {border(scanned, Side.RIGHT), border(scanned, Side.LEFT)};
         double[] ends = {lowerEnd(scanned, Side.RIGHT), lowerEnd(scanned, Side.LEFT)};
         boolean byOrgans = both.stream().anyMatch(base -> !base.liesOnDiaphragm());
+        Mark byLiver = lobes(scanned, Side.RIGHT).isEmpty() ? Mark.LIVER : Mark.DOMES;
         return measured(byOrgans ? Mark.ORGANS : Mark.DOMES, domes, spine)
                 .or(() -> measured(Mark.LOWER_BORDERS, borders, spine))
-                .or(() -> measured(Mark.DOMES, new double[] {topOfLiver(scanned), Double.NaN}, spine))
+                .or(() -> measured(byLiver, new double[] {topOfLiver(scanned), Double.NaN}, spine))
                 .or(() -> measured(Mark.LOWER_BORDERS, ends, spine).filter(BreathLevel::isInspired))
                 .map(level -> level.with(parted));
     }
@@ -195,7 +198,7 @@ public record BreathLevel(
     public String stated() {
         List<String> sides = new ArrayList<>();
         if (!Double.isNaN(right)) {
-            sides.add(name(right) + " on the right");
+            sides.add(name(right) + (mark == Mark.LIVER ? "" : " on the right"));
         }
         if (!Double.isNaN(left)) {
             sides.add(name(left) + " on the left");
@@ -237,14 +240,18 @@ public record BreathLevel(
         return lobes.isEmpty() ? List.of() : LungBase.of(new Thorax(completed.name(), around, List.of()));
     }
 
-    /** Top of a liver that the scan shows below the right lung, else NaN: there the right dome lies. */
+    /**
+     * Top of a liver of the scan, else NaN: there the right dome lies. The scan shows it if it shows the right lung
+     * above it or, without a right lung, if it does not end at the liver.
+     */
     private static double topOfLiver(PatientBody scanned) {
         double upperEnd = lobes(scanned, Side.RIGHT).stream()
                 .mapToDouble(s -> s.mesh().bounds()[5])
                 .max()
-                .orElse(Double.NEGATIVE_INFINITY);
-        return scanned.thorax().structuresOf(StructureKind.LIVER).stream()
-                .mapToDouble(s -> s.mesh().bounds()[5])
+                .orElse(Double.POSITIVE_INFINITY);
+        return scanned.structures().stream()
+                .filter(s -> s.structure().kind() == StructureKind.LIVER && !isCut(s, "S"))
+                .mapToDouble(s -> s.structure().mesh().bounds()[5])
                 .filter(top -> top < upperEnd - ABOVE_DOMES_MM)
                 .max()
                 .orElse(Double.NaN);
@@ -285,8 +292,11 @@ public record BreathLevel(
         return scanned.structures().stream()
                 .filter(s -> s.structure().kind() == StructureKind.LUNG
                         && s.structure().side() == side)
-                .anyMatch(
-                        s -> s.scan().filter(scan -> scan.cutAt().contains("I")).isPresent());
+                .anyMatch(s -> isCut(s, "I"));
+    }
+
+    private static boolean isCut(PatientStructure structure, String end) {
+        return structure.scan().filter(scan -> scan.cutAt().contains(end)).isPresent();
     }
 
     /** Level and height of each vertebral body, from top to bottom. */

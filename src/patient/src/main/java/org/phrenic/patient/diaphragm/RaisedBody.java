@@ -25,11 +25,14 @@ public record RaisedBody(PatientBody body, double domesMm) {
      */
     RaisedBody withNote(PatientBody scanned, BreathLevel level, double backMm, double share) {
         double left = level.descentMm() - domesMm;
+        double before = lungMl(scanned) / 1000;
+        String lungs = before == 0
+                ? ""
+                : Numbers.format(", the lungs deflated from %.1f to %.1f l", before, lungMl(body) / 1000);
         String note = Numbers.format(
-                "the scan is one at inspiration, %s: the domes are raised by"
-                        + " %.0f mm, up to %.0f mm at the back, with the organs about them, the lungs deflated from"
-                        + " %.1f to %.1f l, the ribs turned back by %.0f %% of a full inspiration",
-                level.stated(), domesMm, backMm, lungMl(scanned) / 1000, lungMl(body) / 1000, 100 * share);
+                "the scan is one at inspiration, %s: the domes are raised by %.0f mm, up to %.0f mm at the back, with"
+                        + " the organs about them%s, the ribs turned back by %.0f %% of a full inspiration",
+                level.stated(), domesMm, backMm, lungs, 100 * share);
         String rest = left < STATED_MM
                 ? ""
                 : Numbers.format(

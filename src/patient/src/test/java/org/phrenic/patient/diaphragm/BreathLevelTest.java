@@ -7,6 +7,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.Side;
@@ -14,6 +15,11 @@ import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
+import org.phrenic.mesh.MeshQuality;
+import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.query.DistanceSummary;
+import org.phrenic.mesh.voxel.CutPlane;
+import org.phrenic.patient.MeshedSegment;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
 
@@ -79,6 +85,56 @@ class BreathLevelTest {
         assertThat(new BreathLevel(BreathLevel.Mark.LOWER_BORDERS, 10, 10, -1, -0.5, -20).standsHigh())
                 .as("fluid lifts lower borders")
                 .isFalse();
+    }
+
+    /** Ribs, vertebrae and a liver that stands lower, which the scan cuts off at some ends. */
+    private static Optional<BreathLevel> levelOfLiver(Thorax person, double lowerMm, CutPlane... ends) {
+        List<PatientStructure> all = person.structures().stream()
+                .map(s -> new PatientStructure(s, PatientStructure.Source.SCAN, Optional.empty(), Optional.empty()))
+                .toList();
+        TriangleMesh liver = person.structuresOf(StructureKind.LIVER).get(0).mesh();
+        double[] p = liver.positions().clone();
+        for (int i = 2; i < p.length; i += 3) {
+            p[i] -= lowerMm;
+        }
+        Structure lower = person.structuresOf(StructureKind.LIVER).get(0).withMesh(liver.withPositions(p));
+        MeshedSegment meshed =
+                new MeshedSegment(lower.mesh(), 0, 0, DistanceSummary.NONE, MeshQuality.of(lower.mesh()), 0.2, 1, 0);
+        List<PatientStructure> shown = Stream.concat(
+                        all.stream()
+                                .filter(s -> SHOWN.contains(s.structure().kind())
+                                        && s.structure().kind() != StructureKind.LUNG),
+                        Stream.of(PatientStructure.ofScan(
+                                lower, new PatientStructure.Scan(List.of(1), 1000, 1000, List.of(ends), meshed))))
+                .toList();
+        return BreathLevel.of(
+                new PatientBody("patient", shown, List.of(), List.of()),
+                new PatientBody("patient", all, List.of(), List.of()));
+    }
+
+    /** Vertebrae at the level of the domes are 25 mm apart: 3.5 of them are a full inspiration. */
+    @Test
+    void withoutARightLungTheTopOfTheLiverTellsTheLevel() {
+        for (String preset : List.of("adult-male", "adult-female")) {
+            Thorax person = VirtualThorax.ofPreset(preset, Resolution.LOW);
+            BreathLevel rest = levelOfLiver(person, 0).orElseThrow();
+            assertThat(rest.mark()).isEqualTo(BreathLevel.Mark.LIVER);
+            assertThat(rest.left()).isNaN();
+            assertThat(rest.right())
+                    .as(preset)
+                    .isCloseTo(level(person, 1, 1).orElseThrow().right(), within(0.6));
+            assertThat(rest.isInspired()).isFalse();
+            assertThat(rest.standsHigh()).isFalse();
+            BreathLevel inspired = levelOfLiver(person, 50).orElseThrow();
+            assertThat(inspired.descentMm() - rest.descentMm()).isCloseTo(50, within(1e-6));
+            assertThat(inspired.share()).isBetween(0.4, 0.7);
+            assertThat(inspired.isInspired()).isTrue();
+            assertThat(inspired.stated()).matches("the top of the liver at T(9|10)\\.\\d \\(T8 at end-expiration\\)");
+        }
+        assertThat(levelOfLiver(MAN, 50, new CutPlane("S", 0, 0, 1, 0)))
+                .as("a liver at the upper end of the scan goes on above it")
+                .isEmpty();
+        assertThat(levelOfLiver(MAN, 50, new CutPlane("I", 0, 0, -1, 0))).isPresent();
     }
 
     /** There is no T13: the vertebra below T12 is L1. */

@@ -236,9 +236,29 @@ class EndExpirationTest {
     }
 
     @Test
-    void nothingIsSaidOfTheLevelWithoutBonesOrBasesOfLungs() {
+    void nothingIsSaidOfTheLevelWithoutBonesOrBasesOfLungsOrALiver() {
         assertThat(level(body(true, s -> s.kind() == StructureKind.LUNG))).isEmpty();
-        assertThat(level(body(true, s -> s.kind() != StructureKind.LUNG))).isEmpty();
+        assertThat(level(body(true, s -> s.kind() != StructureKind.LUNG && s.kind() != StructureKind.LIVER)))
+                .isEmpty();
+    }
+
+    @Test
+    void withoutLungsTheLiverTellsTheLevelAndRisesWithIt() {
+        PatientBody scan = body(true, s -> s.kind() != StructureKind.LUNG);
+        BreathLevel level = level(scan).orElseThrow();
+        assertThat(level.mark()).isEqualTo(BreathLevel.Mark.LIVER);
+        assertThat(level.share()).isCloseTo(LEVEL.share(), within(0.2));
+        assertThat(level(body(false, s -> s.kind() != StructureKind.LUNG))
+                        .orElseThrow()
+                        .isInspired())
+                .isFalse();
+        RaisedBody raised = EndExpiration.of(scan, completed(true), level);
+        assertThat(mesh(raised.body(), "liver").bounds()[5]
+                        - mesh(scan, "liver").bounds()[5])
+                .isCloseTo(level.descentMm(), within(12.0));
+        assertThat(raised.body().notes().get(0))
+                .contains("the top of the liver at T")
+                .doesNotContain("deflated");
     }
 
     @Test
