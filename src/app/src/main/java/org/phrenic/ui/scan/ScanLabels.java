@@ -84,7 +84,7 @@ final class ScanLabels extends AbstractTableModel {
      */
     static ScanLabels read(Path file, Thorax usual) {
         LabelVolume stored = LabelVolumeFiles.read(file);
-        LabelVolume volume = NamesBeside.added(file, stored);
+        LabelVolume volume = NamesBeside.added(file, stored.withEmptyLayers());
         List<String> origin =
                 volume.notes().subList(stored.notes().size(), volume.notes().size());
         return new ScanLabels(volume, LabelGuess.of(volume), usual, origin);

@@ -50,12 +50,12 @@ public final class ImportPipeline {
         }
 
         LabelVolume stored = request.geometry().apply(LabelVolumeFiles.read(request.file()), file);
-        LabelVolume volume = NamesBeside.added(request.file(), stored, request.labels());
+        LabelVolume volume = NamesBeside.added(request.file(), stored.withEmptyLayers(), request.labels());
         LabelTable table = table(request, volume, progress);
         checkAxes(request, volume, table);
         PatientBody scanned = new ScanImport(volume, file, MeshingSettings.PAPER, request.edgeMm(), progress)
                 .run(table, request.name());
-        return result(request, Optional.of(volume.grid()), scanned, progress);
+        return result(request, Optional.of(stored.grid()), scanned, progress);
     }
 
     /** Aligns or completes a body as the request says. */

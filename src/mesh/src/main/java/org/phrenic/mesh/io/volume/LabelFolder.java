@@ -198,11 +198,10 @@ final class LabelFolder {
             notes.addAll(file.notes());
         }
         LabelGrid grid = painter.grid(lattice.toMm(), notes);
-        if (!lattice.isCropped()) {
-            return new LabelVolume(grid, names, notes);
+        if (lattice.isCropped()) {
+            notes.add("masks of different extents were put together");
         }
-        notes.add("masks of different extents were put together");
-        return new LabelVolume(EmptySlices.beyond(grid), names, notes);
+        return new LabelVolume(grid, names, notes);
     }
 
     /** Refuses files of which two segment the same structures, as those of two breaths do. */

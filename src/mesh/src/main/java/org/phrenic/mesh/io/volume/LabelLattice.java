@@ -6,8 +6,7 @@ import org.phrenic.mesh.voxel.LabelGrid;
 
 /**
  * The grid that holds several volumes whose voxels are on one lattice. Volumes of the same extent keep their grid; of
- * others, as masks that are cropped to their structures, it is the smallest box about all. Such a box has one more
- * voxel on each side along columns and rows, so that a structure does not end with the scan where its mask does.
+ * others, as masks that are cropped to their structures, it is the smallest box about all.
  */
 final class LabelLattice {
     /** Greatest distance of the voxels of two volumes, in voxels. */
@@ -33,9 +32,7 @@ final class LabelLattice {
         }
         cropped = !same;
         for (int axis = 0; axis < 3; axis++) {
-            int margin = cropped && axis < 2 ? 1 : 0;
-            from[axis] -= margin;
-            size[axis] = Math.addExact(end[axis] - from[axis], margin);
+            size[axis] = end[axis] - from[axis];
         }
     }
 

@@ -57,6 +57,15 @@ public record LabelVolume(LabelGrid grid, Map<Integer, String> names, List<Strin
         return new LabelVolume(moved, names, notes, file);
     }
 
+    /**
+     * A copy with an empty layer beyond each face at which all structures end that touch it, as in a volume that is
+     * cropped to its structures: there the scan does not end.
+     */
+    public LabelVolume withEmptyLayers() {
+        LabelGrid padded = EmptyLayers.beyond(grid);
+        return padded == grid ? this : withGrid(padded);
+    }
+
     /** Whether a name is a mere number, as programs give to labels without a name: Segment 1, Label 2, 3. */
     public static boolean isNumber(String name) {
         return NUMBER.matcher(name).matches();

@@ -71,8 +71,7 @@ final class StructureSet {
         }
         LabelGrid labels = painter.grid(grid.axes().affine(set.file()), notes);
         names.keySet().retainAll(filled);
-        return new LabelVolume(
-                series.isPresent() ? labels : EmptySlices.beyond(labels), LabelPainter.named(names), notes);
+        return new LabelVolume(labels, LabelPainter.named(names), notes);
     }
 
     /** Tells of regions too small for a voxel, whose contours hold the middle of none. */

@@ -193,7 +193,7 @@ class LabelFolderTest {
 
     /**
      * A mask of 2 x 2 x 1 voxels whose first voxel is the second column, row and slice of the others: its voxels lie at
-     * their places, and the box about all has one more voxel on each side of columns and rows.
+     * their places.
      */
     @Test
     void masksThatAreCroppedArePutTogetherByTheirPlaces() throws IOException {
@@ -208,12 +208,12 @@ class LabelFolderTest {
         LabelVolume volume = LabelVolumeFiles.read(folder);
         LabelGrid grid = volume.grid();
         assertThat(new int[] {grid.columns(), grid.rows(), grid.slices()})
-                .containsExactly(VolumeSamples.COLUMNS + 2, VolumeSamples.ROWS + 2, VolumeSamples.SLICES);
+                .containsExactly(VolumeSamples.COLUMNS, VolumeSamples.ROWS, VolumeSamples.SLICES);
         double[] place = new double[3];
-        grid.voxelToMm(1, 1, 0, place);
+        grid.voxelToMm(0, 0, 0, place);
         assertThat(place).as("the first voxel of the others, LPS").containsExactly(-10, -20, 30);
         for (int[] v : new int[][] {{2, 1}, {1, 2}, {2, 2}}) {
-            int voxel = 1 + v[0] + (VolumeSamples.COLUMNS + 2) * (1 + v[1] + (VolumeSamples.ROWS + 2));
+            int voxel = v[0] + VolumeSamples.COLUMNS * (v[1] + VolumeSamples.ROWS);
             assertThat(volume.names().get(grid.label(voxel))).isEqualTo("kidney_left");
         }
         assertThat(grid.counts()[indexOf(volume, "kidney_left")]).isEqualTo(3);
