@@ -11,7 +11,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.phrenic.anatomy.Resolution;
 import org.phrenic.anatomy.SharedThorax;
 import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.model.assembly.Breathing;
@@ -21,8 +20,8 @@ import org.phrenic.scenario.Scenario;
 /** Other ways to breathe, and the other body; the sheet alone is stepped. */
 @Execution(ExecutionMode.CONCURRENT)
 class BreathingKindsTest {
-    /** The creep of the domes is that of the muscle, whatever the mesh. */
-    private static final String HOLD_MESH = "mesh_vertices=3000";
+    /** How far the domes go, and when, is a matter of the drive and of the muscle, whatever the mesh. */
+    private static final String COARSE = "mesh_vertices=3000";
 
     @TempDir
     Path folder;
@@ -30,13 +29,13 @@ class BreathingKindsTest {
     @Test
     void aSniffPullsTheDomeDownFast() {
         // 1.8 to 3.5 cm in men (Boussuges et al. 2009), with room for the sheet alone.
-        assertThat(Runs.of(1.2, Runs.sheetAlone("preset=sniff")).fall("dome_right_mm"))
+        assertThat(Runs.of(1.2, Runs.sheetAlone("preset=sniff", COARSE)).fall("dome_right_mm"))
                 .isBetween(18.0, 45.0);
     }
 
     @Test
     void aCoughThrowsTheDomeUpBeyondRest() {
-        Runs.Run cough = Runs.of(1.8, Runs.sheetAlone("preset=cough"));
+        Runs.Run cough = Runs.of(1.8, Runs.sheetAlone("preset=cough", COARSE));
         assertThat(cough.fall("dome_right_mm")).isGreaterThan(10);
         // 1 to 4 cm up.
         assertThat(cough.rise("dome_right_mm")).isBetween(2.0, 45.0);
@@ -51,8 +50,7 @@ class BreathingKindsTest {
         // Two quiet breaths until 8 s, 1.35 s in; the creep gathers speed for 1 s.
         double from = 10.5;
         double to = 19;
-        Scenario hold = Runs.scenario(Runs.sheetAlone("preset=hold-inspiration", "rate_per_min=20", HOLD_MESH));
-        Runs.Run held = Runs.run(to, hold, VirtualThorax.ofPreset("adult-male", OrganSettings.budget(hold)));
+        Runs.Run held = Runs.of(to, Runs.sheetAlone("preset=hold-inspiration", "rate_per_min=20", COARSE));
         assertThat(held.last().get("rib_turn")).as("still held").isGreaterThan(0.9);
         assertThat(held.fall("dome_right_mm")).isGreaterThan(30);
         double crept = held.last().get("dome_right_mm") - at(held, from);
@@ -68,10 +66,9 @@ class BreathingKindsTest {
 
     @Test
     void theVirtualAdultFemaleBreathesToo() {
-        Runs.Run female = Runs.run(
-                1.9,
-                Runs.scenario(Runs.sheetAlone("anatomy=virtual/adult-female")),
-                VirtualThorax.ofPreset("adult-female", Resolution.LOW));
+        Scenario scenario = Runs.scenario(Runs.sheetAlone("anatomy=virtual/adult-female", COARSE));
+        Runs.Run female =
+                Runs.run(1.9, scenario, VirtualThorax.ofPreset("adult-female", OrganSettings.budget(scenario)));
         // M-mode ultrasound of women, quiet breathing: 16 +/- 3 and 16 +/- 4 mm (Boussuges et al. 2009), +/- 2 SD.
         assertThat(female.fall("dome_right_mm")).isBetween(10.0, 22.0);
         assertThat(female.fall("dome_left_mm")).isBetween(8.0, 24.0);
@@ -86,7 +83,7 @@ class BreathingKindsTest {
             csv.append(String.format(Locale.ROOT, "%.2f,%.6f%n", t, Math.pow(Math.sin(Math.PI * t / 2), 2)));
         }
         Path trace = Files.writeString(folder.resolve("belt.csv"), csv.toString());
-        Runs.Run followed = Runs.run(4, Runs.scenario(Runs.sheetAlone("trace=" + trace)), Runs.male());
+        Runs.Run followed = Runs.of(4, Runs.sheetAlone("trace=" + trace, COARSE));
         assertThat(followed.fall("dome_right_mm")).isGreaterThan(5);
         // Lowest in the middle of each breath of 2 s, at rest between them; the model lags by some hundredths of a
         // second.
@@ -112,7 +109,7 @@ class BreathingKindsTest {
     @Test
     void aRecordingOfSkinMarkersDrivesTheModel() {
         Path trace = SharedThorax.path("breathing/skin-markers/201205101522-UAC-1-N-138-6.csv");
-        Runs.Run followed = Runs.run(4, Runs.scenario(Runs.sheetAlone("trace=" + trace)), Runs.male());
+        Runs.Run followed = Runs.of(4, Runs.sheetAlone("trace=" + trace, COARSE));
         // The recording is of quiet breathing: the range of men, Boussuges et al. 2009, 18 +/- 3 mm.
         assertThat(followed.fall("dome_right_mm")).isBetween(12.0, 24.0);
         assertThat(followed.most("rigid_link_error")).isLessThanOrEqualTo(1e-4);

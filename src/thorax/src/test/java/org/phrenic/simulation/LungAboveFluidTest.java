@@ -9,9 +9,12 @@ import org.junit.jupiter.api.Test;
 import org.phrenic.anatomy.LungAboveFluid;
 import org.phrenic.anatomy.Side;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.model.assembly.Scene;
 import org.phrenic.model.organ.DiaphragmPart;
 import org.phrenic.model.organ.LungPart;
+import org.phrenic.model.organ.OrganSettings;
+import org.phrenic.scenario.Scenario;
 
 /** A right lung that ends far above the diaphragm, as with fluid between, follows it: fluid does not expand. */
 class LungAboveFluidTest {
@@ -29,8 +32,9 @@ class LungAboveFluidTest {
 
     @Test
     void itsBaseGoesDownWithTheDome() {
-        Thorax thorax = LungAboveFluid.in(Runs.male());
-        try (Simulation simulation = Simulation.of(Runs.scenario("preset=deep", "sternum=kinematic"), thorax)) {
+        Scenario scenario = Runs.scenario("mesh_vertices=5000", "preset=deep", "sternum=kinematic");
+        Thorax thorax = LungAboveFluid.in(VirtualThorax.ofPreset("adult-male", OrganSettings.budget(scenario)));
+        try (Simulation simulation = Simulation.of(scenario, thorax)) {
             while (simulation.time() < INSPIRED_S) {
                 simulation.step();
             }

@@ -18,6 +18,9 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.anatomy.Diaphragm;
+import org.phrenic.anatomy.MeshBudget;
+import org.phrenic.anatomy.Thorax;
+import org.phrenic.anatomy.virtual.VirtualThorax;
 import org.phrenic.document.CsvTable;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FolderLock;
@@ -32,14 +35,21 @@ import org.phrenic.scenario.Scenario;
 import org.phrenic.scenario.ScheduledChange;
 import org.phrenic.simulation.observe.Observation;
 
-/** What a run leaves behind; the paper's material, for it is quick. */
+/** What a run leaves behind; the paper's material on a coarse mesh, for it is quick. */
 class RunRecorderTest {
+    private static final int VERTICES = 2000;
+
     @TempDir
     Path folder;
 
     private static Scenario scenario(String... more) {
         return Runs.scenario(Runs.sheetAlone(
-                        "material=paper", "pressure=false", "preset=sniff", "duration_s=0.1", "record_every_s=0.02"))
+                        "mesh_vertices=" + VERTICES,
+                        "material=paper",
+                        "pressure=false",
+                        "preset=sniff",
+                        "duration_s=0.1",
+                        "record_every_s=0.02"))
                 .with(more);
     }
 
@@ -184,7 +194,8 @@ class RunRecorderTest {
     }
 
     private static TriangleMesh diaphragm() {
-        return Runs.male().find("diaphragm").orElseThrow().mesh();
+        Thorax man = VirtualThorax.ofPreset("adult-male", new MeshBudget(VERTICES));
+        return Runs.assembled(scenario(), man).diaphragm().diaphragm.sheet();
     }
 
     @Test

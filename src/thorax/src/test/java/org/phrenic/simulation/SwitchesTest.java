@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 /** Every part of the model can be taken out, and then it is gone. */
 class SwitchesTest {
     private static final double QUARTER_BREATH_S = 1;
-    /** A coarser body than that of the other tests: what links keep is no matter of the mesh. */
+    /** A coarser body than that of the other tests: what a part does, and what links keep, is no matter of the mesh. */
     private static final String COARSE = "mesh_vertices=3000";
     /** A sheet that nothing drives goes less far from its shape at rest, rms, mm. */
     private static final double STILL_MM = 0.05;
@@ -17,13 +17,13 @@ class SwitchesTest {
 
     @Test
     void everyPartThatIsSwitchedOffIsGone() {
-        Runs.Run sheet = Runs.of(0, Runs.sheetAlone());
-        Runs.Run withSternum = Runs.of(0, "lungs=embedded");
+        Runs.Run sheet = Runs.of(0, Runs.sheetAlone(COARSE));
+        Runs.Run withSternum = Runs.of(0, "lungs=embedded", COARSE);
         assertThat(withSternum.nodes()).isGreaterThan(sheet.nodes());
         assertThat(withSternum.springs()).isGreaterThan(sheet.springs());
         assertThat(withSternum.attachments()).isGreaterThan(sheet.attachments());
         assertThat(withSternum.links()).isEqualTo(sheet.links()).isPositive();
-        Runs.Run whole = Runs.of(QuietBreathTest.BREATH_S);
+        Runs.Run whole = Runs.of(0, COARSE);
         assertThat(whole.nodes()).isGreaterThan(withSternum.nodes());
         assertThat(whole.springs()).isGreaterThan(withSternum.springs());
         Runs.Run bare = Runs.of(
@@ -35,7 +35,8 @@ class SwitchesTest {
                 "liver=false",
                 "muscle=false",
                 "pressure=false",
-                "ribs=false");
+                "ribs=false",
+                COARSE);
         assertThat(bare.nodes()).isEqualTo(sheet.nodes());
         assertThat(bare.links()).isZero();
         assertThat(bare.most("lung_volume_change_ml")).isNaN();
@@ -47,7 +48,7 @@ class SwitchesTest {
 
     @Test
     void withRibsOffTheDiaphragmBreathesAlone() {
-        Runs.Run still = Runs.of(QUARTER_BREATH_S, Runs.sheetAlone("ribs=false"));
+        Runs.Run still = Runs.of(QUARTER_BREATH_S, Runs.sheetAlone("ribs=false", COARSE));
         assertThat(still.most("rib_turn")).isZero();
         assertThat(still.most("sternum_cranial_mm")).isZero();
         assertThat(still.most("sternum_ventral_mm")).isZero();
@@ -57,7 +58,7 @@ class SwitchesTest {
 
     @Test
     void withoutMuscleAndEffortOnlyTheRibsMoveTheSheet() {
-        Runs.Run passive = Runs.of(QUARTER_BREATH_S, Runs.sheetAlone("muscle=false", "pressure=false"));
+        Runs.Run passive = Runs.of(QUARTER_BREATH_S, Runs.sheetAlone("muscle=false", "pressure=false", COARSE));
         assertThat(passive.most("rib_turn")).isGreaterThan(0.05);
         assertThat(Math.abs(passive.last().get("dome_right_mm"))).isLessThan(4);
         assertThat(passive.most("from_rest_rms_mm")).as("the sheet follows").isGreaterThan(2 * STILL_MM);
