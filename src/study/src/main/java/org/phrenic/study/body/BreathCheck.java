@@ -3,7 +3,7 @@ package org.phrenic.study.body;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.mesh.TriangleMesh;
@@ -84,6 +84,7 @@ final class BreathCheck {
                 if (domes(now) < domes(lowest.values())) {
                     surfaces.write(lowest);
                 }
+                return true;
             });
         } catch (DivergenceException e) {
             return BreathResult.failed(depth, e.getMessage(), restCrossing);
@@ -103,22 +104,24 @@ final class BreathCheck {
     }
 
     /**
-     * Simulates a period of the breath.
+     * Simulates a period of the breath, or as much of it as is asked for.
      *
-     * @param seen receives the observables of each sample, of which {@code surfaces} then writes a frame
+     * @param seen receives the observables of each sample, of which {@code surfaces} then writes a frame; the breath
+     *     goes on while it returns true
      * @return observables of the last sample
      */
-    static double[] breathe(Simulation simulation, SceneSurfaces surfaces, Consumer<double[]> seen) {
+    static double[] breathe(Simulation simulation, SceneSurfaces surfaces, Predicate<double[]> seen) {
         double end = simulation.breathPeriodS();
         long chunk = Math.max(1, Math.round(SAMPLE_S / simulation.stepper().dt()));
         double[] now = surfaces.observe();
-        while (simulation.time() < end - 0.5 * simulation.stepper().dt()) {
+        boolean asked = true;
+        while (asked && simulation.time() < end - 0.5 * simulation.stepper().dt()) {
             for (long i = 0; i < chunk; i++) {
                 simulation.step();
             }
             now = surfaces.observe();
             surfaces.read(now);
-            seen.accept(now);
+            asked = seen.test(now);
         }
         return now;
     }

@@ -23,6 +23,9 @@ import org.phrenic.simulation.observe.Surface;
  * for. Structures of which the scene has no surface are left out. Thread-safe.
  */
 final class InspiredBody {
+    /** A breath takes both domes together down by more than this, mm. */
+    private static final double DESCENT_MM = 10;
+
     private final Supplier<Thorax> body;
     private final MeshBudget budget;
     private final Set<Double> shares;
@@ -84,8 +87,16 @@ final class InspiredBody {
                 surfaces.write(now);
                 frames.add(now.copy());
             }
+            return !haveRisen(values, frames);
         });
         return frames;
+    }
+
+    /** Whether the domes, after a descent, stand less than half as low as they stood. */
+    private static boolean haveRisen(double[] values, List<Frame> descent) {
+        double rest = BreathCheck.domes(descent.get(0).values());
+        double lowest = lowest(descent);
+        return rest - lowest > DESCENT_MM && BreathCheck.domes(values) > 0.5 * (rest + lowest);
     }
 
     /** The first frame in which the domes stand that low. */
