@@ -30,6 +30,7 @@ class LungAboveFluidTest {
                 .orElseThrow();
     }
 
+    /** On a coarse mesh: base and dome go down together whatever the mesh. */
     @Test
     void itsBaseGoesDownWithTheDome() {
         Scenario scenario = Runs.scenario("mesh_vertices=5000", "preset=deep", "sternum=kinematic");

@@ -92,6 +92,7 @@ class QuietBreathTest {
         assertThat(fine.fall("dome_right_mm")).isCloseTo(coarse, within(0.01 * coarse));
     }
 
+    /** The mesh of the breath against one of half its vertices, whose edges are 1.4 times as long. */
     @Test
     void aFinerMeshGivesTheSameExcursionWithinATwentieth() {
         Runs.Run medium = Runs.run(
