@@ -93,6 +93,11 @@ public final class PathAnalyzer {
                 NoGoZone.of(touched(entry, end)));
     }
 
+    /** The way by which a path enters the body. */
+    EntryWay way(double[] entry, double[] end) {
+        return ways.of(entry, end, chestWallDepth(entry, end));
+    }
+
     /** The segments of a path inside a structure. */
     public List<Crossing> crossingsOf(MovingStructure s, double[] entry, double[] end) {
         int count = intersect(s, entry, end);

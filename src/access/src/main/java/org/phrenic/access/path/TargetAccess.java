@@ -58,8 +58,7 @@ public record TargetAccess(TargetLesion target, AccessMap map, List<SpaceCount> 
         double[] skin = anatomy.skin().positions();
         for (int v = 0; v < map.size(); v++) {
             if (map.isInReach(0, v)) {
-                EntryWay way = analyzer.analyze(Arrays.copyOfRange(skin, 3 * v, 3 * v + 3), map.target(0))
-                        .way();
+                EntryWay way = analyzer.way(Arrays.copyOfRange(skin, 3 * v, 3 * v + 3), map.target(0));
                 int number = way.space()
                         .map(IntercostalSpace::number)
                         .orElse(90 + way.kind().ordinal());

@@ -178,7 +178,9 @@ class AccessMapTest {
                 double[] entry = entry(v);
                 if (entry[1] < -90 && entry[2] < lowest && Vectors.distance(entry, target) < 150) {
                     asked++;
-                    assertThat(analyzer.analyze(entry, target).way().kind())
+                    EntryWay way = analyzer.way(entry, target);
+                    assertThat(analyzer.analyze(entry, target).way()).isEqualTo(way);
+                    assertThat(way.kind())
                             .as(Arrays.toString(entry) + " to " + Arrays.toString(target))
                             .isNotEqualTo(EntryWay.Kind.INTERCOSTAL);
                 }
@@ -197,7 +199,9 @@ class AccessMapTest {
         PathAnalyzer analyzer = new PathAnalyzer(scene, Needle.standard());
         double[][] entries = {{-136, -74, -49}, {-138, -74, -12}, {-128, -88, 24}, {-130, -87, 60}, {-114, -98, 80}};
         for (double[] entry : entries) {
-            assertThat(analyzer.analyze(entry, RIGHT_LOBE).space().map(IntercostalSpace::number))
+            EntryWay way = analyzer.way(entry, RIGHT_LOBE);
+            assertThat(analyzer.analyze(entry, RIGHT_LOBE).way()).isEqualTo(way);
+            assertThat(way.space().map(IntercostalSpace::number))
                     .as(Arrays.toString(entry))
                     .contains(upperOfTheNearestRibs(entry, RIGHT_LOBE));
         }
