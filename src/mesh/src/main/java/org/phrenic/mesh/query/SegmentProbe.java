@@ -18,6 +18,8 @@ import org.phrenic.mesh.BoundingBoxes;
 public final class SegmentProbe {
     private static final double BOX_SLACK_MM = 1e-7;
     private static final int STACK = 64;
+    /** Far more than the rounding of a squared distance, relative to it and in mm^2. */
+    private static final double ROUNDING = 1e-8;
 
     private final double[] from = new double[3];
     private final double[] to = new double[3];
@@ -29,6 +31,10 @@ public final class SegmentProbe {
     private double shearX;
     private double shearY;
     private double scaleZ;
+    /** Least squared distance from the line of the segment over the square of a sheared coordinate. */
+    private double nearX;
+
+    private double nearY;
 
     private int found;
     private double[] depths = new double[STACK];
@@ -65,6 +71,9 @@ public final class SegmentProbe {
         shearX = unit[kx] / unit[kz];
         shearY = unit[ky] / unit[kz];
         scaleZ = 1 / unit[kz];
+        double square = unit[kz] * unit[kz];
+        nearX = square / (square + unit[kx] * unit[kx]);
+        nearY = square / (square + unit[ky] * unit[ky]);
     }
 
     /** Length of the segment, mm. */
@@ -91,7 +100,8 @@ public final class SegmentProbe {
             }
             int first = tree.first[node];
             for (int place = first; place < first + tree.count[node]; place++) {
-                int facing = pierces(tree.corners, 9 * place);
+                shear(tree.corners, 9 * place);
+                int facing = pierces();
                 if (facing != 0) {
                     add(depthOfPair, facing, tree.order[place]);
                 }
@@ -134,14 +144,19 @@ public final class SegmentProbe {
         triangles[i] = triangle;
     }
 
-    /** 1 if the segment enters through the triangle, -1 if it leaves, 0 if it misses. Sets {@code depthOfPair}. */
-    private int pierces(double[] corners, int o) {
+    private void shear(double[] corners, int o) {
         for (int k = 0; k < 9; k += 3) {
             double z = corners[o + k + kz] - from[kz];
             sheared[k] = corners[o + k + kx] - from[kx] - shearX * z;
             sheared[k + 1] = corners[o + k + ky] - from[ky] - shearY * z;
             sheared[k + 2] = scaleZ * z;
         }
+    }
+
+    /**
+     * 1 if the segment enters through the sheared triangle, -1 if it leaves, 0 if it misses. Sets {@code depthOfPair}.
+     */
+    private int pierces() {
         int u = side(3, 6);
         if (side(6, 0) != u || side(0, 3) != u) {
             return 0;
@@ -214,7 +229,7 @@ public final class SegmentProbe {
             }
             int first = tree.first[node];
             for (int place = first; place < first + tree.count[node]; place++) {
-                double square = toTriangle(tree.corners, 9 * place);
+                double square = toTriangle(tree.corners, 9 * place, best);
                 if (square < best) {
                     best = square;
                     nearestDepth = depthOfPair;
@@ -259,9 +274,33 @@ public final class SegmentProbe {
         return Math.max(beyond > 0 ? beyond * beyond : 0, apart * (1 - 1e-12));
     }
 
-    /** Squared distance to a triangle. Sets {@code depthOfPair} to the depth of the nearest point. */
-    private double toTriangle(double[] c, int o) {
-        if (pierces(c, o) != 0) {
+    /** Whether the sheared triangle is certainly farther from the line of the segment than a squared distance. */
+    private boolean isFarther(double limit) {
+        double x = leastSize(sheared[0], sheared[3], sheared[6]);
+        double y = leastSize(sheared[1], sheared[4], sheared[7]);
+        double within = limit + ROUNDING * (1 + limit);
+        return x * x * nearX > within || y * y * nearY > within;
+    }
+
+    /** Least size of the numbers between three. */
+    private static double leastSize(double a, double b, double c) {
+        double low = a < b ? a : b;
+        double high = a < b ? b : a;
+        low = c < low ? c : low;
+        high = c > high ? c : high;
+        return low > 0 ? low : high < 0 ? -high : 0;
+    }
+
+    /**
+     * Squared distance to a triangle, or infinite if it is certainly greater than a limit. Sets {@code depthOfPair} to
+     * the depth of the nearest point.
+     */
+    private double toTriangle(double[] c, int o, double limit) {
+        shear(c, o);
+        if (isFarther(limit)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (pierces() != 0) {
             return 0;
         }
         double best = PointTriangleDistance.squaredDistance(c, o, from[0], from[1], from[2], weights);
