@@ -39,9 +39,16 @@ final class DrawingPace {
     static final double FIRST_WAIT_S = 4;
     static final double MAX_WAIT_S = 128;
 
+    /**
+     * System property: least time between frames, ms. A process that looks at few of them leaves its processor to other
+     * work; a picture that is asked for is drawn at once all the same.
+     */
+    private static final String LEAST_PROPERTY = "phrenic.frame_ms";
+
     /** Time after a step up in which a step down takes it back. */
     private static final double TAKEN_BACK_S = 6;
 
+    private final double leastMs;
     private int step;
     private double costMs;
     private double extraMs;
@@ -50,6 +57,16 @@ final class DrawingPace {
     private double steppedUpS = Double.NEGATIVE_INFINITY;
     private double waitS = FIRST_WAIT_S;
     private boolean software;
+
+    /** @param leastMs least time between frames, ms */
+    DrawingPace(double leastMs) {
+        this.leastMs = leastMs;
+    }
+
+    /** With the least time between frames that is set for this process; none without. */
+    static DrawingPace ofProcess() {
+        return new DrawingPace(Integer.getInteger(LEAST_PROPERTY, 0));
+    }
 
     /** What drawing has to give way to. */
     enum Demand {
@@ -120,6 +137,6 @@ final class DrawingPace {
     /** Time between the starts of two frames, ns. */
     long intervalNs() {
         double ms = software ? Math.max(CARD_FRAME_MS, Math.min(FRAME_MS, REST * costMs)) + extraMs : CARD_FRAME_MS;
-        return (long) (1e6 * ms);
+        return (long) (1e6 * Math.max(leastMs, ms));
     }
 }

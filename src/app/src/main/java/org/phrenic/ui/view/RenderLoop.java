@@ -101,7 +101,7 @@ public final class RenderLoop implements AutoCloseable {
     private Optional<AccessMapField> shownAccess = Optional.empty();
     private int historyFrame = -1;
     private long drawnVersion;
-    private final DrawingPace pace = new DrawingPace();
+    private final DrawingPace pace = DrawingPace.ofProcess();
     private boolean drawnSharp;
     private long drawnNs;
     private long countedScene;

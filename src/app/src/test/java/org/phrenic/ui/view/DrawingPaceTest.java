@@ -12,7 +12,7 @@ import org.phrenic.ui.view.DrawingPace.Demand;
 class DrawingPaceTest {
     private static final double FIXED_MS = 6;
 
-    private final DrawingPace pace = new DrawingPace();
+    private final DrawingPace pace = new DrawingPace(0);
     private double nowS;
     private int changes;
 

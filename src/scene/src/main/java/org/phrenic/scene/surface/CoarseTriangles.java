@@ -1,5 +1,7 @@
 package org.phrenic.scene.surface;
 
+import org.phrenic.file.Hashes;
+import org.phrenic.file.SoftValues;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.Decimator;
@@ -15,19 +17,26 @@ public final class CoarseTriangles {
     private static final double SHARE = 0.25;
     /** A surface of fewer vertices is drawn as it is. */
     private static final int LEAST_VERTICES = 200;
+    /** By the surface: bones and organs are the same in each scene of a body. */
+    private static final SoftValues<int[]> KEPT = new SoftValues<>();
 
     private CoarseTriangles() {}
 
     /**
-     * Triangles of the coarser surface.
+     * Triangles of the coarser surface, kept while memory allows for the next scene that shows it.
      *
      * @param mesh the surface at rest
-     * @return three vertices of {@code mesh} each; its own triangles if it has few
+     * @return three vertices of {@code mesh} each; its own triangles if it has few; not to be changed
      */
     public static int[] of(TriangleMesh mesh) {
         if (mesh.vertexCount() < LEAST_VERTICES) {
             return mesh.triangles();
         }
+        String surface = Hashes.sha256(mesh.positions()) + Hashes.sha256(mesh.triangles());
+        return KEPT.get(surface, () -> decimated(mesh));
+    }
+
+    private static int[] decimated(TriangleMesh mesh) {
         TriangleMesh coarse =
                 Decimator.toVertexCount(mesh, (int) (SHARE * mesh.vertexCount()), Double.POSITIVE_INFINITY);
         TriangleTree tree = new TriangleTree(mesh);

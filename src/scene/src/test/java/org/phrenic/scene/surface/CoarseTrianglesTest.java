@@ -3,6 +3,7 @@ package org.phrenic.scene.surface;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.phrenic.mesh.EdgeTable;
 import org.phrenic.mesh.MeshMeasure;
@@ -24,6 +25,22 @@ class CoarseTrianglesTest {
         double volume = MeshMeasure.signedVolume(sphere);
         assertThat(volume).isPositive();
         assertThat(MeshMeasure.signedVolume(coarse) / volume).isCloseTo(1, within(0.02));
+    }
+
+    /** A window that shows a body in another scene does not compute again what both have. */
+    @Test
+    void anEqualSurfaceHasTheTrianglesOfTheFormerAndAnotherOneItsOwn() {
+        TriangleMesh sphere = Shapes.sphere(50, 4);
+        int[] fewer = CoarseTriangles.of(sphere);
+        assertThat(CoarseTriangles.of(Shapes.sphere(50, 4))).isSameAs(fewer);
+        double[] flat = sphere.positions().clone();
+        for (int z = 2; z < flat.length; z += 3) {
+            flat[z] /= 10;
+        }
+        assertThat(CoarseTriangles.of(sphere.withPositions(flat))).isNotEqualTo(fewer);
+        int[] open = Arrays.copyOf(sphere.triangles(), sphere.triangles().length / 2);
+        assertThat(CoarseTriangles.of(new TriangleMesh(sphere.positions(), open)))
+                .hasSizeLessThan(fewer.length);
     }
 
     @Test

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.file.SoftValues;
 import org.phrenic.file.UserCache;
 
 /** The organs and vessels of a virtual body, generated or read from a cache when they are first asked for. */

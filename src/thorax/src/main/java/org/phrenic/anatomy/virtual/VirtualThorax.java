@@ -19,6 +19,7 @@ import org.phrenic.anatomy.virtual.shape.SmoothBlends;
 import org.phrenic.anatomy.virtual.shape.SurfaceRelaxation;
 import org.phrenic.anatomy.virtual.shape.Tube;
 import org.phrenic.file.Numbers;
+import org.phrenic.file.SoftValues;
 import org.phrenic.file.UserCache;
 import org.phrenic.mesh.Polyline;
 import org.phrenic.mesh.TriangleMesh;

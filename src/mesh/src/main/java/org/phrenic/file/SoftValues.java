@@ -1,4 +1,4 @@
-package org.phrenic.anatomy.virtual;
+package org.phrenic.file;
 
 import java.lang.ref.SoftReference;
 import java.util.Map;
@@ -7,11 +7,11 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 
 /** Values by name, kept while memory allows. Thread-safe: a value is made once while it is kept. */
-final class SoftValues<V> {
+public final class SoftValues<V> {
     private final Map<String, SoftReference<V>> kept = new ConcurrentHashMap<>();
 
     /** The value of a name, made if it is not kept. */
-    V get(String name, Supplier<V> made) {
+    public V get(String name, Supplier<V> made) {
         AtomicReference<V> value = new AtomicReference<>();
         kept.compute(name, (key, known) -> {
             value.set(known == null ? null : known.get());
