@@ -36,7 +36,9 @@ class BenchAccessCommandTest {
                 plan,
                 """
                 title: A needle that is too short
-                set: {preset: quiet, resolution: low, lungs: embedded, sternum: kinematic}
+                set: {preset: rapid-shallow, rate_per_min: 70, resolution: low, mesh_vertices: 2000, lungs: embedded,
+                  sternum: kinematic}
+                phases: 3
                 target: {rest_mm: [-70, 0, 50], diameter_mm: 15}
                 needle: {gauge: 18, length_mm: 20}
                 avoid: [lung]
