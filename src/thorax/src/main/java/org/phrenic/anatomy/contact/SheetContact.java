@@ -103,6 +103,10 @@ public final class SheetContact {
         private final int[] onSideIn;
 
         private final double[] onSideMm;
+        /** Search in which each point was last found not to lie beyond, and up to which distance from it. */
+        private final int[] searchedIn;
+
+        private final double[] searchedMm;
         /** Number of searches of this organ that were begun. */
         private int search;
         /** Whether the point that was last searched lay beyond the face of the organ's side. */
@@ -116,6 +120,8 @@ public final class SheetContact {
             leastMm = new double[nearest.length];
             onSideIn = new int[nearest.length];
             onSideMm = new double[nearest.length];
+            searchedIn = new int[nearest.length];
+            searchedMm = new double[nearest.length];
             Arrays.fill(nearest, -1);
             Arrays.fill(leastMm, Double.NEGATIVE_INFINITY);
         }
@@ -129,7 +135,7 @@ public final class SheetContact {
         /**
          * As {@link #pushBack}, for points that were moved since then, while the sheet stands still: one that lay on
          * its side, and has moved by less than it was away from the sheet, less {@value #FOLD_REACH_MM} mm, still does
-         * and is not searched again.
+         * and is not searched again, nor is one that has not moved.
          */
         public void pushBackAgain(double[] points) {
             int[] order = clusters.order();
@@ -148,8 +154,12 @@ public final class SheetContact {
                     double dy = points[m + 1] - y;
                     double dz = points[m + 2] - z;
                     double distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
-                    if (distance + FOLD_REACH_MM > free && !isStillOnSide(points, m) && !isAtFace(points, m)) {
-                        pushBack(points, m, distance < free ? PLEAT_REACH_MM : REACH_MM);
+                    double reach = distance < free ? PLEAT_REACH_MM : REACH_MM;
+                    if (distance + FOLD_REACH_MM > free
+                            && !isStillOnSide(points, m)
+                            && !isSearched(points, m, reach)
+                            && !isAtFace(points, m)) {
+                        pushBack(points, m, reach);
                     }
                 }
             }
@@ -178,6 +188,13 @@ public final class SheetContact {
         private boolean isStillOnSide(double[] points, int k) {
             double free = onSideMm[k / 3] - FOLD_REACH_MM - ROUNDING_MM;
             return onSideIn[k / 3] == search && free > 0 && squaredDistance(points, k, searchedAt, k) < free * free;
+        }
+
+        /** Whether a point that has not been moved since was found not to lie beyond in this search, as far as this. */
+        private boolean isSearched(double[] points, int k, double reachMm) {
+            return searchedIn[k / 3] == search
+                    && searchedMm[k / 3] >= reachMm
+                    && squaredDistance(points, k, searchedAt, k) == 0;
         }
 
         /**
@@ -218,6 +235,8 @@ public final class SheetContact {
             System.arraycopy(points, k, searchedAt, k, 3);
             leastMm[k / 3] = travelMm + (found ? Math.sqrt(hit.distanceSquared) : reachMm + AHEAD_MM);
             beyond = near && isBeyond(points, k, above);
+            searchedIn[k / 3] = beyond ? 0 : search;
+            searchedMm[k / 3] = reachMm;
             boolean inReach = near && hit.distanceSquared <= REACH_MM * REACH_MM;
             onSideIn[k / 3] = inReach && !beyond && !faces.isOnBorder(hit) ? search : 0;
             onSideMm[k / 3] = Math.sqrt(hit.distanceSquared);

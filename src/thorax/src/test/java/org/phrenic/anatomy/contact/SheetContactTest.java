@@ -204,6 +204,26 @@ class SheetContactTest {
         assertYieldsAsAlone(contact, points, true);
     }
 
+    /** Every other point is moved through the sheet after it was searched. */
+    @Test
+    void pointsThatAreMovedAfterTheyWereSearchedYieldWhereTheyAreThen() {
+        SheetContact contact = contactWith(simulation.scene().diaphragm());
+        contact.update(lowered);
+        double[] points = aroundTheSheet(3000, 5);
+        for (boolean above : new boolean[] {false, true}) {
+            SheetContact.Organ organ = contact.organ(points, above);
+            organ.pushBack(points.clone());
+            double[] moved = points.clone();
+            for (int k = 2; k < moved.length; k += 6) {
+                moved[k] += above ? -8 : 8;
+            }
+            double[] expected = moved.clone();
+            contact.organ(points, above).pushBack(expected);
+            organ.pushBackAgain(moved);
+            assertThat(moved).containsExactly(expected);
+        }
+    }
+
     /** A patch of the abdominal face bulges 8 mm upward, through the thoracic face; points lie within 4 mm of it. */
     @Test
     void pointsBesideAFoldThroughTheSheetYieldAsTheyDoAlone() {
