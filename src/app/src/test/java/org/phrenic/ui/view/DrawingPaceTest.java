@@ -55,6 +55,17 @@ class DrawingPaceTest {
     }
 
     @Test
+    void whoLooksAtFewFramesIsDrawnFewHoweverCheapTheyAre() {
+        DrawingPace rare = new DrawingPace(400);
+        for (boolean onProcessor : new boolean[] {false, true}) {
+            rare.drawn(5, Demand.NONE, onProcessor, nowS);
+            pace.drawn(5, Demand.NONE, onProcessor, nowS);
+            assertThat(rare.intervalNs()).isEqualTo(400_000_000L);
+            assertThat(pace.intervalNs()).isLessThan(20_000_000L);
+        }
+    }
+
+    @Test
     void theResolutionComesBackWhenThereIsTime() {
         draw(10, 20, true, resolution -> Demand.BEHIND);
         draw(DrawingPace.FIRST_WAIT_S - 0.5, 20);
