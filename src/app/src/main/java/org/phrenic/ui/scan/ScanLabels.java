@@ -17,6 +17,7 @@ import org.phrenic.document.CsvWriter;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.io.volume.LabelVolume;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
+import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.patient.label.GeometryOverride;
 import org.phrenic.patient.label.LabelGuess;
 import org.phrenic.patient.label.LabelTable;
@@ -53,7 +54,7 @@ final class ScanLabels extends AbstractTableModel {
     private final List<String> origin;
     private boolean edited;
 
-    private ScanLabels(LabelVolume volume, LabelGuess guess, Thorax usual, List<String> origin) {
+    private ScanLabels(LabelVolume volume, LabelGuess guess, Thorax usual, LabelGrid stored, List<String> origin) {
         this.origin = origin;
         refusal = Optional.of(guess).filter(LabelGuess::isRefused).map(LabelGuess::reason);
         Map<Integer, String> table = guess.table().map(LabelTable::structures).orElse(Map.of());
@@ -67,8 +68,7 @@ final class ScanLabels extends AbstractTableModel {
             }
         }
         guessed = List.copyOf(structures);
-        size = volume.grid().columns() + " x " + volume.grid().rows() + " x "
-                + volume.grid().slices() + " voxels";
+        size = stored.columns() + " x " + stored.rows() + " x " + stored.slices() + " voxels";
         axes = StatedAxes.letters(volume);
         contradicted = guess.table().flatMap(t -> StatedAxes.contradicted(volume, t, LungMoments.of(usual)));
         spacing = IntStream.range(0, 3)
@@ -87,7 +87,7 @@ final class ScanLabels extends AbstractTableModel {
         LabelVolume volume = NamesBeside.added(file, stored.withEmptyLayers());
         List<String> origin =
                 volume.notes().subList(stored.notes().size(), volume.notes().size());
-        return new ScanLabels(volume, LabelGuess.of(volume), usual, origin);
+        return new ScanLabels(volume, LabelGuess.of(volume), usual, stored.grid(), origin);
     }
 
     /** Columns, rows and slices of the volume, as text. */

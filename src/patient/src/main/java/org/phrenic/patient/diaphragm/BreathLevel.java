@@ -10,9 +10,10 @@ import org.phrenic.anatomy.StructureKind;
 import org.phrenic.anatomy.StructureName;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.Numbers;
-import org.phrenic.mesh.TriangleMesh;
+import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
+import org.phrenic.patient.SpineLevels;
 
 /**
  * The breath level at which a body was scanned, from the height of its lungs against the spine.
@@ -75,8 +76,6 @@ public record BreathLevel(
 
     /** Least number of vertebrae and ribs in a scan whose level is judged. */
     private static final int LEAST_BONES = 6;
-    /** Anterior share of the depth of a vertebra in which its body lies. */
-    private static final double BODY_SHARE = 0.2;
     /** Least height of a scan above the domes that it shows, mm. */
     private static final double ABOVE_DOMES_MM = 5;
 
@@ -88,6 +87,11 @@ public record BreathLevel(
 
     /** Share up to which domes stand high: below those of the bodies of {@code bench bodies} at rest, -0.21 or more. */
     private static final double HIGH = -0.3;
+
+    /**
+     * Least volume of a whole liver, cubes of the mean distance of vertebrae: 750 ml in an adult, half of a usual one.
+     */
+    private static final double LEAST_LIVER = 55;
 
     /** Vertebrae by which the left dome stands lower than the right one, in the mean. */
     private static final double LEFT_BELOW_RIGHT = 1;
@@ -115,8 +119,8 @@ public record BreathLevel(
                 .map(s -> s.structure().kind())
                 .filter(kind -> kind == StructureKind.VERTEBRA || kind == StructureKind.RIB)
                 .count();
-        List<double[]> spine = spine(completed.thorax());
-        if (spine.size() < 2 || (bones < LEAST_BONES && !showsWholeLungs(scanned))) {
+        SpineLevels spine = SpineLevels.of(completed.thorax(), LAST_LEVEL);
+        if (spine.count() < 2 || (bones < LEAST_BONES && !showsWholeLungs(scanned))) {
             return Optional.empty();
         }
         List<LungBase> right = bases(scanned, completed, Side.RIGHT);
@@ -137,7 +141,8 @@ public record BreathLevel(
         Mark byLiver = lobes(scanned, Side.RIGHT).isEmpty() ? Mark.LIVER : Mark.DOMES;
         return measured(byOrgans ? Mark.ORGANS : Mark.DOMES, domes, spine)
                 .or(() -> measured(Mark.LOWER_BORDERS, borders, spine))
-                .or(() -> measured(byLiver, new double[] {topOfLiver(scanned), Double.NaN}, spine))
+                .or(() -> measured(byLiver, new double[] {topOfLiver(scanned), Double.NaN}, spine)
+                        .filter(level -> byLiver == Mark.DOMES || (level.share <= 1 && hasWholeLiver(scanned, spine))))
                 .or(() -> measured(Mark.LOWER_BORDERS, ends, spine).filter(BreathLevel::isInspired))
                 .map(level -> level.with(parted));
     }
@@ -147,7 +152,7 @@ public record BreathLevel(
     }
 
     /** @param heights of the mark on the right and the left, mm; NaN for none */
-    private static Optional<BreathLevel> measured(Mark mark, double[] heights, List<double[]> spine) {
+    private static Optional<BreathLevel> measured(Mark mark, double[] heights, SpineLevels spine) {
         double[] level = {Double.NaN, Double.NaN};
         double descent = 0;
         double share = 0;
@@ -155,10 +160,10 @@ public record BreathLevel(
         int sides = 0;
         for (int i = 0; i < 2; i++) {
             if (!Double.isNaN(heights[i])) {
-                level[i] = levelAt(spine, heights[i]);
+                level[i] = spine.levelAt(heights[i]);
                 descent += level[i] - mark.expired[i];
                 share += (level[i] - mark.expired[i]) / (mark.inspired[i] - mark.expired[i]);
-                descentMm += heightOf(spine, mark.expired[i]) - heights[i];
+                descentMm += spine.heightOf(mark.expired[i]) - heights[i];
                 sides++;
             }
         }
@@ -216,7 +221,7 @@ public record BreathLevel(
      * Height of the dome of a lung that the scan shows, else NaN. A scan that ends in the recess, well below the dome,
      * shows it; one that ends in the lung leaves a flat face there.
      */
-    private static double dome(List<LungBase> bases, PatientBody scanned, Side side, List<double[]> spine) {
+    private static double dome(List<LungBase> bases, PatientBody scanned, Side side, SpineLevels spine) {
         double upperEnd = lobes(scanned, side).stream()
                 .mapToDouble(s -> s.mesh().bounds()[5])
                 .max()
@@ -226,7 +231,7 @@ public record BreathLevel(
                 .mapToDouble(LungBase::dome)
                 .filter(top -> top < upperEnd - ABOVE_DOMES_MM)
                 .filter(top ->
-                        !cut || (top > lowerEnd(scanned, side) + SHOWN_DOME_MM && levelAt(spine, top) < LOWEST_DOME))
+                        !cut || (top > lowerEnd(scanned, side) + SHOWN_DOME_MM && spine.levelAt(top) < LOWEST_DOME))
                 .findFirst()
                 .orElse(Double.NaN);
     }
@@ -295,53 +300,16 @@ public record BreathLevel(
                 .anyMatch(s -> isCut(s, "I"));
     }
 
+    /** Whether the livers of a scan are as large as one that is whole, not one drawn about a target or a remnant. */
+    private static boolean hasWholeLiver(PatientBody scanned, SpineLevels spine) {
+        double apart = spine.spacingMm();
+        double volume = scanned.thorax().structuresOf(StructureKind.LIVER).stream()
+                .mapToDouble(s -> MeshMeasure.signedVolume(s.mesh()))
+                .sum();
+        return volume >= LEAST_LIVER * apart * apart * apart;
+    }
+
     private static boolean isCut(PatientStructure structure, String end) {
         return structure.scan().filter(scan -> scan.cutAt().contains(end)).isPresent();
-    }
-
-    /** Level and height of each vertebral body, from top to bottom. */
-    private static List<double[]> spine(Thorax body) {
-        List<double[]> heights = new ArrayList<>();
-        for (int level = 1; level <= LAST_LEVEL; level++) {
-            int number = level;
-            body.find(StructureKind.VERTEBRA, level, Side.MIDLINE)
-                    .map(Structure::mesh)
-                    .ifPresent(mesh -> heights.add(new double[] {number, bodyHeight(mesh)}));
-        }
-        return heights;
-    }
-
-    private static double bodyHeight(TriangleMesh vertebra) {
-        double[] box = vertebra.bounds();
-        double front = box[1] + BODY_SHARE * (box[4] - box[1]);
-        double sum = 0;
-        int count = 0;
-        for (int v = 0; v < vertebra.vertexCount(); v++) {
-            if (vertebra.y(v) <= front) {
-                sum += vertebra.z(v);
-                count++;
-            }
-        }
-        return sum / count;
-    }
-
-    private static double levelAt(List<double[]> spine, double z) {
-        int i = 1;
-        while (i < spine.size() - 1 && spine.get(i)[1] > z) {
-            i++;
-        }
-        double[] a = spine.get(i - 1);
-        double[] b = spine.get(i);
-        return a[0] + (b[0] - a[0]) * (z - a[1]) / (b[1] - a[1]);
-    }
-
-    private static double heightOf(List<double[]> spine, double level) {
-        int i = 1;
-        while (i < spine.size() - 1 && spine.get(i)[0] < level) {
-            i++;
-        }
-        double[] a = spine.get(i - 1);
-        double[] b = spine.get(i);
-        return a[1] + (b[1] - a[1]) * (level - a[0]) / (b[0] - a[0]);
     }
 }

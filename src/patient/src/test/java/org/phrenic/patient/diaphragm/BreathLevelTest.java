@@ -87,15 +87,20 @@ class BreathLevelTest {
                 .isFalse();
     }
 
-    /** Ribs, vertebrae and a liver that stands lower, which the scan cuts off at some ends. */
     private static Optional<BreathLevel> levelOfLiver(Thorax person, double lowerMm, CutPlane... ends) {
+        return levelOfLiver(person, lowerMm, 1, ends);
+    }
+
+    /** Ribs, vertebrae and a liver of another size whose top stands lower, which the scan cuts off at some ends. */
+    private static Optional<BreathLevel> levelOfLiver(Thorax person, double lowerMm, double size, CutPlane... ends) {
         List<PatientStructure> all = person.structures().stream()
                 .map(s -> new PatientStructure(s, PatientStructure.Source.SCAN, Optional.empty(), Optional.empty()))
                 .toList();
         TriangleMesh liver = person.structuresOf(StructureKind.LIVER).get(0).mesh();
         double[] p = liver.positions().clone();
-        for (int i = 2; i < p.length; i += 3) {
-            p[i] -= lowerMm;
+        for (int i = 0; i < p.length; i++) {
+            double top = liver.bounds()[3 + i % 3];
+            p[i] = top + size * (p[i] - top) - (i % 3 == 2 ? lowerMm : 0);
         }
         Structure lower = person.structuresOf(StructureKind.LIVER).get(0).withMesh(liver.withPositions(p));
         MeshedSegment meshed =
@@ -131,6 +136,14 @@ class BreathLevelTest {
             assertThat(inspired.isInspired()).isTrue();
             assertThat(inspired.stated()).matches("the top of the liver at T(9|10)\\.\\d \\(T8 at end-expiration\\)");
         }
+        assertThat(levelOfLiver(MAN, 80)).as("at full inspiration").isNotEmpty();
+        assertThat(levelOfLiver(MAN, 110))
+                .as("below that of a full inspiration")
+                .isEmpty();
+        assertThat(levelOfLiver(MAN, 50, 0.85)).as("0.61 of the volume").isNotEmpty();
+        assertThat(levelOfLiver(MAN, 50, 0.7))
+                .as("a remnant, or drawn about a target")
+                .isEmpty();
         assertThat(levelOfLiver(MAN, 50, new CutPlane("S", 0, 0, 1, 0)))
                 .as("a liver at the upper end of the scan goes on above it")
                 .isEmpty();

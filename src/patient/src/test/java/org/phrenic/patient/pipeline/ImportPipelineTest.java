@@ -2,6 +2,7 @@ package org.phrenic.patient.pipeline;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -20,6 +21,7 @@ import org.phrenic.mesh.voxel.LabelGrid;
 import org.phrenic.mesh.voxel.MeshVoxelizer;
 import org.phrenic.patient.PatientBody;
 import org.phrenic.patient.PatientStructure;
+import org.phrenic.patient.label.GeometryOverride;
 
 class ImportPipelineTest {
     private static final double SPACING_MM = 3;
@@ -75,6 +77,42 @@ class ImportPipelineTest {
         PatientStructure rib = body.structure("rib_01_L").orElseThrow();
         assertThat(rib.source()).isEqualTo(PatientStructure.Source.VIRTUAL);
         assertThat(rib.structure().mesh().centre()[2]).isGreaterThan(box[2] + 0.75 * (box[5] - box[2]));
+    }
+
+    /** An ellipsoid in a volume that is cropped to it, and one from which 20 mm at an end are missing. */
+    @Test
+    void aVolumeThatIsCroppedToItsLabelsCutsOffNothing() throws IOException {
+        Path table = Files.writeString(folder.resolve("labels.csv"), "label,structure\n1,liver\n");
+        for (int missing : new int[] {0, 5}) {
+            int[] size = {40, 30, 25 - missing};
+            byte[] labels = new byte[size[0] * size[1] * size[2]];
+            for (int v = 0; v < labels.length; v++) {
+                double x = (v % size[0] - 19.5) / 20;
+                double y = (v / size[0] % size[1] - 14.5) / 15;
+                double z = (v / (size[0] * size[1]) - 12) / 12.5;
+                labels[v] = (byte) (x * x + y * y + z * z < 1 ? 1 : 0);
+            }
+            Path file = folder.resolve("liver.nii.gz");
+            double[] toMm = {4, 0, 0, -80, 0, 4, 0, -60, 0, 0, 4, 900};
+            NiftiWriter.write(file, LabelGrid.of(size[0], size[1], size[2], labels, toMm));
+            ImportResult result = ImportPipeline.run(
+                    new ImportRequest(
+                            file,
+                            "liver",
+                            Optional.of(table.toString()),
+                            Optional.empty(),
+                            GeometryOverride.NONE,
+                            Optional.empty(),
+                            Optional.empty()),
+                    (count, total, structure) -> {});
+            PatientStructure liver = result.body().structure("liver").orElseThrow();
+            assertThat(liver.scan().orElseThrow().cutAt()).isEqualTo(missing == 0 ? "" : "S");
+            double[] box = liver.structure().mesh().bounds();
+            assertThat(box[0]).isCloseTo(-82, within(3.0));
+            assertThat(box[4]).isCloseTo(58, within(3.0));
+            assertThat(box[2]).isCloseTo(898, within(3.0));
+            assertThat(result.grid().orElseThrow().slices()).as("the file's").isEqualTo(size[2]);
+        }
     }
 
     /** Labels that rise and fall by one from voxel to voxel, as between 0 and 10 in an image that is made larger. */

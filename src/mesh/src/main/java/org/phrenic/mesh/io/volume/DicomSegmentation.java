@@ -79,7 +79,7 @@ final class DicomSegmentation {
             paintMap(painter, names);
             grid = painter.grid(affine);
         }
-        return new LabelVolume(grid, LabelPainter.named(names), notes);
+        return LabelVolume.cropped(grid, LabelPainter.named(names), notes);
     }
 
     /** The least value of a pixel in a segment; 0 where a pixel is the number of its segment. */

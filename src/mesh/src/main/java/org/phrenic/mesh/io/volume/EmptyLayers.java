@@ -1,5 +1,6 @@
 package org.phrenic.mesh.io.volume;
 
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.stream.IntStream;
 import org.phrenic.mesh.io.raster.VoxelDecoder;
@@ -8,22 +9,22 @@ import org.phrenic.mesh.voxel.LabelGrid;
 /**
  * Empty layers beyond the faces of a volume that ends with its structures, as one that is cropped to them or that
  * leaves out slices without labels. Such a face is not one of the scan, and a structure that tapers off there is not
- * truncated. A face at which any structure is cut through stays as it is.
+ * truncated. A face at which any structure is cut through stays as it is. Of a volume whose file may have left nothing
+ * out, structures at all six faces show that it is cropped.
  */
 final class EmptyLayers {
+    /** Greatest cross-section of a tip in the last layer, as of a spinous process, mm^2. */
+    private static final double TIP_MM2 = 150;
     /**
-     * Greatest cross-section of a structure in the last layer, over its greatest, where it is taken to end: the tip of
-     * a spinous process, or an ellipsoid of 150 mm at 4 mm from its end.
+     * Greatest cross-section of a structure in the last layer over that in the next two where it is taken to end. Where
+     * a rounded end begins within the last layer, the sections of two layers are as 1 to 2 at most, and along the arch
+     * of a rib as 1 to the root of 2; where a structure is cut through, they are alike.
      */
-    private static final double TIP = 0.1;
-    /**
-     * The same over its cross-section two layers farther in. Where a rounded end begins within the last layer, the
-     * sections are as 1 to 3 at most, and along the arch of a rib as 1 to the root of 3; where a structure is cut
-     * through, they are alike.
-     */
-    private static final double TAPERED = 0.65;
+    private static final double TAPERED = 0.75;
 
     private static final int FARTHER_IN = 2;
+    /** Structures of fewer voxels are specks, which say nothing of the scan's ends. */
+    private static final int LEAST_VOXELS = 30;
 
     private final LabelGrid grid;
     private final int[] sizes;
@@ -47,19 +48,34 @@ final class EmptyLayers {
     /**
      * The grid with one more layer at each face that structures touch and at which all of them taper off; the grid as
      * it is where there is none, or no room for more layers.
+     *
+     * @param cropped whether layers without labels are known to be left out, so that structures at both faces of a
+     *     direction show that it ends with them
      */
-    static LabelGrid beyond(LabelGrid grid) {
-        EmptyLayers layers = new EmptyLayers(grid);
-        int[] before = new int[3];
-        int[] size = layers.sizes.clone();
-        for (int direction = 0; direction < 3 && layers.structures > 0; direction++) {
-            int[][] areas = layers.areas(direction);
-            before[direction] = layers.tapers(areas, 0, 1) ? 1 : 0;
-            int after = layers.tapers(areas, areas.length - 1, -1) ? 1 : 0;
-            size[direction] += before[direction] + after;
+    static LabelGrid beyond(LabelGrid grid, boolean cropped) {
+        int[] box = grid.box(label -> label > 0);
+        int[] last = {grid.columns() - 1, grid.rows() - 1, grid.slices() - 1};
+        boolean[] ends = new boolean[3];
+        for (int direction = 0; direction < 3; direction++) {
+            ends[direction] = box[direction] == 0 && box[3 + direction] == last[direction];
         }
-        boolean same = IntStream.range(0, 3).allMatch(direction -> size[direction] == layers.sizes[direction]);
-        return same || !fits(size[0], size[1], size[2]) ? grid : layers.padded(before, size);
+        boolean all = ends[0] && ends[1] && ends[2];
+        return all || (cropped && (ends[0] || ends[1] || ends[2])) ? new EmptyLayers(grid).padded(ends) : grid;
+    }
+
+    private LabelGrid padded(boolean[] ends) {
+        int[] before = new int[3];
+        int[] size = sizes.clone();
+        for (int direction = 0; direction < 3; direction++) {
+            if (ends[direction]) {
+                int[][] areas = areas(direction);
+                double mm2 = grid.voxelVolume() / grid.spacing(direction);
+                before[direction] = tapers(areas, 0, 1, mm2) ? 1 : 0;
+                int after = tapers(areas, areas.length - 1, -1, mm2) ? 1 : 0;
+                size[direction] += before[direction] + after;
+            }
+        }
+        return Arrays.equals(size, sizes) || !fits(size[0], size[1], size[2]) ? grid : padded(before, size);
     }
 
     /** Labels in the outermost layers. */
@@ -97,26 +113,22 @@ final class EmptyLayers {
         return areas;
     }
 
-    /** Whether structures touch a face and all of them end there. */
-    private boolean tapers(int[][] areas, int face, int inward) {
+    /** Whether all structures that touch a face end there, but for specks. */
+    private boolean tapers(int[][] areas, int face, int inward, double mm2) {
         int[] last = areas[face];
-        int within = face + FARTHER_IN * inward;
-        boolean touched = false;
         for (int s = 0; s < structures; s++) {
-            if (last[s] > 0) {
-                int number = s;
-                touched = true;
-                int greatest = IntStream.range(0, areas.length)
-                        .map(layer -> areas[layer][number])
-                        .max()
-                        .orElseThrow();
-                boolean isRounded = within >= 0 && within < areas.length && last[s] <= TAPERED * areas[within][s];
-                if (!isRounded && last[s] > TIP * greatest) {
-                    return false;
-                }
+            int within = 0;
+            for (int layer = 1; layer <= FARTHER_IN && layer < areas.length; layer++) {
+                within = Math.max(within, areas[face + layer * inward][s]);
+            }
+            int number = s;
+            if (mm2 * last[s] > TIP_MM2
+                    && last[s] > TAPERED * within
+                    && Arrays.stream(areas).mapToInt(area -> area[number]).sum() >= LEAST_VOXELS) {
+                return false;
             }
         }
-        return touched;
+        return true;
     }
 
     /** Whether the voxels of a volume of this size fit into an array. */

@@ -198,10 +198,11 @@ final class LabelFolder {
             notes.addAll(file.notes());
         }
         LabelGrid grid = painter.grid(lattice.toMm(), notes);
-        if (lattice.isCropped()) {
-            notes.add("masks of different extents were put together");
+        if (!lattice.isCropped()) {
+            return new LabelVolume(grid, names, notes);
         }
-        return new LabelVolume(grid, names, notes);
+        notes.add("masks of different extents were put together");
+        return LabelVolume.cropped(grid, names, notes);
     }
 
     /** Refuses files of which two segment the same structures, as those of two breaths do. */

@@ -19,8 +19,10 @@ import org.phrenic.mesh.voxel.LabelGrid;
  * @param notes assumptions about missing information, one sentence each
  * @param file the file in a folder whose labels these are, with its numbers; empty for a file that is read by itself
  *     and for the masks of a folder
+ * @param cropped whether the file leaves out slices, or masks the voxels, that hold no labels
  */
-public record LabelVolume(LabelGrid grid, Map<Integer, String> names, List<String> notes, Optional<Path> file) {
+public record LabelVolume(
+        LabelGrid grid, Map<Integer, String> names, List<String> notes, Optional<Path> file, boolean cropped) {
     private static final Pattern NUMBER = Pattern.compile("(?i)(segment|seg|label)?[ _.-]*\\d*");
 
     /** A volume without names that has more labels is an image of whole numbers. */
@@ -37,32 +39,38 @@ public record LabelVolume(LabelGrid grid, Map<Integer, String> names, List<Strin
 
     /** Creates a volume of a file that is read by itself, or of masks. */
     public LabelVolume(LabelGrid grid, Map<Integer, String> names, List<String> notes) {
-        this(grid, names, notes, Optional.empty());
+        this(grid, names, notes, Optional.empty(), false);
+    }
+
+    /** The labels of a file that leaves out slices, or of masks that leave out voxels, without any. */
+    static LabelVolume cropped(LabelGrid grid, Map<Integer, String> names, List<String> notes) {
+        return new LabelVolume(grid, names, notes, Optional.empty(), true);
     }
 
     /** A copy with further notes before its own. */
     LabelVolume withNotesBefore(List<String> further) {
         List<String> all = new ArrayList<>(further);
         all.addAll(notes);
-        return new LabelVolume(grid, names, all, file);
+        return new LabelVolume(grid, names, all, file, cropped);
     }
 
     /** A copy whose labels are those of a file in a folder. */
     LabelVolume in(Path found) {
-        return new LabelVolume(grid, names, notes, Optional.of(found));
+        return new LabelVolume(grid, names, notes, Optional.of(found), cropped);
     }
 
     /** A copy with its voxels elsewhere. */
     public LabelVolume withGrid(LabelGrid moved) {
-        return new LabelVolume(moved, names, notes, file);
+        return new LabelVolume(moved, names, notes, file, cropped);
     }
 
     /**
-     * A copy with an empty layer beyond each face at which all structures end that touch it, as in a volume that is
-     * cropped to its structures: there the scan does not end.
+     * A copy of a volume that is cropped to its structures, with an empty layer beyond each face at which all those end
+     * that touch it: there the scan does not end. Structures of a volume that is not known to be cropped touch all six
+     * faces, else it stays as it is.
      */
     public LabelVolume withEmptyLayers() {
-        LabelGrid padded = EmptyLayers.beyond(grid);
+        LabelGrid padded = EmptyLayers.beyond(grid, cropped);
         return padded == grid ? this : withGrid(padded);
     }
 

@@ -71,7 +71,9 @@ final class StructureSet {
         }
         LabelGrid labels = painter.grid(grid.axes().affine(set.file()), notes);
         names.keySet().retainAll(filled);
-        return new LabelVolume(labels, LabelPainter.named(names), notes);
+        return series.isPresent()
+                ? new LabelVolume(labels, LabelPainter.named(names), notes)
+                : LabelVolume.cropped(labels, LabelPainter.named(names), notes);
     }
 
     /** Tells of regions too small for a voxel, whose contours hold the middle of none. */

@@ -10,8 +10,8 @@ import org.phrenic.mesh.voxel.LabelGrid;
 
 /** Volumes that end with their structures. */
 class EmptyLayersTest {
-    /** Columns, rows and slices of 1, 1 and 3 mm; the first voxel at (7, 8, 9). */
-    private static final double[] TO_MM = {1, 0, 0, 7, 0, 1, 0, 8, 0, 0, 3, 9};
+    /** Columns of 3 mm along y, rows of 2 mm against x, slices of 3 mm along z; the first voxel at (7, 8, 9). */
+    private static final double[] TO_MM = {0, -2, 0, 7, 3, 0, 0, 8, 0, 0, 3, 9};
 
     private static final int SIDE = 20;
 
@@ -44,18 +44,24 @@ class EmptyLayersTest {
         return grid.box(label -> label > 0);
     }
 
+    private static void assertPlace(LabelGrid grid, int[] voxel, LabelGrid of, int[] same) {
+        double[] at = new double[3];
+        double[] was = new double[3];
+        grid.voxelToMm(voxel[0], voxel[1], voxel[2], at);
+        of.voxelToMm(same[0], same[1], same[2], was);
+        assertThat(at).containsExactly(was);
+    }
+
     /** A label above 255 takes two bytes. */
     @Test
     void aVolumeThatIsCroppedToAStructureDoesNotEndAtIt() {
         for (int label : new int[] {1, 300}) {
             LabelGrid whole = ball(label);
-            LabelGrid padded = EmptyLayers.beyond(whole);
+            LabelGrid padded = EmptyLayers.beyond(whole, false);
             assertThat(box(padded)).containsExactly(1, 1, 1, SIDE, SIDE, SIDE);
             assertThat(new int[] {padded.columns(), padded.rows(), padded.slices()})
                     .containsOnly(SIDE + 2);
-            double[] at = new double[3];
-            padded.voxelToMm(1, 1, 1, at);
-            assertThat(at).as("where the first voxel was").containsExactly(7, 8, 9);
+            assertPlace(padded, new int[] {1, 1, 1}, whole, new int[3]);
             assertThat(padded.counts()[label]).isEqualTo(whole.counts()[label]);
             for (int[] v : new int[][] {{0, 9, 9}, {9, 12, 3}, {19, 10, 9}, {1, 2, 3}}) {
                 assertThat(padded.label(v[0] + 1, v[1] + 1, v[2] + 1)).isEqualTo(whole.label(v[0], v[1], v[2]));
@@ -63,7 +69,7 @@ class EmptyLayersTest {
         }
     }
 
-    /** Each face alone, 4 layers into the ball: its last section has 0.81 of the area of the one two layers farther. */
+    /** Each face alone, 4 layers into the ball, whose last section has 0.87 of the area of the next one. */
     @Test
     void aFaceAtWhichAStructureIsCutThroughStaysOneOfTheScan() {
         for (int direction = 0; direction < 3; direction++) {
@@ -75,82 +81,112 @@ class EmptyLayersTest {
                 } else {
                     from[direction] = 4;
                 }
-                int[] box = box(EmptyLayers.beyond(part(1, from, to, EmptyLayersTest::isInBall)));
+                LabelGrid cut = part(1, from, to, EmptyLayersTest::isInBall);
+                LabelGrid padded = EmptyLayers.beyond(cut, false);
+                int[] box = box(padded);
                 for (int other = 0; other < 3; other++) {
                     boolean cutBefore = other == direction && !last;
                     assertThat(box[other]).isEqualTo(cutBefore ? 0 : 1);
                     int length = to[other] - from[other];
                     assertThat(box[3 + other]).isEqualTo(cutBefore ? length - 1 : length);
                 }
+                int sizes = padded.columns() + padded.rows() + padded.slices();
+                assertThat(sizes).isEqualTo(cut.columns() + cut.rows() + cut.slices() + 5);
+                assertPlace(padded, new int[] {box[0], box[1], box[2]}, cut, new int[3]);
             }
         }
     }
 
+    /**
+     * A volume of the whole field, in which a scan that ends 10 mm below the top of an organ leaves a small section.
+     */
+    @Test
+    void structuresAtTwoFacesDoNotShowThatAVolumeIsCropped() {
+        LabelGrid field = part(1, new int[] {-2, -2, 0}, new int[] {22, 22, SIDE}, EmptyLayersTest::isInBall);
+        assertThat(EmptyLayers.beyond(field, false)).isSameAs(field);
+        assertThat(EmptyLayers.beyond(field, true).slices())
+                .as("in a file that leaves out empty slices")
+                .isEqualTo(SIDE + 2);
+        LabelGrid oneEnd = part(1, new int[] {-2, -2, 0}, new int[] {22, 22, 22}, EmptyLayersTest::isInBall);
+        assertThat(EmptyLayers.beyond(oneEnd, true))
+                .as("it has an empty slice at the other end")
+                .isSameAs(oneEnd);
+    }
+
     @Test
     void aStructureThatIsCutThroughBesideOneThatEndsMakesTheFaceOneOfTheScan() {
-        Shape withColumn = (x, y, z) -> isInBall(x, y, z) || (x > 8 && y > 8);
-        LabelGrid grid = EmptyLayers.beyond(part(1, new int[3], new int[] {SIDE, SIDE, SIDE}, withColumn));
-        assertThat(box(grid)[2]).isOne();
-        short[] two = new short[SIDE * SIDE * SIDE];
         LabelGrid one = ball(1);
+        short[] two = new short[SIDE * SIDE * SIDE];
         for (int v = 0; v < two.length; v++) {
-            two[v] = (short) (v % SIDE > 17 && v / SIDE % SIDE > 17 ? 2 : one.label(v));
+            two[v] = (short) (v % SIDE > 13 && v / SIDE % SIDE > 13 ? 2 : one.label(v));
         }
-        LabelGrid padded = EmptyLayers.beyond(LabelGrid.of(SIDE, SIDE, SIDE, two, TO_MM));
+        LabelGrid padded = EmptyLayers.beyond(LabelGrid.of(SIDE, SIDE, SIDE, two, TO_MM), false);
         assertThat(padded.slices())
                 .as("a column of another label from end to end")
                 .isEqualTo(SIDE);
         assertThat(padded.columns()).as("whose flat side is there").isEqualTo(SIDE + 1);
     }
 
-    /** The arch of a rib of 8 voxels that the last layer touches over a quarter of its depth. */
+    /** The arch of a rib of 8 voxels that the last layer touches, and that ends at the other faces. */
     @Test
     void theArchOfARibEndsWhereItIsTouched() {
         Shape arch = (x, y, z) -> {
             double r = Math.hypot(x + 90.25, y);
             return r < 100 && r > 92 && Math.abs(z) < 5;
         };
-        LabelGrid whole = part(1, new int[] {-20, -40, 0}, new int[] {SIDE, 60, SIDE}, arch);
-        int[] box = box(whole);
-        LabelGrid cropped = part(1, new int[] {-20, -40, 0}, new int[] {box[3] - 19, 60, SIDE}, arch);
-        assertThat(EmptyLayers.beyond(cropped).columns()).isEqualTo(cropped.columns() + 1);
-        LabelGrid cut = part(1, new int[] {-20, -40, 0}, new int[] {box[3] - 22, 60, SIDE}, arch);
-        assertThat(EmptyLayers.beyond(cut).columns())
+        int[] from = {0, -60, 0};
+        int end = box(part(1, from, new int[] {30, 80, SIDE}, arch))[3] + 1;
+        LabelGrid cropped = part(1, from, new int[] {end, 80, SIDE}, arch);
+        assertThat(EmptyLayers.beyond(cropped, true).columns()).isEqualTo(cropped.columns() + 1);
+        LabelGrid cut = part(1, from, new int[] {end - 3, 80, SIDE}, arch);
+        assertThat(EmptyLayers.beyond(cut, true).columns())
                 .as("3 voxels of it missing")
                 .isEqualTo(cut.columns());
     }
 
-    /** Five slices, the first with some and the others with 100 voxels of a structure in the middle. */
-    private static LabelGrid stub(int first) {
-        byte[] labels = new byte[5 * SIDE * SIDE];
-        for (int k = 0; k < 5; k++) {
+    /** Slices with so many voxels of a structure in their middle. */
+    private static LabelGrid stack(int... voxels) {
+        byte[] labels = new byte[voxels.length * SIDE * SIDE];
+        for (int k = 0; k < voxels.length; k++) {
             int from = k * SIDE * SIDE + 7 * SIDE + 1;
-            for (int v = 0; v < (k == 0 ? first : 100); v++) {
+            for (int v = 0; v < voxels[k]; v++) {
                 labels[from + v % 18 + v / 18 * SIDE] = 1;
             }
         }
-        return LabelGrid.of(SIDE, SIDE, 5, labels, TO_MM);
+        return LabelGrid.of(SIDE, SIDE, voxels.length, labels, TO_MM);
     }
 
     @Test
-    void aStructureEndsWithUpToTwoThirdsOfItsSectionTwoLayersFartherIn() {
-        assertThat(EmptyLayers.beyond(stub(65)).slices()).isEqualTo(6);
-        assertThat(EmptyLayers.beyond(stub(66)).slices()).isEqualTo(5);
+    void aStructureEndsWithUpToThreeQuartersOfItsSectionInTheNextTwoLayers() {
+        assertThat(EmptyLayers.beyond(stack(75, 100, 80, 80, 80), true).slices())
+                .isEqualTo(6);
+        assertThat(EmptyLayers.beyond(stack(75, 80, 100, 80, 80), true).slices())
+                .isEqualTo(6);
+        assertThat(EmptyLayers.beyond(stack(76, 100, 100, 80, 80), true).slices())
+                .isEqualTo(5);
+        assertThat(EmptyLayers.beyond(stack(75, 80, 80, 100, 100), true).slices())
+                .isEqualTo(5);
     }
 
-    /** A rod of 9 voxels to the first slice and a plate of 90 in the last ones, as of a spinous process. */
+    /** 25 voxels of 6 mm^2. */
     @Test
-    void theTipOfAStructureEndsIt() {
-        for (int rod : new int[] {9, 10}) {
-            byte[] labels = new byte[10 * SIDE * SIDE];
-            for (int k = 0; k < 9; k++) {
-                int from = k * SIDE * SIDE + 7 * SIDE + 1;
-                for (int v = 0; v < (k < 5 ? rod : 90); v++) {
-                    labels[from + v % 18 + v / 18 * SIDE] = 1;
-                }
+    void aTipOfOneAndAHalfSquareCentimetresEndsAStructure() {
+        assertThat(EmptyLayers.beyond(stack(25, 25, 25, 90, 90), true).slices()).isEqualTo(6);
+        assertThat(EmptyLayers.beyond(stack(26, 26, 26, 90, 90), true).slices()).isEqualTo(5);
+    }
+
+    @Test
+    void aSpeckDoesNotMakeAFaceAnEndOfTheScan() {
+        for (int speck : new int[] {29, 30}) {
+            byte[] labels = new byte[3 * SIDE * SIDE];
+            for (int v = 0; v < 100; v++) {
+                labels[v % 10 + v / 10 * SIDE] = (byte) (v < 50 ? 1 : 0);
+                labels[SIDE * SIDE + v % 10 + v / 10 * SIDE] = 1;
+                labels[2 * SIDE * SIDE + v % 10 + v / 10 * SIDE] = (byte) (v < 50 ? 1 : 0);
             }
-            LabelGrid grid = LabelGrid.of(SIDE, SIDE, 10, labels, TO_MM);
-            assertThat(EmptyLayers.beyond(grid).slices()).isEqualTo(rod == 9 ? 11 : 10);
+            Arrays.fill(labels, 15 * SIDE, 15 * SIDE + speck, (byte) 2);
+            LabelGrid grid = LabelGrid.of(SIDE, SIDE, 3, labels, TO_MM);
+            assertThat(EmptyLayers.beyond(grid, true).slices()).isEqualTo(speck == 29 ? 5 : 4);
         }
     }
 
@@ -163,10 +199,10 @@ class EmptyLayersTest {
 
     @Test
     void facesThatNothingTouchesStayAsTheyAre() {
-        LabelGrid padded = EmptyLayers.beyond(ball(1));
-        assertThat(EmptyLayers.beyond(padded)).isSameAs(padded);
+        LabelGrid padded = EmptyLayers.beyond(ball(1), false);
+        assertThat(EmptyLayers.beyond(padded, true)).isSameAs(padded);
         LabelGrid empty = LabelGrid.of(SIDE, SIDE, SIDE, new byte[SIDE * SIDE * SIDE], TO_MM);
-        assertThat(EmptyLayers.beyond(empty)).isSameAs(empty);
+        assertThat(EmptyLayers.beyond(empty, true)).isSameAs(empty);
         LabelVolume volume = new LabelVolume(ball(1), Map.of(1, "liver"), List.of("a note"));
         LabelVolume whole = volume.withEmptyLayers();
         assertThat(Arrays.equals(box(whole.grid()), box(padded))).isTrue();
