@@ -1,5 +1,6 @@
 package org.phrenic.mesh.io.volume;
 
+import java.math.BigInteger;
 import java.util.Arrays;
 import java.util.function.IntConsumer;
 
@@ -12,6 +13,7 @@ final class ContourFill {
     private final int columns;
     private final int rows;
     private final boolean[] crossings;
+    private final boolean[] passed;
     private int firstRow;
     private int lastRow;
 
@@ -19,6 +21,7 @@ final class ContourFill {
         this.columns = columns;
         this.rows = rows;
         crossings = new boolean[Math.multiplyExact(columns, rows)];
+        passed = new boolean[crossings.length];
         clear();
     }
 
@@ -33,6 +36,35 @@ final class ContourFill {
         for (int c = 0; c < corners; c++) {
             int next = (c + 1) % corners;
             edge(xy[2 * c], xy[2 * c + 1], xy[2 * next], xy[2 * next + 1]);
+        }
+    }
+
+    /**
+     * Adds an outline through the centres of the outermost pixels of a structure, or of those around a hole in it: the
+     * points that it passes are inside as well.
+     *
+     * @param xy columns and rows of its corners in turn, whole numbers
+     */
+    void addThroughPoints(double[] xy) {
+        add(xy);
+        int corners = xy.length / 2;
+        for (int c = 0; c < corners; c++) {
+            int next = (c + 1) % corners;
+            pass((int) xy[2 * c], (int) xy[2 * c + 1], (int) xy[2 * next], (int) xy[2 * next + 1]);
+        }
+    }
+
+    private void pass(int x1, int y1, int x2, int y2) {
+        int steps = Math.max(
+                1, BigInteger.valueOf(x2 - x1).gcd(BigInteger.valueOf(y2 - y1)).intValue());
+        for (int step = 0; step < steps; step++) {
+            int column = x1 + (x2 - x1) / steps * step;
+            int row = y1 + (y2 - y1) / steps * step;
+            if (column >= 0 && column < columns && row >= 0 && row < rows) {
+                passed[column + columns * row] = true;
+                firstRow = Math.min(firstRow, row);
+                lastRow = Math.max(lastRow, row);
+            }
         }
     }
 
@@ -56,11 +88,12 @@ final class ContourFill {
             boolean in = false;
             for (int n = columns * row; n < columns * (row + 1); n++) {
                 in ^= crossings[n];
-                if (in) {
+                if (in || passed[n]) {
                     inside.accept(n);
                 }
             }
             Arrays.fill(crossings, columns * row, columns * (row + 1), false);
+            Arrays.fill(passed, columns * row, columns * (row + 1), false);
         }
         clear();
     }

@@ -107,8 +107,9 @@ final class ContourGrid {
         double[] u = range(along);
         double[] v = range(down);
         spacing = Math.max(VOXEL, Math.max(u[1] - u[0], v[1] - v[0]) / MAX_VOXELS);
-        double left = spacing * (Math.floor(u[0] / spacing) - 1);
-        double top = spacing * (Math.floor(v[0] / spacing) - 1);
+        // Contours at whole millimetres run between the centres of voxels.
+        double left = spacing * (Math.floor(u[0] / spacing) - 0.5);
+        double top = spacing * (Math.floor(v[0] / spacing) - 0.5);
         List<FramePlane> planes = new ArrayList<>();
         for (double[] points : contours) {
             double height = dot(normal, points, 0);

@@ -1,6 +1,7 @@
 package org.phrenic.mesh.io.volume;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -11,15 +12,19 @@ import org.phrenic.mesh.Vectors;
 /**
  * The voxels of a region that is drawn by closed contours in slices. Slices between contoured ones get the shape
  * between their neighbours' ({@link ShapeInterpolation}), where the gap is no wider than {@value #MAX_GAP_MM} mm nor
- * than twice the usual one of the region, and the neighbours overlap.
+ * than twice the usual one of the region, and the neighbours overlap. Where all corners are centres of voxels, contours
+ * are outlines of a mask, as OpenCV finds them: they run through its outermost pixels, which are in the region.
  */
 final class ContouredRegion implements LabelPainter.Voxels {
     /** Widest gap between contours of one structure, mm. */
     private static final double MAX_GAP_MM = 15;
+    /** Numbers of the corners of a contour that has an area, at least. */
+    private static final int AREA = 6;
 
     private final SliceGrid grid;
     private final ContourFill fill;
     private final TreeMap<Integer, List<double[]>> bySlice;
+    private final boolean isMask;
     private final double widest;
     private int slicesBetween;
 
@@ -28,6 +33,15 @@ final class ContouredRegion implements LabelPainter.Voxels {
         this.grid = grid;
         this.fill = fill;
         this.bySlice = new TreeMap<>(bySlice);
+        isMask = bySlice.values().stream()
+                .flatMap(List::stream)
+                .flatMapToDouble(Arrays::stream)
+                .allMatch(corner -> corner == Math.rint(corner));
+        if (!isMask) {
+            this.bySlice.replaceAll((slice, contours) ->
+                    contours.stream().filter(corners -> corners.length >= AREA).toList());
+            this.bySlice.values().removeIf(List::isEmpty);
+        }
         List<Integer> gaps = new ArrayList<>();
         for (int slice : this.bySlice.keySet()) {
             Integer next = this.bySlice.higherKey(slice);
@@ -38,6 +52,11 @@ final class ContouredRegion implements LabelPainter.Voxels {
         gaps.sort(null);
         double usual = gaps.isEmpty() ? 0 : gaps.get(gaps.size() / 2);
         widest = Math.min(2 * usual, MAX_GAP_MM / Vectors.length(grid.axes().steps()[2]));
+    }
+
+    /** Whether contours run through the outermost voxels of the region. */
+    boolean isMask() {
+        return isMask;
     }
 
     /** Number of slices between contoured ones that the last {@link #forEach} filled. */
@@ -71,7 +90,7 @@ final class ContouredRegion implements LabelPainter.Voxels {
 
     private IntList filled(int slice) {
         IntList pixels = new IntList();
-        bySlice.get(slice).forEach(fill::add);
+        bySlice.get(slice).forEach(isMask ? fill::addThroughPoints : fill::add);
         fill.flush(pixels::add);
         return pixels;
     }

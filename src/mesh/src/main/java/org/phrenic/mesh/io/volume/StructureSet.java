@@ -22,6 +22,10 @@ import org.phrenic.mesh.voxel.LabelGrid;
 final class StructureSet {
     /** Greatest distance of a contour's points from their slice, in slices. */
     private static final double OFF = 0.25;
+    /** Corners nearer to the centre of a voxel are on it, in voxels: files round to a hundredth of a millimetre. */
+    private static final double ROUNDING = 0.02;
+    /** Numbers of the points of a contour that has an area, at least. */
+    private static final int AREA = 9;
 
     private final DicomDataSet set;
     private final Map<Integer, String> names = new TreeMap<>();
@@ -49,6 +53,7 @@ final class StructureSet {
         ContourFill fill = new ContourFill(grid.columns(), grid.rows());
         Set<Integer> filled = new HashSet<>();
         List<String> between = new ArrayList<>();
+        List<String> masks = new ArrayList<>();
         List<String> small = new ArrayList<>();
         contours.forEach((number, closed) -> {
             Map<Integer, List<double[]>> bySlice = bySlice(grid, number, closed);
@@ -62,12 +67,20 @@ final class StructureSet {
                 if (region.slicesBetween() > 0) {
                     between.add(name(number));
                 }
+                if (region.isMask()) {
+                    masks.add(name(number));
+                }
             }
         });
         requireFilled(filled, small);
         if (!between.isEmpty()) {
             notes.add("slices between contoured ones have the shape between their neighbours': "
                     + String.join(", ", between));
+        }
+        if (!masks.isEmpty()) {
+            notes.add(
+                    "contours through the centres of voxels were taken for outlines of masks, which hold these voxels: "
+                            + String.join(", ", masks));
         }
         LabelGrid labels = painter.grid(grid.axes().affine(set.file()), notes);
         names.keySet().retainAll(filled);
@@ -121,9 +134,7 @@ final class StructureSet {
                     throw contour.badInput(
                             DicomTag.CONTOUR_DATA, "found " + points.length + " numbers, expected three a point");
                 }
-                if (points.length >= 9) {
-                    contours.computeIfAbsent(number, none -> new ArrayList<>()).add(points);
-                }
+                contours.computeIfAbsent(number, none -> new ArrayList<>()).add(points);
             }
         }
         if (other > 0) {
@@ -173,6 +184,8 @@ final class StructureSet {
     }
 
     private SliceGrid ownGrid() {
+        contours.values().forEach(closed -> closed.removeIf(points -> points.length < AREA));
+        contours.values().removeIf(List::isEmpty);
         ContourGrid own = new ContourGrid(set.file(), contours.values());
         notes.add(own.note());
         return own.grid();
@@ -196,8 +209,8 @@ final class StructureSet {
             boolean within = slice >= 0 && slice < grid.slices();
             boolean whole = within;
             for (int c = 0; c < corners.length / 2; c++) {
-                corners[2 * c] = grid.index(0, points[3 * c], points[3 * c + 1], points[3 * c + 2]);
-                corners[2 * c + 1] = grid.index(1, points[3 * c], points[3 * c + 1], points[3 * c + 2]);
+                corners[2 * c] = snapped(grid.index(0, points[3 * c], points[3 * c + 1], points[3 * c + 2]));
+                corners[2 * c + 1] = snapped(grid.index(1, points[3 * c], points[3 * c + 1], points[3 * c + 2]));
                 whole &= isOn(corners[2 * c], grid.columns()) && isOn(corners[2 * c + 1], grid.rows());
             }
             if (within) {
@@ -244,6 +257,12 @@ final class StructureSet {
             }
         }
         return true;
+    }
+
+    /** A coordinate, which is whole where it is one but for rounding. */
+    private static double snapped(double index) {
+        double whole = Math.rint(index);
+        return Math.abs(index - whole) <= ROUNDING ? whole : index;
     }
 
     /** Whether a coordinate lies among voxels, or within one of them. */

@@ -108,6 +108,19 @@ class DicomVolumeTest {
         assertThat(volume.names()).isEqualTo(Map.of(1, "liver", 2, "cyst", 5, "Milz ä"));
     }
 
+    /** OpenCV's outlines of masks with lines, dots, holes and frames within frames, as rt-utils writes them. */
+    @Test
+    void outlinesThroughPixelsGiveBackTheirMasks() {
+        LabelVolume volume = LabelVolumeFiles.read(resource("ct/contours_pixels.dcm"));
+        assertIsTwin(volume, "scattered_twin.nii.gz");
+        assertThat(volume.notes())
+                .containsExactly("contours through the centres of voxels were taken for outlines of masks, which hold"
+                        + " these voxels: liver, cyst, Milz ä");
+        assertThat(LabelVolumeFiles.read(resource("ct/contours.dcm")).notes())
+                .as("outlines along the edges of pixels")
+                .noneMatch(note -> note.contains("outlines of masks"));
+    }
+
     @Test
     void theSeriesIsFoundBesideAFolderOfDamagedFilesButHasToBeWholeItself() throws IOException {
         Path contours = Files.copy(resource("ct/contours.dcm"), folder.resolve("contours.dcm"));

@@ -1,6 +1,7 @@
 """Writes the volumes of this folder: small labels and images in the formats of several programs.
 
-    pip install numpy pydicom==3.0.2 highdicom==0.28.2 nibabel==5.4.2 pynrrd==1.1.3 SimpleITK==2.5.7
+    pip install numpy pydicom==3.0.2 highdicom==0.28.2 nibabel==5.4.2 pynrrd==1.1.3 SimpleITK==2.5.7 \
+        opencv-python-headless==5.0.0.93
     python make_fixtures.py
 
 Each file NAME has a twin NIfTI file, written by nibabel or SimpleITK, with the labels or values that a reader has to
@@ -8,6 +9,7 @@ give. All volumes lie obliquely: 8 columns, 7 rows and 6 slices of 2 x 1.5 x 3 m
 """
 import os
 
+import cv2
 import highdicom as hd
 import nibabel as nib
 import nrrd
@@ -186,13 +188,28 @@ def outline(mask):
     return polygons
 
 
+def pixel_outline(mask):
+    """Outlines through the centres of the outermost pixels, as rt-utils (so TotalSegmentator) writes them."""
+    found, _ = cv2.findContours(mask.T.astype(np.uint8), cv2.RETR_TREE, cv2.CHAIN_APPROX_SIMPLE)
+    return [[(int(i), int(j)) for i, j in polygon[:, 0]] for polygon in found]
+
+
+def scattered():
+    """Masks by label: pixels at random in four slices, so lines, dots and holes; in two, frames within frames."""
+    labels = np.random.default_rng(11).choice([0, 1, 2, 5], (COLUMNS, ROWS, SLICES), p=[0.35, 0.35, 0.2, 0.1])
+    i, j = np.indices((COLUMNS, ROWS))
+    depth = np.minimum.reduce([i, COLUMNS - 1 - i, j, ROWS - 1 - j])
+    labels[:, :, 4:] = np.array([1, 2, 1, 5])[depth][:, :, None]
+    return {n: labels == n for n in (1, 2, 5)}
+
+
 def keyhole(polygons):
     """One polygon of an outer one and a hole, joined by a cut that is passed twice."""
     outer, hole = sorted(polygons, key=lambda p: -np.ptp(np.array(p), axis=0).prod())
     return [outer + [outer[0]] + hole + [hole[0]]]
 
 
-def structure_set(images, name, masks, syntax=ImplicitVRLittleEndian, across=()):
+def structure_set(images, name, masks, syntax=ImplicitVRLittleEndian, across=(), draw=outline):
     """`across`: a polygon of the first region that lies in no slice, as a list of (i, j, k)."""
     d = Dataset()
     d.file_meta = FileMetaDataset()
@@ -217,8 +234,8 @@ def structure_set(images, name, masks, syntax=ImplicitVRLittleEndian, across=())
         regions.append(region)
         drawn = [across] if across and not contoured else []
         for k in range(SLICES):
-            polygons = outline(mask[:, :, k])
-            if len(polygons) == 2 and k == 3:
+            polygons = draw(mask[:, :, k])
+            if len(polygons) == 2 and k == 3 and draw is outline:
                 polygons = keyhole(polygons)
             drawn += [[(i, j, k) for i, j in polygon] for polygon in polygons]
         contours = []
@@ -290,6 +307,8 @@ def main():
     sparse = np.zeros_like(masks[1])
     sparse[1:7, 1:6, 0:5:2] = True
     structure_set(images, "ct/contours_sparse.dcm", {1: sparse}, across=[(3, 1, 0), (3, 5, 0), (3, 5, 4), (3, 1, 4)])
+    structure_set(images, "ct/contours_pixels.dcm", scattered(), draw=pixel_outline)
+    twin("scattered_twin.nii.gz", merged(scattered()))
     layers("overlapping.seg.nrrd", masks)
     phases()
 
