@@ -119,30 +119,51 @@ final class NiftiReader {
         };
     }
 
+    private double millimetres() {
+        return switch (header.units() & 7) {
+            case 1 -> 1000;
+            case 3 -> 1e-3;
+            default -> 1;
+        };
+    }
+
     private VolumeAxes axes() {
-        double mm =
-                switch (header.units() & 7) {
-                    case 1 -> 1000;
-                    case 3 -> 1e-3;
-                    default -> 1;
-                };
+        double mm = millimetres();
         VolumeAxes axes;
         if (header.sformCode() > 0 && header.qformCode() > 0 && sform().smallestSpacing() == 0) {
             notes.add("the sform is zero: the qform was taken");
-            axes = qform();
-        } else if (header.sformCode() > 0) {
+            axes = spacedQform();
+        } else if (header.sformCode() > 0 && !sform().areZero()) {
             axes = sform();
             if (header.qformCode() > 0) {
                 compareForms(axes, mm);
             }
         } else if (header.qformCode() > 0) {
-            axes = qform();
+            axes = spacedQform();
         } else {
             notes.add("neither sform nor qform is set: columns were taken to run to the right, rows to the front,"
                     + " slices up");
-            axes = VolumeAxes.axisAligned(header.pixel(1), header.pixel(2), header.pixel(3));
+            noteSpacing();
+            axes = VolumeAxes.axisAligned(spacing(1), spacing(2), spacing(3));
         }
         return axes.scaled(mm, mm, mm);
+    }
+
+    private VolumeAxes spacedQform() {
+        noteSpacing();
+        return qform();
+    }
+
+    private void noteSpacing() {
+        if (header.pixel(1) == 0 || header.pixel(2) == 0 || header.pixel(3) == 0) {
+            notes.add("no spacing: voxels were taken to be 1 mm wide");
+        }
+    }
+
+    /** The spacing along a dimension, 1 mm where none is stated. */
+    private double spacing(int dimension) {
+        double stated = header.pixel(dimension);
+        return stated == 0 ? 1 / millimetres() : stated;
     }
 
     /** Says in a note how far the qform places voxels from where the sform does, if by half a voxel or more. */
@@ -178,9 +199,9 @@ final class NiftiReader {
         b *= scale;
         c *= scale;
         d *= scale;
-        double dz = header.pixel(0) < 0 ? -header.pixel(3) : header.pixel(3);
-        double dx = header.pixel(1);
-        double dy = header.pixel(2);
+        double dz = header.pixel(0) < 0 ? -spacing(3) : spacing(3);
+        double dx = spacing(1);
+        double dy = spacing(2);
         double[][] steps = {
             {dx * (a * a + b * b - c * c - d * d), dx * 2 * (b * c + a * d), dx * 2 * (b * d - a * c)},
             {dy * 2 * (b * c - a * d), dy * (a * a + c * c - b * b - d * d), dy * 2 * (c * d + a * b)},

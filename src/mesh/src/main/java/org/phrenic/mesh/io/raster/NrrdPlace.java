@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 
 /**
@@ -87,8 +86,8 @@ record NrrdPlace(VolumeHeader header) {
     private VolumeAxes spaced(int[] axes, List<String> notes) {
         notes.add("no space directions: columns were taken to run to the left, rows to the back, slices up");
         if (!header.has(SPACINGS)) {
-            throw new BadInputException(
-                    header.file() + ": found neither 'space directions' nor 'spacings', expected the size of a voxel");
+            notes.add("no spacings: voxels were taken to be 1 mm wide");
+            return VolumeAxes.axisAligned(1, 1, 1);
         }
         String[] words = header.text(SPACINGS).split("\\s+", -1);
         double[] spacings = millimetres("units", axes, notes);

@@ -46,6 +46,11 @@ public record VolumeAxes(double[][] steps, double[] origin) {
         return Arrays.stream(steps).mapToDouble(Vectors::length).min().orElseThrow();
     }
 
+    /** Whether all steps are 0, as where a file states none. */
+    boolean areZero() {
+        return Arrays.stream(steps).allMatch(step -> Vectors.length(step) == 0);
+    }
+
     /** Greatest distance of the corners of a volume of these sizes from where {@code other} has them. */
     double farthest(VolumeAxes other, int[] sizes) {
         double farthest = 0;

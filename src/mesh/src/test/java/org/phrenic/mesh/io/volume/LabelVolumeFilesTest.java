@@ -10,6 +10,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -147,6 +148,46 @@ class LabelVolumeFilesTest {
         }));
         assertThat(volume.notes()).containsExactly("the sform is zero: the qform was taken");
         assertThat(volume.grid().spacing(0)).isCloseTo(2, within(SINGLE_MM));
+    }
+
+    private static void clear(ByteBuffer header, int from, int to) {
+        for (int at = from; at < to; at += Float.BYTES) {
+            header.putFloat(at, 0);
+        }
+    }
+
+    /** So that a spacing that is stated apart from the file has something to replace. */
+    @Test
+    void withoutASpacingVoxelsAreTakenToBe1MmWideWithANote() {
+        String nrrd = VolumeSamples.nrrd("uchar", "raw")
+                .replace("space: right-anterior-superior\n", "")
+                .replace("space directions: (-2,0,0) (0,3,0) (0,0,4)\n", "")
+                .replace("space origin: (10,20,30)\n", "");
+        Map<String, byte[]> files = Map.of(
+                "spaceless.nrrd",
+                VolumeSamples.join(nrrd + "\n", VolumeSamples.voxels(2, LITTLE, 1)),
+                "no-form.nii",
+                VolumeSamples.nifti(2, LITTLE, h -> {
+                    h.putShort(254, (short) 0);
+                    clear(h, 80, 92);
+                }),
+                "qform-in-metres.nii",
+                VolumeSamples.nifti(2, LITTLE, h -> {
+                    h.putShort(254, (short) 0);
+                    h.putShort(252, (short) 1);
+                    h.put(123, (byte) 1);
+                    clear(h, 80, 92);
+                }));
+        files.forEach((name, file) -> {
+            LabelVolume volume = read(name, file);
+            assertThat(volume.notes()).as(name).anyMatch(note -> note.contains("taken to be 1 mm wide"));
+            for (int direction = 0; direction < 3; direction++) {
+                assertThat(volume.grid().spacing(direction)).as(name).isCloseTo(1, within(SINGLE_MM));
+            }
+        });
+        LabelVolume zero = read("zero-sform.nii", VolumeSamples.nifti(2, LITTLE, h -> clear(h, 280, 328)));
+        assertThat(zero.notes()).singleElement().asString().contains("neither sform nor qform");
+        assertThat(zero.grid().spacing(1)).as("pixdim").isCloseTo(3, within(SINGLE_MM));
     }
 
     /** A mask of 0 and 1 that is stored as 0 and 255; half of 255 is no label. */
