@@ -1,8 +1,11 @@
 package org.phrenic.mesh.io.volume;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.dicom.FramePlane;
@@ -16,6 +19,11 @@ final class ContourGrid {
     private static final double OFF_PLANE = 0.1;
     /** Contours whose normals are held against all contours. */
     private static final int CANDIDATES = 8;
+
+    /** Least distance of slices that contours unevenly apart have in common, mm. */
+    private static final double MIN_STEP = 0.5;
+    /** Greatest distance of a plane from its slice, in steps. */
+    private static final double OFF_STEP = 0.1;
 
     private static final double VOXEL = 1;
     private static final int MAX_VOXELS = 500;
@@ -110,6 +118,7 @@ final class ContourGrid {
         // Contours at whole millimetres run between the centres of voxels.
         double left = spacing * (Math.floor(u[0] / spacing) - 0.5);
         double top = spacing * (Math.floor(v[0] / spacing) - 0.5);
+        double between = commonStep();
         List<FramePlane> planes = new ArrayList<>();
         for (double[] points : contours) {
             double height = dot(normal, points, 0);
@@ -117,12 +126,36 @@ final class ContourGrid {
             for (int row = 0; row < 3; row++) {
                 corner[row] = left * along[row] + top * down[row] + height * normal[row];
             }
-            planes.add(new FramePlane(corner, along, down, spacing, spacing, Double.NaN, Double.NaN));
+            planes.add(new FramePlane(corner, along, down, spacing, spacing, between, Double.NaN));
         }
         PlaneStack stack = new PlaneStack(file, planes, true);
         int columns = (int) Math.ceil((u[1] - left) / spacing) + 2;
         int rows = (int) Math.ceil((v[1] - top) / spacing) + 2;
         return new SliceGrid(columns, rows, stack.slices(), stack.axes());
+    }
+
+    /**
+     * The distance of slices of which all gaps between planes are multiples, where these are no multiples of the
+     * smallest one, as with contours 3 mm apart in a target and 5 mm elsewhere; NaN where they are, or if there is
+     * none.
+     */
+    private double commonStep() {
+        double[] heights = contours.stream()
+                .mapToDouble(points -> dot(normal, points, 0))
+                .sorted()
+                .toArray();
+        double[] gaps = IntStream.range(1, heights.length)
+                .mapToDouble(i -> heights[i] - heights[i - 1])
+                .filter(gap -> gap > OFF_PLANE)
+                .toArray();
+        double smallest = Arrays.stream(gaps).min().orElse(0);
+        for (int parts = 1; smallest / parts >= MIN_STEP; parts++) {
+            double step = smallest / parts;
+            if (Arrays.stream(gaps).allMatch(gap -> Math.abs(gap / step - Math.rint(gap / step)) <= OFF_STEP)) {
+                return parts == 1 ? Double.NaN : step;
+            }
+        }
+        return Double.NaN;
     }
 
     private double[] range(double[] direction) {
@@ -141,11 +174,15 @@ final class ContourGrid {
         return range;
     }
 
-    /** What was assumed, one sentence. */
-    String note() {
-        return Numbers.format(
-                "the series of the contours is not in their folder or one in it: they were filled in voxels of %.2g mm"
-                        + " in their own planes",
-                spacing);
+    /**
+     * What was assumed, one sentence.
+     *
+     * @param problem why slices beside the contours are of no use
+     */
+    String note(Optional<String> problem) {
+        return "the series of the contours "
+                + (problem.isEmpty() ? "is not in their folder or one in it" : "is of no use")
+                + Numbers.format(": they were filled in voxels of %.2g mm in their own planes", spacing)
+                + problem.map(why -> " (" + why + ")").orElse("");
     }
 }

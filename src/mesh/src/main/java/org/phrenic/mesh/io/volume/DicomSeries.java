@@ -4,8 +4,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
@@ -77,44 +79,75 @@ final class DicomSeries {
     }
 
     /**
-     * The grid of the series with one of these identifiers, if the folder or one in it holds it. Folders in it that
-     * hold other things than the series may be damaged or not readable.
+     * The grids of the series with these identifiers in a folder, or in those in it.
+     *
+     * @param problems why other slices of such series, or those in the folder, are of no use
      */
-    static Optional<SliceGrid> find(Path folder, Set<String> series) {
-        List<Slice> beside = slices(folder, series);
-        if (!beside.isEmpty()) {
-            return Optional.of(grid(folder.toString(), beside));
+    record Found(List<SliceGrid> grids, List<String> problems) {
+        private Found() {
+            this(new ArrayList<>(), new ArrayList<>());
         }
-        for (Path inner : list(folder)) {
-            List<Slice> slices = Files.isDirectory(inner) ? slicesWithin(inner, series) : List.of();
-            if (!slices.isEmpty()) {
-                return Optional.of(grid(inner.toString(), slices));
+
+        private int count() {
+            return grids.size() + problems.size();
+        }
+
+        private void add(Path folder, Set<String> wanted) {
+            Map<String, List<Slice>> bySeries = new TreeMap<>();
+            List<String> damaged = new ArrayList<>();
+            for (Path path : list(folder)) {
+                try {
+                    slice(path, wanted)
+                            .ifPresent(slice -> bySeries.computeIfAbsent(slice.series(), none -> new ArrayList<>())
+                                    .add(slice));
+                } catch (BadInputException unreadable) {
+                    damaged.add(unreadable.getMessage());
+                }
+            }
+            if (!damaged.isEmpty() && !bySeries.isEmpty()) {
+                problems.add(damaged.get(0));
+                return;
+            }
+            for (List<Slice> slices : bySeries.values()) {
+                try {
+                    SliceGrid grid = grid(folder.toString(), slices);
+                    grid.axes().affine(folder.toString());
+                    grids.add(grid);
+                } catch (BadInputException noGrid) {
+                    problems.add(noGrid.getMessage());
+                }
             }
         }
-        return Optional.empty();
     }
 
     /**
-     * The slices in a folder, of the named series; a file that cannot be read is refused beside slices of the series.
+     * Looks for series, whatever else lies beside them: it may be damaged or not readable, unless it lies among slices
+     * of these series, of which it may be one.
      */
-    private static List<Slice> slicesWithin(Path folder, Set<String> wanted) {
-        List<Slice> slices = new ArrayList<>();
-        List<BadInputException> problems = new ArrayList<>();
+    static Found find(Path folder, Set<String> series) {
+        Found found = new Found();
         try {
-            for (Path path : list(folder)) {
-                try {
-                    slice(path, wanted).ifPresent(slices::add);
-                } catch (BadInputException damaged) {
-                    problems.add(damaged);
+            found.add(folder, series);
+            if (found.count() > 0) {
+                return found;
+            }
+            for (Path inner : list(folder)) {
+                if (found.count() < series.size() && Files.isDirectory(inner)) {
+                    addInner(found, inner, series);
                 }
             }
         } catch (BadInputException unreadable) {
-            return List.of();
+            found.problems().add(unreadable.getMessage());
         }
-        if (!slices.isEmpty() && !problems.isEmpty()) {
-            throw problems.get(0);
+        return found;
+    }
+
+    private static void addInner(Found found, Path inner, Set<String> series) {
+        try {
+            found.add(inner, series);
+        } catch (BadInputException unreadable) {
+            // A folder that is not the series'.
         }
-        return slices;
     }
 
     private static List<Path> list(Path folder) {

@@ -31,6 +31,7 @@ final class StructureSet {
     private final Map<Integer, String> names = new TreeMap<>();
     private final Map<Integer, List<double[]>> contours = new TreeMap<>();
     private final List<String> notes = new ArrayList<>();
+    private final List<String> problems = new ArrayList<>();
 
     private StructureSet(DicomDataSet set) {
         this.set = set;
@@ -167,7 +168,10 @@ final class StructureSet {
         }
     }
 
-    /** The grid of the series to which the contours refer; empty if it does not lie beside them. */
+    /**
+     * The grid of the series to which the contours refer, of several that of which slices hold most contours; empty if
+     * none that can be used lies beside them.
+     */
     private Optional<SliceGrid> series(Path path) {
         Set<String> series = new HashSet<>();
         for (DicomDataSet frame : set.items(DicomTag.REFERENCED_FRAME_OF_REFERENCE_SEQUENCE)) {
@@ -178,17 +182,38 @@ final class StructureSet {
             }
         }
         series.remove("");
-        return series.isEmpty()
-                ? Optional.empty()
-                : DicomSeries.find(path.toAbsolutePath().getParent(), series);
+        if (series.isEmpty()) {
+            return Optional.empty();
+        }
+        DicomSeries.Found found = DicomSeries.find(path.toAbsolutePath().getParent(), series);
+        problems.addAll(found.problems());
+        SliceGrid best = null;
+        long most = -1;
+        for (SliceGrid grid : found.grids()) {
+            long held = contours.values().stream()
+                    .flatMap(List::stream)
+                    .filter(points -> isHeld(grid, points))
+                    .count();
+            if (held > most) {
+                most = held;
+                best = grid;
+            }
+        }
+        return Optional.ofNullable(best);
+    }
+
+    private static boolean isHeld(SliceGrid grid, double[] points) {
+        double slice = Math.rint(grid.index(2, points[0], points[1], points[2]));
+        return slice >= 0 && slice < grid.slices() && isInSlice(grid, slice, points);
     }
 
     private SliceGrid ownGrid() {
         contours.values().forEach(closed -> closed.removeIf(points -> points.length < AREA));
         contours.values().removeIf(List::isEmpty);
         ContourGrid own = new ContourGrid(set.file(), contours.values());
-        notes.add(own.note());
-        return own.grid();
+        SliceGrid grid = own.grid();
+        notes.add(own.note(problems.stream().findFirst()));
+        return grid;
     }
 
     /**

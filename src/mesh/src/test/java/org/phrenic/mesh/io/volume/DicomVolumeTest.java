@@ -121,20 +121,61 @@ class DicomVolumeTest {
                 .noneMatch(note -> note.contains("outlines of masks"));
     }
 
+    private static byte[] half(String name) throws IOException {
+        return Arrays.copyOf(Files.readAllBytes(resource(name)), 300);
+    }
+
+    /** What of the series cannot be read may be one of its slices. */
     @Test
-    void theSeriesIsFoundBesideAFolderOfDamagedFilesButHasToBeWholeItself() throws IOException {
+    void theSeriesIsFoundBesideDamagedFilesButHasToBeWholeItself() throws IOException {
         Path contours = Files.copy(resource("ct/contours.dcm"), folder.resolve("contours.dcm"));
         Path images = Files.createDirectory(folder.resolve("images"));
         for (int slice = 0; slice < 6; slice++) {
             Files.copy(resource("ct/IM" + slice + ".dcm"), images.resolve("IM" + slice + ".dcm"));
         }
-        byte[] half = Arrays.copyOf(Files.readAllBytes(resource("ct/IM0.dcm")), 300);
+        byte[] half = half("ct/IM0.dcm");
         Files.write(Files.createDirectory(folder.resolve("backup")).resolve("IM0.dcm"), half);
+        Files.write(folder.resolve("half.dcm"), half);
         assertIsTwin(LabelVolumeFiles.read(contours), "regions_twin.nii.gz");
         Files.write(images.resolve("IM0.dcm"), half);
-        assertThatThrownBy(() -> LabelVolumeFiles.read(contours))
-                .isInstanceOf(BadInputException.class)
-                .hasMessageContaining(images.resolve("IM0.dcm").toString());
+        assertHasOwnGrid(
+                LabelVolumeFiles.read(contours), images.resolve("IM0.dcm").toString());
+    }
+
+    private static void assertHasOwnGrid(LabelVolume volume, String reason) {
+        assertThat(volume.grid().spacing(0)).isCloseTo(1, within(1e-12));
+        assertThat(volume.names().values()).contains("liver", "Milz ä");
+        assertThat(volume.notes())
+                .anyMatch(note -> note.startsWith("the series of the contours is of no use: they were filled in voxels"
+                                + " of 1.0 mm in their own planes (")
+                        && note.contains(reason));
+    }
+
+    @Test
+    void besideASeriesWithoutAGridContoursHaveTheirOwn() throws IOException {
+        Path contours = Files.copy(resource("ct/contours.dcm"), copyOfSeries().resolve("contours.dcm"));
+        assertIsTwin(LabelVolumeFiles.read(contours), "regions_twin.nii.gz");
+        Path second = folder.resolve("IM1.dcm");
+        Path twice = Files.copy(second, folder.resolve("twice.dcm"));
+        assertHasOwnGrid(LabelVolumeFiles.read(contours), "7 slices at 6 places");
+        Files.delete(twice);
+        Files.delete(second);
+        assertHasOwnGrid(LabelVolumeFiles.read(contours), "unevenly apart or missing");
+    }
+
+    /** The other series has two slices of the same place, and comes first by its identifier. */
+    @Test
+    void ofTwoSeriesTheOneThatHoldsMostContoursIsTaken() throws IOException {
+        Path contours =
+                Files.copy(resource("contours_of_two.dcm"), copyOfSeries().resolve("contours.dcm"));
+        for (String slice : List.of("IM2.dcm", "IM1.dcm")) {
+            String text = Files.readString(resource("ct/" + slice), StandardCharsets.ISO_8859_1);
+            Files.writeString(
+                    folder.resolve("other-" + slice),
+                    text.replace("8.498.1.2\0", "8.498.1.0\0"),
+                    StandardCharsets.ISO_8859_1);
+        }
+        assertIsTwin(LabelVolumeFiles.read(contours), "regions_twin.nii.gz");
     }
 
     /** The liver is drawn on slices 0 to 4; without slice 0 in the folder its contour there has no voxels. */

@@ -209,7 +209,7 @@ def keyhole(polygons):
     return [outer + [outer[0]] + hole + [hole[0]]]
 
 
-def structure_set(images, name, masks, syntax=ImplicitVRLittleEndian, across=(), draw=outline):
+def structure_set(images, name, masks, syntax=ImplicitVRLittleEndian, across=(), draw=outline, refers=(SERIES,)):
     """`across`: a polygon of the first region that lies in no slice, as a list of (i, j, k)."""
     d = Dataset()
     d.file_meta = FileMetaDataset()
@@ -219,10 +219,11 @@ def structure_set(images, name, masks, syntax=ImplicitVRLittleEndian, across=(),
     d.PatientID = d.PatientName = "phantom"
     d.StudyInstanceUID, d.SeriesInstanceUID, d.Modality = ROOT + ".1", ROOT + ".5", "RTSTRUCT"
     d.SpecificCharacterSet = "ISO_IR 192"
-    series = Dataset()
-    series.SeriesInstanceUID = SERIES
+    series = [Dataset() for _ in refers]
+    for one, uid in zip(series, refers):
+        one.SeriesInstanceUID = uid
     study = Dataset()
-    study.RTReferencedSeriesSequence = Sequence([series])
+    study.RTReferencedSeriesSequence = Sequence(series)
     frame = Dataset()
     frame.FrameOfReferenceUID = ROOT + ".3"
     frame.RTReferencedStudySequence = Sequence([study])
@@ -307,6 +308,7 @@ def main():
     sparse = np.zeros_like(masks[1])
     sparse[1:7, 1:6, 0:5:2] = True
     structure_set(images, "ct/contours_sparse.dcm", {1: sparse}, across=[(3, 1, 0), (3, 5, 0), (3, 5, 4), (3, 1, 4)])
+    structure_set(images, "contours_of_two.dcm", masks, refers=(ROOT + ".0", SERIES))
     structure_set(images, "ct/contours_pixels.dcm", scattered(), draw=pixel_outline)
     twin("scattered_twin.nii.gz", merged(scattered()))
     layers("overlapping.seg.nrrd", masks)
