@@ -126,7 +126,9 @@ final class StructureSet {
         for (DicomDataSet region : set.items(DicomTag.ROI_CONTOUR_SEQUENCE)) {
             int number = region.whole(DicomTag.REFERENCED_ROI_NUMBER, Integer.MIN_VALUE, Integer.MAX_VALUE);
             for (DicomDataSet contour : region.items(DicomTag.CONTOUR_SEQUENCE)) {
-                if (!contour.text(DicomTag.CONTOUR_GEOMETRIC_TYPE).startsWith("CLOSED")) {
+                boolean isClosed =
+                        contour.text(DicomTag.CONTOUR_GEOMETRIC_TYPE, "").startsWith("CLOSED");
+                if (!isClosed || !contour.has(DicomTag.CONTOUR_DATA)) {
                     other++;
                     continue;
                 }
@@ -139,7 +141,7 @@ final class StructureSet {
             }
         }
         if (other > 0) {
-            notes.add(other + " points and open contours are no volumes and were left out");
+            notes.add(other + " points, open and empty contours are no volumes and were left out");
         }
     }
 

@@ -36,10 +36,14 @@ class RegionNumberTest {
     }
 
     private LabelVolume read(String... numbers) {
-        byte[][] regions = new byte[numbers.length][];
         byte[][] contours = new byte[numbers.length][];
-        Arrays.setAll(regions, n -> region(numbers[n], NAMES[n]));
         Arrays.setAll(contours, n -> contours(numbers[n], 20 * n, SIDES[n]));
+        return read(numbers, contours);
+    }
+
+    private LabelVolume read(String[] numbers, byte[][] contours) {
+        byte[][] regions = new byte[numbers.length][];
+        Arrays.setAll(regions, n -> region(numbers[n], NAMES[n]));
         byte[] file = DicomSamples.file(
                 "1.2.840.10008.5.1.4.1.1.481.3",
                 DicomSamples.sequence(0x30060020, regions),
@@ -56,6 +60,19 @@ class RegionNumberTest {
         assertThat(volume.notes())
                 .contains("region numbers that are no labels from 1 to 65535 were changed: liver from 0 to 2, cyst from"
                         + " 70000 to 4");
+    }
+
+    /** As editors leave them of a region that was emptied, and a point of interest. */
+    @Test
+    void contoursWithoutPointsOrTypeAreLeftOutWithANote() {
+        byte[] closed = DicomSamples.text(0x30060042, "CS", "CLOSED_PLANAR");
+        byte[] place = DicomSamples.text(0x30060050, "DS", "1\\2\\3");
+        byte[] point = DicomSamples.joined(DicomSamples.text(0x30060042, "CS", "POINT"), place);
+        byte[] emptied = DicomSamples.joined(
+                DicomSamples.sequence(0x30060040, closed, place, point), DicomSamples.text(0x30060084, "IS", "2"));
+        LabelVolume volume = read(new String[] {"1", "2"}, new byte[][] {contours("1", 0, 10), emptied});
+        assertThat(volume.names()).isEqualTo(Map.of(1, "cyst"));
+        assertThat(volume.notes()).contains("3 points, open and empty contours are no volumes and were left out");
     }
 
     @Test
