@@ -19,6 +19,8 @@ record LayeredSegments(VolumeFrames frames, List<Segment> segments) {
     /** Slicer puts segments that do not overlap into one layer. */
     private static final int MAX_LAYERS = 64;
 
+    private static final int MAX_TOLD = 10;
+
     /** A segment with its layer, its value there, and the label that it gets. */
     record Segment(int label, int layer, int value, String name) {}
 
@@ -40,7 +42,7 @@ record LayeredSegments(VolumeFrames frames, List<Segment> segments) {
         int alongVoxel = frames.interleaved() ? count : 1;
         int alongLayer = frames.interleaved() ? 1 : voxels;
         List<Segment> ranked = new ArrayList<>(segments);
-        int[][] rank = ranks(layers, ranked);
+        int[][] rank = ranks(layers, ranked, volume.notes());
         short[] labels = new short[voxels];
         long overlaps = 0;
         for (int v = 0; v < voxels; v++) {
@@ -79,9 +81,10 @@ record LayeredSegments(VolumeFrames frames, List<Segment> segments) {
     /**
      * Sorts segments by their number of voxels, the one with most first.
      *
+     * @param notes receives what belongs to no segment
      * @return place of a segment among the sorted ones, from 1, by layer and value; 0 where there is none
      */
-    private int[][] ranks(LabelGrid layers, List<Segment> ranked) {
+    private int[][] ranks(LabelGrid layers, List<Segment> ranked, List<String> notes) {
         int[][] counts = new int[frames.count()][LabelGrid.MAX_LABEL + 1];
         int voxels = layers.voxelCount();
         int perLayer = voxels / frames.count();
@@ -92,6 +95,19 @@ record LayeredSegments(VolumeFrames frames, List<Segment> segments) {
         int[][] ranks = new int[frames.count()][LabelGrid.MAX_LABEL + 1];
         for (int r = 0; r < ranked.size(); r++) {
             ranks[ranked.get(r).layer()][ranked.get(r).value()] = r + 1;
+        }
+        List<String> left = new ArrayList<>();
+        for (int layer = 0; layer < counts.length; layer++) {
+            for (int value = 1; value <= LabelGrid.MAX_LABEL; value++) {
+                if (counts[layer][value] > 0 && ranks[layer][value] == 0) {
+                    left.add(counts[layer][value] + " of value " + value + " in layer " + layer);
+                }
+            }
+        }
+        if (!left.isEmpty()) {
+            notes.add("voxels that belong to no segment were left out: "
+                    + String.join(", ", left.subList(0, Math.min(MAX_TOLD, left.size())))
+                    + (left.size() > MAX_TOLD ? " ..." : ""));
         }
         return ranks;
     }

@@ -22,8 +22,8 @@ import org.phrenic.mesh.voxel.LabelGrid;
 /**
  * Reader of NRRD and of 3D Slicer segmentations ({@code .seg.nrrd}), raw, gzip, bzip2 or text, with the header in the
  * file or in a separate file ({@code .nhdr}). It follows the format definition, teem.sourceforge.net/nrrd/format.html.
- * Label names come from {@code SegmentN_Name} and {@code SegmentN_LabelValue}. Segmentations of Slicer up to 4.10 have
- * no values, but a layer of 0 and 1 for each segment.
+ * Label names come from {@code SegmentN_Name} and {@code SegmentN_LabelValue}, or from what MITK writes
+ * ({@link MitkLabels}). Segmentations of Slicer up to 4.10 have no values, but a layer of 0 and 1 for each segment.
  */
 final class NrrdReader {
     private static final String DATA_FILE = "data file";
@@ -106,8 +106,9 @@ final class NrrdReader {
                 }
                 int at = pair > 0 ? pair : colon;
                 String key = text.substring(0, at);
+                String pairKey = key.strip().toLowerCase(Locale.ROOT);
                 // A pair of another kind than a segment's is no field, though it may have the name of one.
-                if (pair <= 0 || key.strip().toLowerCase(Locale.ROOT).startsWith(OF_SEGMENT)) {
+                if (pair <= 0 || pairKey.startsWith(OF_SEGMENT) || pairKey.equals(MitkLabels.KEY)) {
                     header.put(pair > 0 ? key : spaced(key), text.substring(at + (pair > 0 ? 2 : 1)));
                 }
             }
@@ -189,10 +190,11 @@ final class NrrdReader {
     /** The segments of a segmentation with several layers, if no layer is named by its number. */
     private Optional<LayeredSegments> layers() {
         List<Segment> segments = segments();
-        boolean stated = segments.stream().anyMatch(s -> header.has("segment" + (s.label() - 1) + LAYER));
+        boolean stated = header.has(MitkLabels.KEY)
+                || segments.stream().anyMatch(s -> header.has("segment" + (s.label() - 1) + LAYER));
         boolean isLayerEach = segments.size() == frames.count()
                 && segments.stream().noneMatch(s -> header.has("segment" + (s.label() - 1) + VALUE));
-        if (frames.count() < 2 || source.phase().isPresent() || !(stated || isLayerEach)) {
+        if (frames.count() < 2 || segments.isEmpty() || source.phase().isPresent() || !(stated || isLayerEach)) {
             return Optional.empty();
         }
         for (Segment segment : segments) {
@@ -208,6 +210,11 @@ final class NrrdReader {
 
     /** All segments that the header lists, by number. */
     private List<Segment> segments() {
+        if (header.has(MitkLabels.KEY)) {
+            return MitkLabels.of(header.text(MitkLabels.KEY)).stream()
+                    .filter(segment -> segment.layer() < frames.count() && segment.label() <= LabelGrid.MAX_LABEL)
+                    .toList();
+        }
         Map<Integer, String> keys = new TreeMap<>();
         for (String key : header.values().keySet()) {
             Matcher segment = SEGMENT.matcher(key);

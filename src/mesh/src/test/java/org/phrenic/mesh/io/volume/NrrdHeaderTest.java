@@ -140,6 +140,50 @@ class NrrdHeaderTest {
         assertThat(volume.grid().counts()).containsExactly(12, 12);
     }
 
+    /** Of a segmentation whose header lost a segment; of 3 layers, voxels 0, 4 ... 20 are in the last. */
+    @Test
+    void voxelsOfALayerThatBelongToNoSegmentAreTold() {
+        String layer = "Segment%d_LabelValue:=1\nSegment%d_Layer:=%d\nSegment%d_Name:=%s\n";
+        String segments = layer.formatted(0, 0, 0, 0, "body") + layer.formatted(1, 1, 1, 1, "liver");
+        LabelVolume volume = read("lost.seg.nrrd", layered(3, segments), layers(3));
+        assertThat(volume.grid().counts()).containsExactly(8, 8, 8);
+        assertThat(volume.notes()).contains("voxels that belong to no segment were left out: 6 of value 1 in layer 2");
+    }
+
+    private static String mitk(String groups) {
+        return "modality:=org.mitk.multilabel.segmentation\norg.mitk.multilabel.segmentation.labelgroups:=" + groups
+                + "\n";
+    }
+
+    private static String label(String name, int value) {
+        return "{\"color\":{\"type\":\"ColorProperty\",\"value\":[0.5,1.0,0.0]},\"locked\":true,\"name\":\"" + name
+                + "\",\"opacity\":0.6,\"value\":" + value + ",\"visible\":true}";
+    }
+
+    /** A name with a quotation mark, and a group with a name and properties of its own. */
+    @Test
+    void labelsOfMitkHaveTheirNames() {
+        String groups = "[{\"labels\":[" + label("Liver", 1) + "," + label("Milz \\\\\"ä\\\\\" \\\\u00e4", 7)
+                + "],\"name\":\"first\",\"properties\":[{\"name\":\"none\",\"value\":3}]}]";
+        LabelVolume volume = read("mitk.nrrd", VolumeSamples.nrrd("short", "raw") + mitk(groups) + "\n", SHORTS);
+        assertIsSample(volume);
+        assertThat(volume.names()).isEqualTo(Map.of(1, "Liver", 7, "Milz \"ä\" ä"));
+    }
+
+    /** Groups are layers; a value that an earlier label has becomes the next free label. */
+    @Test
+    void groupsOfMitkAreLayers() {
+        String groups =
+                "[{\"labels\":[" + label("body", 1) + "]},{\"labels\":[" + label("liver", 1) + "]},{\"labels\":null}]";
+        LabelVolume volume =
+                read("mitk.nrrd", layered(3, mitk(groups)).replace("kinds: list", "kinds: vector"), layers(3));
+        assertThat(volume.names()).isEqualTo(Map.of(1, "body", 2, "liver"));
+        for (int v = 0; v < VolumeSamples.VOXELS; v++) {
+            assertThat(volume.grid().label(v)).isEqualTo(v % 3 == 0 ? 2 : v % 2 == 0 ? 1 : 0);
+        }
+        assertThat(LabelVolumeFiles.read(folder.resolve("mitk.nrrd#1")).names()).isEqualTo(Map.of(1, "liver"));
+    }
+
     /** Two volumes with one segment are no layers of it, but such as phases of which one has to be named. */
     @Test
     void volumesOfAnotherNumberThanSegmentsAreNoLayers() {
