@@ -277,6 +277,44 @@ class DicomVolumeTest {
         assertThat(twin.notes()).isEmpty();
     }
 
+    /** The same 12 bits of the series as signed numbers: from 2048 on they are 4096 less. */
+    @Test
+    void signedPixelsHaveTheirSign() throws IOException {
+        copyOfSeries();
+        try (Stream<Path> files = Files.list(folder)) {
+            for (Path file : files.toList()) {
+                String slice = Files.readString(file, StandardCharsets.ISO_8859_1);
+                String signed = slice.replace("(\0\3\1US\2\0\0\0", "(\0\3\1US\2\0\1\0")
+                        .replace("(\0\3\1\2\0\0\0\0\0", "(\0\3\1\2\0\0\0\1\0");
+                assertThat(signed).isNotEqualTo(slice);
+                Files.writeString(file, signed, StandardCharsets.ISO_8859_1);
+            }
+        }
+        float[] unsigned = ImageVolumeFiles.read(resource("ct")).grid().values();
+        float[] values = ImageVolumeFiles.read(folder).grid().values();
+        for (int v = 0; v < values.length; v++) {
+            double stored = (unsigned[v] + 1024) / 1.5;
+            assertThat(values[v]).isEqualTo((float) (1.5 * (stored < 2048 ? stored : stored - 4096) - 1024));
+        }
+    }
+
+    /** Frames of one file in another order than their places, each with its own scale. */
+    @Test
+    void framesOfOneFileLieByTheirPlacesWithTheirOwnScale() {
+        byte[][] frames = {
+            DicomSamples.frame(6, 1, -1024), DicomSamples.frame(0, 2, 0), DicomSamples.frame(3, 1, 100),
+        };
+        byte[] file = DicomSamples.image(frames, 0, 1, 2, 3, 4, 5, -1024, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17);
+        ImageGrid image = ImageVolumeFiles.read(VolumeSamples.write(folder, "enhanced.dcm", file))
+                .grid();
+        assertThat(new int[] {image.columns(), image.rows(), image.slices()}).containsExactly(3, 2, 3);
+        assertThat(image.values())
+                .containsExactly(
+                        -2048, 14, 16, 18, 20, 22, 112, 113, 114, 115, 116, 117, -1024, -1023, -1022, -1021, -1020,
+                        -1019);
+        assertThat(image.toMm()).containsExactly(new double[] {2, 0, 0, 10, 0, 1.5, 0, 20, 0, 0, 3, 0}, within(1e-9));
+    }
+
     /** The quaternion of the twin has no part that is 0. */
     @Test
     void anObliqueSeriesIsPlacedByTheQformOfItsTwinAlone() throws IOException {

@@ -12,13 +12,16 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.phrenic.file.BadInputException;
 import org.phrenic.mesh.voxel.ImageGrid;
 
-/** NIfTI-2, volumes along time and layers of segments that nibabel and pynrrd wrote ({@code make_fixtures.py}). */
+/**
+ * NIfTI-2, MetaImage, volumes along time and layers of segments that nibabel, SimpleITK and pynrrd wrote
+ * ({@code make_fixtures.py}).
+ */
 class ForeignVolumeTest {
     /** NIfTI-1 places voxels in single precision. */
     private static final double PLACE_MM = 1e-4;
 
     @ParameterizedTest
-    @ValueSource(strings = {"phases_nifti2.nii", "phases.nii.gz", "phases.seq.nrrd"})
+    @ValueSource(strings = {"phases_nifti2.nii", "phases.nii.gz", "phases.seq.nrrd", "phases.mha"})
     void everyPhaseHasItsValuesAndPlaces(String name) {
         ImageGrid twin = ImageVolumeFiles.read(VolumeSamples.resource("phases_twin.nii.gz"))
                 .grid();
@@ -34,6 +37,12 @@ class ForeignVolumeTest {
         assertThatThrownBy(() -> ImageVolumeFiles.read(file))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("3 volumes, expected the number of one");
+    }
+
+    /** Oblique: the directions of the axes are consecutive numbers of the matrix. */
+    @Test
+    void aMetaImageOfItkHasTheLabelsAndPlacesOfItsTwin() {
+        DicomVolumeTest.assertIsTwin(LabelVolumeFiles.read(VolumeSamples.resource("labels.mha")), "labels_twin.nii.gz");
     }
 
     @Test

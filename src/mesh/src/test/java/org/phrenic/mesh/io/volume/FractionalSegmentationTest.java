@@ -67,6 +67,16 @@ class FractionalSegmentationTest {
         assertThat(LabelVolumeFiles.read(file).names()).isEqualTo(Map.of(1, name));
     }
 
+    /** Frames of four bits: each second one begins within a byte (PS3.5, 8.1.1). */
+    @Test
+    void bitsOfAFrameFollowThoseOfTheLastWithoutPadding() {
+        byte[][] frames = {DicomSamples.frame(1, 0), DicomSamples.frame(1, 3), DicomSamples.frame(2, 6)};
+        byte[] file = DicomSamples.bits(frames, 1, 0, 0, 1, 0, 1, 1, 1, 0, 0, 1, 0);
+        LabelGrid grid = LabelVolumeFiles.read(VolumeSamples.write(folder, "bits.dcm", file))
+                .grid();
+        assertThat(IntStream.range(0, 12).map(grid::label)).containsExactly(1, 0, 0, 1, 0, 1, 1, 1, 0, 0, 2, 0);
+    }
+
     @Test
     void anotherTypeIsRefused() {
         assertThatThrownBy(() -> LabelVolumeFiles.read(file("VECTOR", 255, new int[12])))

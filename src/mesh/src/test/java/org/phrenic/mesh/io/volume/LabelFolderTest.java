@@ -8,6 +8,9 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.IntPredicate;
@@ -218,6 +221,42 @@ class LabelFolderTest {
         }
         assertThat(grid.counts()[indexOf(volume, "kidney_left")]).isEqualTo(3);
         assertThat(volume.notes()).contains("masks of different extents were put together");
+    }
+
+    /** A mask of ones that is cropped to a box of voxels of the lattice. */
+    private static void box(Path file, int i, int j, int k, int columns, int rows, int slices) throws IOException {
+        byte[] nifti = VolumeSamples.nifti(UINT8, ByteOrder.LITTLE_ENDIAN, h -> {
+            h.putShort(42, (short) columns).putShort(44, (short) rows).putShort(46, (short) slices);
+            h.putFloat(280 + 12, 10 - 2 * i).putFloat(280 + 28, 20 + 3 * j).putFloat(280 + 44, 30 + 4 * k);
+        });
+        byte[] cropped = Arrays.copyOf(nifti, VolumeSamples.NIFTI_HEADER + columns * rows * slices);
+        Arrays.fill(cropped, VolumeSamples.NIFTI_HEADER, cropped.length, (byte) 1);
+        Files.write(file, cropped);
+    }
+
+    /** The one that is read first neither begins nor ends the box about all. */
+    @Test
+    void masksReachBeyondTheFirstOnAllSides() throws IOException {
+        Path cropped = Files.createDirectory(folder.resolve("cropped"));
+        box(cropped.resolve("adrenal_gland_left.nii"), 2, 2, 2, 2, 1, 1);
+        box(cropped.resolve("kidney_left.nii"), 0, 1, 1, 1, 2, 2);
+        box(cropped.resolve("spleen.nii"), 4, 3, 3, 2, 3, 1);
+        LabelVolume volume = LabelVolumeFiles.read(cropped);
+        LabelGrid grid = volume.grid();
+        List<String> voxels = new ArrayList<>();
+        double[] place = new double[3];
+        for (int v = 0; v < grid.voxelCount(); v++) {
+            int row = v / grid.columns();
+            grid.voxelToMm(v % grid.columns(), row % grid.rows(), row / grid.rows(), place);
+            if (grid.label(v) > 0) {
+                voxels.add(volume.names().get(grid.label(v)).charAt(0) + " " + Math.round((place[0] + 10) / 2)
+                        + Math.round((place[1] + 20) / -3) + Math.round((place[2] - 30) / 4));
+            }
+        }
+        assertThat(voxels)
+                .containsExactlyInAnyOrder(
+                        "a 222", "a 322", "k 011", "k 021", "k 012", "k 022", "s 433", "s 533", "s 443", "s 543",
+                        "s 453", "s 553");
     }
 
     private static int indexOf(LabelVolume volume, String name) {

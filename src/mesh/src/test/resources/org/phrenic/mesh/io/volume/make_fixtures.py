@@ -286,6 +286,20 @@ def phases():
     nib.save(nib.Nifti1Image(one, RAS), path("phases_twin.nii.gz"))
 
 
+def metaimages(masks):
+    """Labels and phases by SimpleITK; the phases are those of phases_twin.nii.gz with 10 and 20 added."""
+    def placed(values):
+        image = sitk.GetImageFromArray(values.transpose(2, 1, 0))
+        image.SetSpacing(SPACING.tolist())
+        image.SetOrigin(ORIGIN.tolist())
+        image.SetDirection(DIRECTIONS.ravel().tolist())
+        return image
+
+    sitk.WriteImage(placed(merged(masks)), path("labels.mha"), useCompression=True)
+    one = np.asarray(nib.load(path("phases_twin.nii.gz")).dataobj).astype(np.int16)
+    sitk.WriteImage(sitk.JoinSeries([placed(one + n) for n in (0, 10, 20)]), path("phases.mha"))
+
+
 def main():
     masks = structures()
     apart = {n: merged(masks) == n for n in masks}
@@ -313,6 +327,7 @@ def main():
     twin("scattered_twin.nii.gz", merged(scattered()))
     layers("overlapping.seg.nrrd", masks)
     phases()
+    metaimages(numbered)
 
 
 if __name__ == "__main__":
