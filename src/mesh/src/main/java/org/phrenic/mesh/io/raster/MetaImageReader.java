@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.zip.GZIPInputStream;
 import java.util.zip.InflaterInputStream;
 import org.phrenic.file.InputBytes;
 import org.phrenic.file.Numbers;
@@ -18,10 +19,12 @@ import org.phrenic.file.ScalarType;
 
 /**
  * Reader of MetaImage, with voxels in the file ({@code .mha}) or in a separate file ({@code .mhd}), uncompressed or
- * zlib, in either byte order, or as text. It follows MetaIO as used by ITK: axes are LPS, and each three consecutive
- * numbers of {@code TransformMatrix} are the direction of one grid axis.
+ * zlib or gzip, in either byte order, or as text. It follows MetaIO as used by ITK: axes are LPS, and each three
+ * consecutive numbers of {@code TransformMatrix} are the direction of one grid axis.
  */
 final class MetaImageReader {
+    private static final int GZIP_MAGIC = 0x1f8b;
+
     private final VolumeSource source;
     private final Path path;
     private final String file;
@@ -78,10 +81,20 @@ final class MetaImageReader {
         } else {
             voxels.validate(name, InputBytes.size(data), packed, frames.count());
         }
-        InputStream unpacked = packed ? new InflaterInputStream(in, new java.util.zip.Inflater(), 1 << 16) : in;
+        InputStream unpacked = packed ? unpacked(in) : in;
         InputStream values = isText() ? new TextVoxels(name, unpacked) : unpacked;
         InputStream chosen = frames.select(values, voxels, frames.choose(source));
         return new StoredVolume(name, chosen, voxels, affine, Map.of(), notes);
+    }
+
+    /** MetaIO takes gzip as well as zlib. */
+    private static InputStream unpacked(InputStream in) throws IOException {
+        in.mark(2);
+        boolean isGzip = (in.read() << 8 | in.read()) == GZIP_MAGIC;
+        in.reset();
+        return isGzip
+                ? new GZIPInputStream(in, 1 << 16)
+                : new InflaterInputStream(in, new java.util.zip.Inflater(), 1 << 16);
     }
 
     private void readHeader(InputStream in) throws IOException {

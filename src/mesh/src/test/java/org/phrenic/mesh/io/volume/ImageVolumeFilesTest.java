@@ -54,6 +54,7 @@ class ImageVolumeFilesTest {
                 read("ct.nrrd", VolumeSamples.join(VolumeSamples.nrrd("short", "raw") + "\n", hounsfield)), -40, 0);
         String meta = VolumeSamples.meta("MET_SHORT", true) + "LOCAL\n";
         assertIsSample(read("ct.mha", VolumeSamples.join(meta, VolumeSamples.zlib(hounsfield))), -40, 0);
+        assertIsSample(read("gzip.mha", VolumeSamples.join(meta, VolumeSamples.gzip(hounsfield))), -40, 0);
         byte[] scaled = VolumeSamples.nifti(64, ByteOrder.BIG_ENDIAN, h -> {
             h.putFloat(112, 0.5f);
             h.putFloat(116, -1024);
