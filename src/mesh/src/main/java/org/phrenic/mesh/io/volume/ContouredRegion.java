@@ -6,45 +6,34 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.IntConsumer;
+import java.util.function.Supplier;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.Vectors;
 
 /**
- * The voxels of a region that is drawn by closed contours in slices. Slices between contoured ones get the shape
- * between their neighbours' ({@link ShapeInterpolation}), where the gap is no wider than {@value #MAX_GAP_MM} mm nor
- * than twice the usual one of the region, and the neighbours overlap. Where all corners are centres of voxels, contours
- * are outlines of a mask, as OpenCV finds them: they run through its outermost pixels, which are in the region.
+ * The voxels of a region that is drawn in some slices. Slices between these get the shape between their neighbours'
+ * ({@link ShapeInterpolation}), where the gap is no wider than {@value #MAX_GAP_MM} mm nor than twice the usual one of
+ * the region, and the neighbours overlap. Where all corners of contours are centres of voxels, contours are outlines of
+ * a mask, as OpenCV finds them: they run through its outermost pixels, which are in the region.
  */
 final class ContouredRegion implements LabelPainter.Voxels {
-    /** Widest gap between contours of one structure, mm. */
+    /** Widest gap between drawn slices of one structure, mm. */
     private static final double MAX_GAP_MM = 15;
     /** Numbers of the corners of a contour that has an area, at least. */
     private static final int AREA = 6;
 
     private final SliceGrid grid;
-    private final ContourFill fill;
-    private final TreeMap<Integer, List<double[]>> bySlice;
-    private final boolean isMask;
+    private final TreeMap<Integer, Supplier<IntList>> sections;
     private final double widest;
     private int slicesBetween;
 
-    /** @param bySlice corners of the contours in columns and rows, by slice */
-    ContouredRegion(SliceGrid grid, ContourFill fill, Map<Integer, List<double[]>> bySlice) {
+    /** @param sections pixels of the region, column + columns row, by slice */
+    ContouredRegion(SliceGrid grid, Map<Integer, Supplier<IntList>> sections) {
         this.grid = grid;
-        this.fill = fill;
-        this.bySlice = new TreeMap<>(bySlice);
-        isMask = bySlice.values().stream()
-                .flatMap(List::stream)
-                .flatMapToDouble(Arrays::stream)
-                .allMatch(corner -> corner == Math.rint(corner));
-        if (!isMask) {
-            this.bySlice.replaceAll((slice, contours) ->
-                    contours.stream().filter(corners -> corners.length >= AREA).toList());
-            this.bySlice.values().removeIf(List::isEmpty);
-        }
+        this.sections = new TreeMap<>(sections);
         List<Integer> gaps = new ArrayList<>();
-        for (int slice : this.bySlice.keySet()) {
-            Integer next = this.bySlice.higherKey(slice);
+        for (int slice : this.sections.keySet()) {
+            Integer next = this.sections.higherKey(slice);
             if (next != null) {
                 gaps.add(next - slice);
             }
@@ -54,19 +43,41 @@ final class ContouredRegion implements LabelPainter.Voxels {
         widest = Math.min(2 * usual, MAX_GAP_MM / Vectors.length(grid.axes().steps()[2]));
     }
 
-    /** Whether contours run through the outermost voxels of the region. */
-    boolean isMask() {
-        return isMask;
+    /** @param bySlice corners of the contours in columns and rows, by slice */
+    static ContouredRegion of(SliceGrid grid, ContourFill fill, Map<Integer, List<double[]>> bySlice) {
+        boolean isMask = isMask(bySlice);
+        Map<Integer, Supplier<IntList>> sections = new TreeMap<>();
+        bySlice.forEach((slice, contours) -> {
+            if (isMask || contours.stream().anyMatch(corners -> corners.length >= AREA)) {
+                sections.put(slice, () -> filled(fill, contours, isMask));
+            }
+        });
+        return new ContouredRegion(grid, sections);
     }
 
-    /** Number of slices between contoured ones that the last {@link #forEach} filled. */
+    /** Whether contours run through the outermost voxels of the region. */
+    static boolean isMask(Map<Integer, List<double[]>> bySlice) {
+        return bySlice.values().stream()
+                .flatMap(List::stream)
+                .flatMapToDouble(Arrays::stream)
+                .allMatch(corner -> corner == Math.rint(corner));
+    }
+
+    private static IntList filled(ContourFill fill, List<double[]> contours, boolean isMask) {
+        IntList pixels = new IntList();
+        contours.forEach(isMask ? fill::addThroughPoints : fill::add);
+        fill.flush(pixels::add);
+        return pixels;
+    }
+
+    /** Number of slices between drawn ones that the last {@link #forEach} filled. */
     int slicesBetween() {
         return slicesBetween;
     }
 
-    /** Number of slices from a contoured one to the next; 0 if that is too far away. */
+    /** Number of slices from a drawn one to the next; 0 if that is too far away. */
     private int gapAbove(int slice) {
-        Integer next = bySlice.higherKey(slice);
+        Integer next = sections.higherKey(slice);
         return next == null || next - slice > widest ? 0 : next - slice;
     }
 
@@ -74,9 +85,9 @@ final class ContouredRegion implements LabelPainter.Voxels {
     public void forEach(IntConsumer voxel) {
         IntList before = new IntList();
         slicesBetween = 0;
-        for (int slice : bySlice.keySet()) {
-            IntList pixels = filled(slice);
-            Integer low = bySlice.lowerKey(slice);
+        for (int slice : sections.keySet()) {
+            IntList pixels = sections.get(slice).get();
+            Integer low = sections.lowerKey(slice);
             if (low != null && gapAbove(low) > 1) {
                 interpolate(low, before, slice, pixels, voxel);
             }
@@ -86,13 +97,6 @@ final class ContouredRegion implements LabelPainter.Voxels {
             }
             before = pixels;
         }
-    }
-
-    private IntList filled(int slice) {
-        IntList pixels = new IntList();
-        bySlice.get(slice).forEach(isMask ? fill::addThroughPoints : fill::add);
-        fill.flush(pixels::add);
-        return pixels;
     }
 
     private void interpolate(int low, IntList before, int high, IntList after, IntConsumer voxel) {

@@ -3,13 +3,16 @@ package org.phrenic.mesh.io.volume;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.IntConsumer;
+import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
+import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.io.dicom.DicomDataSet;
 import org.phrenic.mesh.io.dicom.DicomFile;
 import org.phrenic.mesh.io.dicom.DicomPixels;
@@ -30,12 +33,21 @@ final class DicomSegmentation {
             Pattern.compile("(?i)(?<![a-z])(l|r|lt|rt|l[ul]l|r[uml]l)(?![a-z])|left|right|link|recht|gauch|droit"
                     + "|izquierd|derech|sinist|destr|dext|esquerd|direit|左|右");
 
+    /** Share of the gaps between slices of a segment that are of two where it is drawn in every second slice. */
+    private static final double EVERY_SECOND = 0.8;
+
     private final DicomDataSet image;
     private final DicomPixels pixels;
     private final FunctionalGroups groups;
     private final PlaneStack stack;
     private final int[] frame;
+    private final int threshold;
     private int read = -1;
+    /** Pixels of each frame that are in its segment, the first of them and the one after the last. */
+    private final int[] counts;
+
+    private final int[] firsts;
+    private final int[] ends;
 
     private DicomSegmentation(DicomFile file) {
         image = file.dataSet();
@@ -43,6 +55,10 @@ final class DicomSegmentation {
         groups = new FunctionalGroups(image);
         groups.checkCount(pixels.frames());
         stack = new PlaneStack(image.file(), FramePlane.all(image, groups, pixels.frames()), true);
+        threshold = threshold(image.text(DicomTag.SEGMENTATION_TYPE, "LABELMAP"));
+        counts = new int[pixels.frames()];
+        firsts = new int[pixels.frames()];
+        ends = new int[pixels.frames()];
         frame = new int[(int) Math.min(Integer.MAX_VALUE - 8, pixels.framePixels())];
     }
 
@@ -52,7 +68,6 @@ final class DicomSegmentation {
 
     private LabelVolume volume() {
         String type = image.text(DicomTag.SEGMENTATION_TYPE, "LABELMAP");
-        int threshold = threshold(type);
         Map<Integer, String> names = new TreeMap<>();
         for (DicomDataSet segment : image.items(DicomTag.SEGMENT_SEQUENCE)) {
             int number = segment.whole(DicomTag.SEGMENT_NUMBER, 0, LabelGrid.MAX_LABEL);
@@ -72,8 +87,13 @@ final class DicomSegmentation {
         }
         LabelGrid grid;
         if (threshold > 0) {
+            List<String> between = new ArrayList<>();
             framesOfSegments(names)
-                    .forEach((number, frames) -> painter.add(number, use -> forEach(frames, threshold, use)));
+                    .forEach((number, frames) -> add(painter, number, frames, names.get(number), between));
+            if (!between.isEmpty()) {
+                notes.add("slices between every second one, in which a segment is drawn, have the shape between their"
+                        + " neighbours': " + String.join(", ", between));
+            }
             grid = painter.grid(affine, notes);
         } else {
             paintMap(painter, names);
@@ -155,17 +175,75 @@ final class DicomSegmentation {
         return frames;
     }
 
-    private void forEach(List<Integer> frames, int threshold, IntConsumer use) {
+    /** Adds a segment; names it to {@code between} where slices between those that it is drawn in are filled. */
+    private void add(LabelPainter painter, int number, List<Integer> frames, String name, List<String> between) {
+        Map<Integer, List<Integer>> bySlice = new TreeMap<>();
+        long count = 0;
         for (int f : frames) {
-            if (read != f) {
-                pixels.read(f, frame);
-                read = f;
+            measure(f);
+            count += counts[f];
+            if (counts[f] > 0) {
+                bySlice.computeIfAbsent(stack.slice(f), none -> new ArrayList<>())
+                        .add(f);
             }
-            int first = stack.slice(f) * frame.length;
-            for (int n = 0; n < frame.length; n++) {
-                if (frame[n] >= threshold) {
-                    use.accept(first + n);
-                }
+        }
+        if (!isEverySecond(bySlice.keySet())) {
+            painter.add(
+                    number,
+                    use -> bySlice.forEach(
+                            (slice, here) -> here.forEach(f -> forEach(f, n -> use.accept(slice * frame.length + n)))),
+                    count);
+            return;
+        }
+        Map<Integer, Supplier<IntList>> sections = new TreeMap<>();
+        bySlice.forEach((slice, here) -> sections.put(slice, () -> {
+            IntList inside = new IntList();
+            here.forEach(f -> forEach(f, inside::add));
+            return inside;
+        }));
+        SliceGrid grid = new SliceGrid(pixels.columns(), pixels.rows(), stack.slices(), stack.axes());
+        ContouredRegion region = new ContouredRegion(grid, sections);
+        painter.add(number, region);
+        if (region.slicesBetween() > 0) {
+            between.add(name.isBlank() ? "segment " + number : name);
+        }
+    }
+
+    private static boolean isEverySecond(Set<Integer> slices) {
+        int seconds = 0;
+        int before = Integer.MIN_VALUE / 2;
+        for (int slice : slices) {
+            seconds += slice - before == 2 ? 1 : 0;
+            before = slice;
+        }
+        return seconds > 0 && seconds >= EVERY_SECOND * (slices.size() - 1);
+    }
+
+    private void read(int f) {
+        if (read != f) {
+            pixels.read(f, frame);
+            read = f;
+        }
+    }
+
+    /** Counts the pixels of a frame that are in its segment. */
+    private void measure(int f) {
+        read(f);
+        for (int n = 0; n < frame.length; n++) {
+            if (frame[n] >= threshold) {
+                firsts[f] = counts[f] == 0 ? n : firsts[f];
+                ends[f] = n + 1;
+                counts[f]++;
+            }
+        }
+    }
+
+    /** The pixels of a measured frame that are in its segment. */
+    private void forEach(int f, IntConsumer use) {
+        read(f);
+        for (int n = firsts[f]; n < ends[f]; n++) {
+            if (frame[n] >= threshold) {
+                use.accept(n);
             }
         }
     }

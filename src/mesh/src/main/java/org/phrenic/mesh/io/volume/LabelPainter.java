@@ -46,8 +46,13 @@ final class LabelPainter {
     long add(int label, Voxels voxels) {
         long[] count = new long[1];
         voxels.forEach(voxel -> count[0]++);
-        structures.add(new Structure(label, voxels, count[0]));
+        add(label, voxels, count[0]);
         return count[0];
+    }
+
+    /** Adds a structure of which the number of voxels is known. */
+    void add(int label, Voxels voxels, long count) {
+        structures.add(new Structure(label, voxels, count));
     }
 
     /**

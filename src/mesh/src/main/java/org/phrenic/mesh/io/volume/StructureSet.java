@@ -59,7 +59,7 @@ final class StructureSet {
         contours.forEach((number, closed) -> {
             Map<Integer, List<double[]>> bySlice = bySlice(grid, number, closed);
             if (!bySlice.isEmpty()) {
-                ContouredRegion region = new ContouredRegion(grid, fill, bySlice);
+                ContouredRegion region = ContouredRegion.of(grid, fill, bySlice);
                 if (painter.add(number, region) == 0) {
                     small.add(name(number));
                 } else {
@@ -68,7 +68,7 @@ final class StructureSet {
                 if (region.slicesBetween() > 0) {
                     between.add(name(number));
                 }
-                if (region.isMask()) {
+                if (ContouredRegion.isMask(bySlice)) {
                     masks.add(name(number));
                 }
             }

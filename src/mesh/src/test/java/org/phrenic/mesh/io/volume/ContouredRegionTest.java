@@ -38,7 +38,7 @@ class ContouredRegionTest {
     }
 
     private static ContouredRegion region(Map<Integer, List<double[]>> bySlice) {
-        return new ContouredRegion(GRID, new ContourFill(SIZE, SIZE), bySlice);
+        return ContouredRegion.of(GRID, new ContourFill(SIZE, SIZE), bySlice);
     }
 
     /** Radii of the contours kept of a slice, of circles at heights above it. */

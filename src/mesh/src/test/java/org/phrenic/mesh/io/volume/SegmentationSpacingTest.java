@@ -72,16 +72,26 @@ class SegmentationSpacingTest {
             assertThat(volume.grid().slices()).isEqualTo(slices[slices.length - 1] + 1);
             assertThat(volume.notes()).isEmpty();
         }
-        assertFilled(read(between("0.35"), planes(spacing, all)), spacing / 2, all.length);
-        assertFilled(read(between("0.7"), planes(spacing, second)), spacing, second.length);
+        assertFilled(read(between("0.35"), planes(spacing, all)), spacing / 2, 2 * all.length - 1);
+        assertFilled(read(between("0.7"), planes(spacing, second)), spacing, 2 * second.length - 1);
     }
 
-    /** Segmented in every second slice, or in a few slices far apart: a plane is as thick as a slice of the scan. */
+    /** Slice 10 too, as the gap is no wider than two of the usual ones; not 13 to 17. */
+    @Test
+    void slicesBetweenEverySecondOneAreFilled() {
+        LabelVolume second = read(between("2.5"), planes(2.5, 0, 2, 4, 6, 8, 12, 18, 20, 22, 24, 26));
+        assertFilled(second, 2.5, 13 + 9);
+        assertThat(second.notes())
+                .containsExactly("slices between every second one, in which a segment is drawn, have the shape between"
+                        + " their neighbours': liver");
+        LabelVolume fewer = read(between("2.5"), planes(2.5, 0, 2, 4, 6, 8, 12, 18));
+        assertFilled(fewer, 2.5, 7);
+        assertThat(fewer.notes()).isEmpty();
+    }
+
+    /** Segmented in a few slices far apart: a plane is as thick as a slice of the scan. */
     @Test
     void planesOfSlicesBetweenWhichThereAreOthersStayThin() {
-        LabelVolume second = read(between("2.5"), planes(2.5, 0, 2, 4, 6, 8, 12));
-        assertFilled(second, 2.5, 6);
-        assertThat(second.notes()).isEmpty();
         LabelVolume apart = read(between("1"), planes(1, 0, 50));
         assertFilled(apart, 1, 2);
         assertThat(apart.grid().slices()).isEqualTo(51);
