@@ -3,6 +3,7 @@ package org.phrenic.mesh.io.dicom;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
@@ -137,16 +138,35 @@ public final class DicomPixels {
 
     private void readPlain(int frame, int[] pixels) {
         long first = frame * framePixels();
+        if (bits == 1) {
+            readBits(first, pixels);
+            return;
+        }
         ByteBuffer bytes = image.bytes().bytes();
         int at = data.offset();
         int swap = isSwapped() ? 1 : 0;
         for (int n = 0; n < pixels.length; n++) {
             long pixel = first + n;
-            pixels[n] = switch (bits) {
-                case 1 -> (bytes.get(at + ((int) (pixel >> 3) ^ swap)) >> (pixel & 7)) & 1;
-                case Byte.SIZE -> bytes.get(at + ((int) pixel ^ swap)) & 0xFF;
-                default -> bytes.getShort(at + (int) (2 * pixel)) & 0xFFFF;
-            };
+            pixels[n] = bits == Byte.SIZE
+                    ? bytes.get(at + ((int) pixel ^ swap)) & 0xFF
+                    : bytes.getShort(at + (int) (2 * pixel)) & 0xFFFF;
+        }
+    }
+
+    /** Bytes without a pixel, which are most in segmentations, are passed over. */
+    private void readBits(long first, int[] pixels) {
+        ByteBuffer bytes = image.bytes().bytes();
+        int at = data.offset();
+        int swap = isSwapped() ? 1 : 0;
+        long end = first + pixels.length;
+        Arrays.fill(pixels, 0);
+        for (long block = first >> 3; block <= (end - 1) >> 3; block++) {
+            for (int left = bytes.get(at + ((int) block ^ swap)) & 0xFF; left != 0; left &= left - 1) {
+                long pixel = 8 * block + Integer.numberOfTrailingZeros(left);
+                if (pixel >= first && pixel < end) {
+                    pixels[(int) (pixel - first)] = 1;
+                }
+            }
         }
     }
 }

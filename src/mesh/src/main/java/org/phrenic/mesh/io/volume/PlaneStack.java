@@ -32,6 +32,8 @@ final class PlaneStack {
     private final double step;
     private final int slices;
     private final double[][] positions;
+    private final double[] lowest;
+    private final double[] highest;
     private final List<String> notes = new ArrayList<>();
 
     /**
@@ -51,6 +53,8 @@ final class PlaneStack {
         distinct = distinct();
         step = step(mayHaveGaps);
         slices = (int) Math.round(range() / step) + 1;
+        lowest = positions[indexOf(distinct[0])];
+        highest = positions[indexOf(distinct[distinct.length - 1])];
         for (int f = 0; f < offsets.length; f++) {
             checkPlace(f);
         }
@@ -174,8 +178,6 @@ final class PlaneStack {
     }
 
     private void checkPlace(int f) {
-        int last = indexOf(distinct[distinct.length - 1]);
-        int lowest = indexOf(distinct[0]);
         double along = (offsets[f] - distinct[0]) / step;
         if (Math.abs(along - Math.rint(along)) > OFF) {
             throw uneven();
@@ -183,7 +185,7 @@ final class PlaneStack {
         double share = distinct.length > 1 ? (offsets[f] - distinct[0]) / range() : 0;
         double tolerance = OFF * Math.min(step, Math.min(first.columnSpacing(), first.rowSpacing()));
         for (int row = 0; row < 3; row++) {
-            double expected = positions[lowest][row] + share * (positions[last][row] - positions[lowest][row]);
+            double expected = lowest[row] + share * (highest[row] - lowest[row]);
             if (!(Math.abs(positions[f][row] - expected) <= tolerance)) {
                 throw new BadInputException(file + ": found slices that are shifted sideways, expected one stack");
             }
@@ -232,15 +234,13 @@ final class PlaneStack {
     /** Columns along rows of the frames, rows down their columns, slices along their normal. */
     VolumeAxes axes() {
         double[] normal = first.normal();
-        double[] origin = positions[indexOf(distinct[0])];
-        double[] end = positions[indexOf(distinct[distinct.length - 1])];
         double[][] steps = new double[3][3];
         for (int row = 0; row < 3; row++) {
             steps[0][row] = first.columnSpacing() * first.along()[row];
             steps[1][row] = first.rowSpacing() * first.down()[row];
-            steps[2][row] = slices > 1 ? (end[row] - origin[row]) / (slices - 1) : step * normal[row];
+            steps[2][row] = slices > 1 ? (highest[row] - lowest[row]) / (slices - 1) : step * normal[row];
         }
-        return new VolumeAxes(steps, origin.clone());
+        return new VolumeAxes(steps, lowest.clone());
     }
 
     /** Assumptions about missing information, one sentence each. */
