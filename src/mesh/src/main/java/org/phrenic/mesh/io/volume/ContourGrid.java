@@ -10,7 +10,10 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.dicom.FramePlane;
 
-/** A grid through the planes of contours, for contours whose series is not at hand. */
+/**
+ * A grid through the planes of contours, for contours whose series is not at hand: the pixels of the masks of which all
+ * contours are outlines, along edges of pixels or through their centres, else voxels of 1 mm.
+ */
 final class ContourGrid {
     /** Widest box of contours, mm. */
     private static final double MAX_EXTENT = 5000;
@@ -25,6 +28,17 @@ final class ContourGrid {
     /** Greatest distance of a plane from its slice, in steps. */
     private static final double OFF_STEP = 0.1;
 
+    /** Numbers of the points of a contour that has an area, at least. */
+    private static final int AREA = 9;
+    /** Pixels of masks, mm, and the least number of lines of them in each direction on which corners lie. */
+    private static final double MIN_PIXEL = 0.3;
+
+    private static final double MAX_PIXEL = 3;
+    private static final int MIN_LINES = 6;
+    private static final int MAX_LINES = 1024;
+    /** Coordinates that differ by less are one, mm. */
+    private static final double ROUNDING = 0.02;
+
     private static final double VOXEL = 1;
     private static final int MAX_VOXELS = 500;
 
@@ -33,12 +47,13 @@ final class ContourGrid {
     private final double[] normal;
     private final double[] along;
     private final double[] down;
-    private double spacing = VOXEL;
+    private double[] spacing = {VOXEL, VOXEL};
 
     ContourGrid(String file, Collection<List<double[]>> contours) {
         this.file = file;
         List<double[]> all = contours.stream().flatMap(List::stream).toList();
-        normal = commonNormal(all);
+        normal = commonNormal(
+                all.stream().filter(points -> points.length >= AREA).toList());
         this.contours = all.stream().filter(points -> isPlanar(points, normal)).toList();
         // Columns run as nearly to the left of the patient as the plane allows, or to the back where that is no way.
         double[] wanted = Math.abs(normal[0]) < 0.9 ? new double[] {1, 0, 0} : new double[] {0, 1, 0};
@@ -114,10 +129,14 @@ final class ContourGrid {
     SliceGrid grid() {
         double[] u = range(along);
         double[] v = range(down);
-        spacing = Math.max(VOXEL, Math.max(u[1] - u[0], v[1] - v[0]) / MAX_VOXELS);
-        // Contours at whole millimetres run between the centres of voxels.
-        double left = spacing * (Math.floor(u[0] / spacing) - 0.5);
-        double top = spacing * (Math.floor(v[0] / spacing) - 0.5);
+        double[] pixel = {lines(along), lines(down)};
+        Optional<Boolean> throughCentres = pixel[0] > 0 && pixel[1] > 0 ? throughCentres(pixel) : Optional.empty();
+        double widest = Math.max(VOXEL, Math.max(u[1] - u[0], v[1] - v[0]) / MAX_VOXELS);
+        spacing = throughCentres.isPresent() ? pixel : new double[] {widest, widest};
+        // Contours along edges of pixels, or at whole millimetres, run between the centres of voxels.
+        double before = throughCentres.orElse(false) ? 1 : 0.5;
+        double left = first(u[0], 0, throughCentres.isPresent()) - before * spacing[0];
+        double top = first(v[0], 1, throughCentres.isPresent()) - before * spacing[1];
         double between = commonStep();
         List<FramePlane> planes = new ArrayList<>();
         for (double[] points : contours) {
@@ -126,12 +145,67 @@ final class ContourGrid {
             for (int row = 0; row < 3; row++) {
                 corner[row] = left * along[row] + top * down[row] + height * normal[row];
             }
-            planes.add(new FramePlane(corner, along, down, spacing, spacing, between, Double.NaN));
+            planes.add(new FramePlane(corner, along, down, spacing[0], spacing[1], between, Double.NaN));
         }
         PlaneStack stack = new PlaneStack(file, planes, true);
-        int columns = (int) Math.ceil((u[1] - left) / spacing) + 2;
-        int rows = (int) Math.ceil((v[1] - top) / spacing) + 2;
+        int columns = (int) Math.ceil((u[1] - left) / spacing[0]) + 2;
+        int rows = (int) Math.ceil((v[1] - top) / spacing[1]) + 2;
         return new SliceGrid(columns, rows, stack.slices(), stack.axes());
+    }
+
+    /** The least coordinate, or the whole number of voxels below it. */
+    private double first(double least, int direction, boolean isOfPixels) {
+        return isOfPixels ? least : spacing[direction] * Math.floor(least / spacing[direction]);
+    }
+
+    /** The distance of even lines on which all corners lie, mm; 0 if there are none. */
+    private double lines(double[] direction) {
+        double[] sorted = contours.stream()
+                .flatMapToDouble(
+                        points -> IntStream.range(0, points.length / 3).mapToDouble(p -> dot(direction, points, 3 * p)))
+                .sorted()
+                .toArray();
+        double[] gaps = IntStream.range(1, sorted.length)
+                .mapToDouble(i -> sorted[i] - sorted[i - 1])
+                .filter(gap -> gap > ROUNDING)
+                .sorted()
+                .toArray();
+        if (gaps.length + 1 < MIN_LINES || gaps[0] < MIN_PIXEL || gaps[0] > MAX_PIXEL) {
+            return 0;
+        }
+        double distance = gaps[0];
+        double along = 0;
+        double steps = 0;
+        for (double gap : gaps) {
+            along += gap;
+            steps += Math.rint(gap / distance);
+            distance = along / steps;
+        }
+        double exact = (sorted[sorted.length - 1] - sorted[0]) / steps;
+        boolean fits = Arrays.stream(sorted)
+                .map(at -> at - sorted[0])
+                .allMatch(at -> Math.abs(at - exact * Math.rint(at / exact)) <= ROUNDING);
+        return fits && steps < MAX_LINES ? exact : 0;
+    }
+
+    /**
+     * Whether contours run through the centres of pixels, from one to one of the eight about it, rather than along
+     * their edges; empty if they have other directions, as what is drawn by hand.
+     */
+    private Optional<Boolean> throughCentres(double[] pixel) {
+        boolean anyDiagonal = false;
+        for (double[] points : contours) {
+            for (int at = 0; at < points.length; at += 3) {
+                int next = (at + 3) % points.length;
+                long columns = Math.abs(Math.round((dot(along, points, next) - dot(along, points, at)) / pixel[0]));
+                long rows = Math.abs(Math.round((dot(down, points, next) - dot(down, points, at)) / pixel[1]));
+                if (columns != rows && columns > 0 && rows > 0) {
+                    return Optional.empty();
+                }
+                anyDiagonal |= columns > 0 && rows > 0;
+            }
+        }
+        return Optional.of(anyDiagonal);
     }
 
     /**
@@ -182,7 +256,7 @@ final class ContourGrid {
     String note(Optional<String> problem) {
         return "the series of the contours "
                 + (problem.isEmpty() ? "is not in their folder or one in it" : "is of no use")
-                + Numbers.format(": they were filled in voxels of %.2g mm in their own planes", spacing)
+                + Numbers.format(": they were filled in voxels of %.2g mm in their own planes", spacing[0])
                 + problem.map(why -> " (" + why + ")").orElse("");
     }
 }

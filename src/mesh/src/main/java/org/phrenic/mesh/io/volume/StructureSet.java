@@ -24,8 +24,6 @@ final class StructureSet {
     private static final double OFF = 0.25;
     /** Corners nearer to the centre of a voxel are on it, in voxels: files round to a hundredth of a millimetre. */
     private static final double ROUNDING = 0.02;
-    /** Numbers of the points of a contour that has an area, at least. */
-    private static final int AREA = 9;
 
     private final DicomDataSet set;
     private final Map<Integer, String> names = new TreeMap<>();
@@ -210,8 +208,6 @@ final class StructureSet {
     }
 
     private SliceGrid ownGrid() {
-        contours.values().forEach(closed -> closed.removeIf(points -> points.length < AREA));
-        contours.values().removeIf(List::isEmpty);
         ContourGrid own = new ContourGrid(set.file(), contours.values());
         SliceGrid grid = own.grid();
         notes.add(own.note(problems.stream().findFirst()));

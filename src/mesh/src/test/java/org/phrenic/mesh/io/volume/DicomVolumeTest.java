@@ -121,6 +121,29 @@ class DicomVolumeTest {
                 .noneMatch(note -> note.contains("outlines of masks"));
     }
 
+    /** Without their series, axial outlines through the centres of pixels of 0.98 mm, and along their edges. */
+    @ParameterizedTest
+    @ValueSource(strings = {"pixels_alone.dcm", "edges_alone.dcm"})
+    void outlinesAloneGiveBackTheirMasks(String name) throws IOException {
+        LabelGrid grid = LabelVolumeFiles.read(Files.copy(resource(name), folder.resolve(name)))
+                .grid();
+        LabelGrid expected =
+                LabelVolumeFiles.read(resource("scattered_twin.nii.gz")).grid();
+        assertThat(grid.spacing(0)).isCloseTo(0.9765625, within(1e-4));
+        int[] box = grid.box(label -> label > 0);
+        assertThat(box[3] - box[0]).isEqualTo(7);
+        for (int v = 0; v < expected.voxelCount(); v++) {
+            int row = v / 8 % 7 + box[1];
+            int slice = v / 56 + box[2];
+            assertThat(grid.label(v % 8 + box[0] + grid.columns() * (row + grid.rows() * slice)))
+                    .as("voxel " + v)
+                    .isEqualTo(expected.label(v));
+        }
+        double[] place = new double[3];
+        grid.voxelToMm(box[0], box[1], box[2], place);
+        assertThat(place).containsExactly(new double[] {-250, -241.7, 100}, within(1e-3));
+    }
+
     private static byte[] half(String name) throws IOException {
         return Arrays.copyOf(Files.readAllBytes(resource(name)), 300);
     }

@@ -209,7 +209,7 @@ def keyhole(polygons):
     return [outer + [outer[0]] + hole + [hole[0]]]
 
 
-def structure_set(images, name, masks, syntax=ImplicitVRLittleEndian, across=(), draw=outline, refers=(SERIES,)):
+def structure_set(images, name, masks, syntax=ImplicitVRLittleEndian, across=(), draw=outline, refers=(SERIES,), affine=LPS):
     """`across`: a polygon of the first region that lies in no slice, as a list of (i, j, k)."""
     d = Dataset()
     d.file_meta = FileMetaDataset()
@@ -242,7 +242,7 @@ def structure_set(images, name, masks, syntax=ImplicitVRLittleEndian, across=(),
         contours = []
         for polygon in drawn:
             c = Dataset()
-            points = [LPS[:3, :3] @ np.array(corner) + ORIGIN for corner in polygon]
+            points = [affine[:3, :3] @ np.array(corner) + affine[:3, 3] for corner in polygon]
             c.ContourGeometricType, c.NumberOfContourPoints = "CLOSED_PLANAR", len(polygon)
             c.ContourData = [f"{v:.4f}" for p in points for v in p]
             contours.append(c)
@@ -325,6 +325,10 @@ def main():
     structure_set(images, "contours_of_two.dcm", masks, refers=(ROOT + ".0", SERIES))
     structure_set(images, "ct/contours_pixels.dcm", scattered(), draw=pixel_outline)
     twin("scattered_twin.nii.gz", merged(scattered()))
+    axial = np.diag([0.9765625, 0.9765625, 3, 1])
+    axial[:3, 3] = -250, -241.7, 100
+    structure_set(images, "pixels_alone.dcm", scattered(), draw=pixel_outline, affine=axial)
+    structure_set(images, "edges_alone.dcm", scattered(), affine=axial)
     layers("overlapping.seg.nrrd", masks)
     phases()
     metaimages(numbered)
