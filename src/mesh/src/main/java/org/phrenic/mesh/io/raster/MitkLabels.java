@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.phrenic.file.Numbers;
@@ -19,8 +18,8 @@ final class MitkLabels {
     /** The key of the pair. */
     static final String KEY = "org.mitk.multilabel.segmentation.labelgroups";
 
-    private static final Pattern TOKEN =
-            Pattern.compile("\"((?:[^\"\\\\]|\\\\.)*+)\"|[{}\\[\\]:,]|[^\\s{}\\[\\]:,\"]+", Pattern.DOTALL);
+    private static final String MARKS = "{}[]:,";
+    private static final String ENDS = MARKS + " \t\n\"";
     private static final Pattern ESCAPE = Pattern.compile("\\\\(?:u(\\p{XDigit}{4})|(.))");
 
     /** Depth of brackets about a group, and about a label in its list. */
@@ -46,24 +45,49 @@ final class MitkLabels {
         // A pair states a backslash by two and a line break by "\n".
         String text = pair.replace("\\\\", "\0").replace("\\n", "\n").replace('\0', '\\');
         MitkLabels labels = new MitkLabels();
-        TOKEN.matcher(text).results().forEach(labels::add);
+        labels.scan(text);
         return labels.segments;
     }
 
-    private void add(MatchResult token) {
-        switch (token.group()) {
-            case "{", "[" -> open();
-            case "}", "]" -> close();
-            case ":" -> setKey(last);
-            case "," -> setKey("");
-            default -> {
-                last = token.group(1) == null ? token.group() : unescaped(token.group(1));
-                if (isLabel() && keys[LABEL].equals("name")) {
-                    name = last;
-                } else if (isLabel() && keys[LABEL].equals("value")) {
-                    value = last;
+    private void scan(String text) {
+        int at = 0;
+        while (at < text.length()) {
+            char c = text.charAt(at);
+            int end = at + 1;
+            if (c == '"') {
+                while (end < text.length() && text.charAt(end) != '"') {
+                    end += text.charAt(end) == '\\' ? 2 : 1;
                 }
+                add(unescaped(text.substring(at + 1, Math.min(end, text.length()))));
+                end++;
+            } else if (MARKS.indexOf(c) >= 0) {
+                mark(c);
+            } else if (!Character.isWhitespace(c)) {
+                while (end < text.length() && ENDS.indexOf(text.charAt(end)) < 0) {
+                    end++;
+                }
+                add(text.substring(at, end));
             }
+            at = end;
+        }
+    }
+
+    private void mark(char c) {
+        switch (c) {
+            case '{', '[' -> open();
+            case '}', ']' -> close();
+            case ':' -> setKey(last);
+            default -> setKey("");
+        }
+    }
+
+    /** Takes a text or a number. */
+    private void add(String word) {
+        last = word;
+        if (isLabel() && keys[LABEL].equals("name")) {
+            name = word;
+        } else if (isLabel() && keys[LABEL].equals("value")) {
+            value = word;
         }
     }
 
@@ -97,7 +121,7 @@ final class MitkLabels {
                 segments.add(new Segment(label, group, (int) stored, name.strip()));
             });
         }
-        depth--;
+        depth = Math.max(0, depth - 1);
     }
 
     private static String unescaped(String text) {

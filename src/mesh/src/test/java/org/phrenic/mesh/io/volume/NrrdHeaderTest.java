@@ -170,6 +170,16 @@ class NrrdHeaderTest {
         assertThat(volume.names()).isEqualTo(Map.of(1, "Liver", 7, "Milz \"ä\" ä"));
     }
 
+    @Test
+    void damagedLabelsOfMitkAreNone() {
+        for (String groups :
+                new String[] {"]]}{", "[{\"labels\":[{\"name\":\"Liv", "[{\"labels\":[{\"value\":\\", "\""}) {
+            LabelVolume volume = read("mitk.nrrd", VolumeSamples.nrrd("short", "raw") + mitk(groups) + "\n", SHORTS);
+            assertIsSample(volume);
+            assertThat(volume.names()).isEmpty();
+        }
+    }
+
     /** Groups are layers; a value that an earlier label has becomes the next free label. */
     @Test
     void groupsOfMitkAreLayers() {
