@@ -21,6 +21,8 @@ final class ContouredRegion implements LabelPainter.Voxels {
     private static final double MAX_GAP_MM = 15;
     /** Numbers of the corners of a contour that has an area, at least. */
     private static final int AREA = 6;
+    /** The most columns or rows of an image of DICOM. */
+    private static final int MAX_CORNER = 0xFFFF;
 
     private final SliceGrid grid;
     private final TreeMap<Integer, Supplier<IntList>> sections;
@@ -60,7 +62,7 @@ final class ContouredRegion implements LabelPainter.Voxels {
         return bySlice.values().stream()
                 .flatMap(List::stream)
                 .flatMapToDouble(Arrays::stream)
-                .allMatch(corner -> corner == Math.rint(corner));
+                .allMatch(corner -> corner == Math.rint(corner) && Math.abs(corner) <= MAX_CORNER);
     }
 
     private static IntList filled(ContourFill fill, List<double[]> contours, boolean isMask) {

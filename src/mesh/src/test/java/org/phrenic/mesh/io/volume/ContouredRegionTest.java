@@ -94,6 +94,17 @@ class ContouredRegionTest {
         });
     }
 
+    /** A damaged corner, as far away as numbers reach, is whole as well. */
+    @Test
+    void cornersOfAMaskLieAmongThePixelsOfAnImage() {
+        assertThat(ContouredRegion.isMask(Map.of(0, List.of(new double[] {3, 4, 9, 4, 9, 9}))))
+                .isTrue();
+        assertThat(ContouredRegion.isMask(Map.of(0, List.of(new double[] {3, 4, 9, 4, 1e300, 9}))))
+                .isFalse();
+        assertThat(ContouredRegion.isMask(Map.of(0, List.of(new double[] {3, 4, 9, 4.5, 9, 9}))))
+                .isFalse();
+    }
+
     /** Slices of 2 mm: a gap of 16 mm, one of four times the usual gap, and pieces beside each other stay apart. */
     @Test
     void piecesOfARegionStayApart() {
