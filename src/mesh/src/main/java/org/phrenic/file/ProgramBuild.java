@@ -20,20 +20,26 @@ import java.util.zip.ZipFile;
  */
 public final class ProgramBuild {
     private static final String PROGRAM = "org/phrenic/";
-    /** Packages that compute no result of a run, and that are not in all packages of the program. */
-    private static final Set<String> OTHERS = Set.of("cli", "cluster", "fit", "scene", "ui");
-
     private static final int DIGITS = 12;
 
     private ProgramBuild() {}
 
     /**
-     * The build of the running program as hexadecimal digits; empty if it does not run from jars, as in a development
-     * environment.
+     * Version and build of the running program, such as {@code phrenic 0.1.0 build 0123456789ab}; without a build if it
+     * does not run from jars, as in a development environment.
      *
+     * @param others packages below {@code org.phrenic} that compute nothing of what the build is stated for, also those
+     *     of jars that are not among the given ones: all jars may be packed in one
      * @param classes one of each jar that computes
      */
-    public static Optional<String> of(Class<?>... classes) {
+    public static String program(Set<String> others, Class<?>... classes) {
+        String version = classes[0].getPackage().getImplementationVersion();
+        return "phrenic " + (version == null ? "(not packaged)" : version)
+                + of(others, classes).map(digits -> " build " + digits).orElse("");
+    }
+
+    /** The build of the running program as hexadecimal digits; empty if it does not run from jars. */
+    static Optional<String> of(Set<String> others, Class<?>... classes) {
         Set<Path> jars = new LinkedHashSet<>();
         for (Class<?> each : classes) {
             CodeSource source = each.getProtectionDomain().getCodeSource();
@@ -46,16 +52,16 @@ public final class ProgramBuild {
                 return Optional.empty();
             }
         }
-        return ofJars(jars);
+        return ofJars(others, jars);
     }
 
     /** The build that jars contain; empty if one of them is none. */
-    static Optional<String> ofJars(Collection<Path> jars) {
+    static Optional<String> ofJars(Set<String> others, Collection<Path> jars) {
         SortedMap<String, Long> checksums = new TreeMap<>();
         for (Path jar : jars) {
             try (ZipFile zip = new ZipFile(jar.toFile())) {
                 zip.stream()
-                        .filter(ProgramBuild::isComputing)
+                        .filter(entry -> isComputing(others, entry))
                         .forEach(entry -> checksums.put(entry.getName(), entry.getCrc()));
             } catch (IOException none) {
                 return Optional.empty();
@@ -67,12 +73,12 @@ public final class ProgramBuild {
                 : Optional.of(Hashes.sha256(text).substring(0, DIGITS));
     }
 
-    private static boolean isComputing(ZipEntry entry) {
+    private static boolean isComputing(Set<String> others, ZipEntry entry) {
         String name = entry.getName();
         if (entry.isDirectory() || !name.startsWith(PROGRAM)) {
             return false;
         }
         String below = name.substring(PROGRAM.length());
-        return !OTHERS.contains(below.substring(0, Math.max(0, below.indexOf('/'))));
+        return !others.contains(below.substring(0, Math.max(0, below.indexOf('/'))));
     }
 }

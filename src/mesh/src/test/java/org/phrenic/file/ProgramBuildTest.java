@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
@@ -18,6 +19,8 @@ import org.junit.jupiter.api.io.TempDir;
 class ProgramBuildTest {
     private static final String ENGINE = "org/phrenic/engine/A.class";
     private static final String MESH = "org/phrenic/mesh/A.class";
+
+    private static final Set<String> OTHERS = Set.of("ui", "fit");
 
     @TempDir
     private Path folder;
@@ -41,7 +44,9 @@ class ProgramBuildTest {
         Path one = jar(
                 "one.jar",
                 Map.of(ENGINE, "forces", MESH, "meshes", "org/phrenic/ui/A.class", "window", "org/ejml/A.class", "x"));
-        assertThat(ProgramBuild.ofJars(List.of(mesh, engine))).isPresent().isEqualTo(ProgramBuild.ofJars(List.of(one)));
+        assertThat(ProgramBuild.ofJars(OTHERS, List.of(mesh, engine)))
+                .isPresent()
+                .isEqualTo(ProgramBuild.ofJars(OTHERS, List.of(one)));
     }
 
     @Test
@@ -51,18 +56,29 @@ class ProgramBuildTest {
         Path code = jar("2.jar", Map.of(ENGINE, "Forces", data, "rate: 12"));
         Path rate = jar("3.jar", Map.of(ENGINE, "forces", data, "rate: 15"));
         assertThat(List.of(
-                        ProgramBuild.ofJars(List.of(first)).orElseThrow(),
-                        ProgramBuild.ofJars(List.of(code)).orElseThrow(),
-                        ProgramBuild.ofJars(List.of(rate)).orElseThrow()))
+                        ProgramBuild.ofJars(OTHERS, List.of(first)).orElseThrow(),
+                        ProgramBuild.ofJars(OTHERS, List.of(code)).orElseThrow(),
+                        ProgramBuild.ofJars(OTHERS, List.of(rate)).orElseThrow()))
                 .doesNotHaveDuplicates()
                 .allMatch(build -> build.matches("[0-9a-f]{12}"));
+    }
+
+    /** Runs and fits are not computed by the same packages. */
+    @Test
+    void aBuildIsThatOfThePackagesThatCompute() throws IOException {
+        String fit = "org/phrenic/fit/A.class";
+        List<Path> first = List.of(jar("1.jar", Map.of(ENGINE, "forces", fit, "search")));
+        List<Path> second = List.of(jar("2.jar", Map.of(ENGINE, "forces", fit, "Search")));
+        assertThat(ProgramBuild.ofJars(OTHERS, first)).isEqualTo(ProgramBuild.ofJars(OTHERS, second));
+        assertThat(ProgramBuild.ofJars(Set.of("ui"), first)).isNotEqualTo(ProgramBuild.ofJars(Set.of("ui"), second));
     }
 
     /** A development environment runs from folders of classes. */
     @Test
     void classesThatAreInNoJarHaveNoBuild() {
-        assertThat(ProgramBuild.of(ProgramBuild.class, String.class)).isEmpty();
-        assertThat(ProgramBuild.ofJars(List.of(folder))).isEmpty();
-        assertThat(ProgramBuild.ofJars(List.of())).isEmpty();
+        assertThat(ProgramBuild.of(OTHERS, ProgramBuild.class, String.class)).isEmpty();
+        assertThat(ProgramBuild.ofJars(OTHERS, List.of(folder))).isEmpty();
+        assertThat(ProgramBuild.ofJars(OTHERS, List.of())).isEmpty();
+        assertThat(ProgramBuild.program(OTHERS, ProgramBuild.class)).isEqualTo("phrenic (not packaged)");
     }
 }

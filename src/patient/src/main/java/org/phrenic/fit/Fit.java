@@ -57,10 +57,11 @@ public final class Fit {
      *
      * @param journal file that stores every evaluation; an interrupted fit resumes from it
      * @throws org.phrenic.file.BadInputException if the body lacks the part of a target, its lungs cannot carry
-     *     landmarks, or the journal belongs to another fit
+     *     landmarks, or the journal belongs to another fit or build of the program
      */
     public static FitResult run(FitSetup setup, Path journal, FitProgress progress) {
-        return new Fit(setup, progress).run(new FitJournal(journal, setup.fingerprint(), setup.parameters()));
+        return new Fit(setup, progress)
+                .run(new FitJournal(journal, setup.fingerprint(), FitSetup.PROGRAM, setup.parameters()));
     }
 
     private FitResult run(FitJournal journal) {

@@ -184,6 +184,7 @@ public record FitReport(FitResult result) {
         FitSetup setup = result.setup();
         OrderedValues map = new OrderedValues()
                 .with("notice", Disclaimer.TEXT)
+                .with("program", FitSetup.PROGRAM)
                 .with("anatomy", setup.base().anatomy())
                 .with("alignment", setup.options().alignment())
                 .with("initial_mean_mm", result.initialMm())

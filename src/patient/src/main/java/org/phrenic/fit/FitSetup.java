@@ -1,11 +1,13 @@
 package org.phrenic.fit;
 
-import java.util.ArrayList;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.engine.ParticleSystem;
 import org.phrenic.file.Hashes;
+import org.phrenic.file.ProgramBuild;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.fit.search.FitSearch;
 import org.phrenic.scenario.Scenario;
@@ -20,6 +22,16 @@ import org.phrenic.scenario.Scenario;
  */
 public record FitSetup(
         Scenario base, Thorax thorax, List<FitTarget> targets, List<FitParameter> parameters, Options options) {
+    /** The program that computes a fit, such as {@code phrenic 0.1.0 build 0123456789ab}. */
+    static final String PROGRAM = ProgramBuild.program(
+            Set.of("access", "cli", "cluster", "scene", "study", "ui"),
+            FitSetup.class,
+            Scenario.class,
+            Hashes.class,
+            ParticleSystem.class);
+
+    private static final int FINGERPRINT_DIGITS = 12;
+
     /**
      * Options of a fit.
      *
@@ -65,42 +77,17 @@ public record FitSetup(
 
     /** Hash of all inputs that affect the values of the search. It identifies the journal of a fit. */
     String fingerprint() {
-        StringBuilder text = new StringBuilder();
+        StringBuilder text = new StringBuilder(thorax.content());
         base.toMap().forEach((key, value) -> {
-            // Zero gravity is omitted so that journals written without a gravity setting remain valid.
-            boolean absent = key.startsWith("gravity_") && Double.valueOf(0).equals(value);
-            if (!key.equals("threads") && !key.equals("name") && !absent) {
-                text.append(key).append('=').append(value).append('\n');
+            if (!key.equals("threads") && !key.equals("name")) {
+                text.append('\n').append(key).append('=').append(value);
             }
         });
-        parameters.forEach(p -> text.append(text(p) + "\n"));
-        text.append(options.half + " " + options.search.seed() + " " + populationSize() + " " + options.search.sigma()
-                + " retries; compared at " + InspiratoryHold.searchedAtS(base));
-        List<double[]> arrays = new ArrayList<>();
-        for (FitTarget target : targets) {
-            text.append("\n" + target.name() + " " + target.part() + " " + target.weight());
-            arrays.add(target.from());
-            arrays.add(target.to());
-            arrays.add(target.isPointPairs() ? new double[0] : target.surface().positions());
-        }
-        thorax.structures().forEach(structure -> arrays.add(structure.mesh().positions()));
-        arrays.add(text.chars().asDoubleStream().toArray());
-        return Hashes.sha256(arrays.toArray(double[][]::new)).substring(0, 12);
-    }
-
-    /** Text of a parameter in the fingerprint: its key in capitals, without unit. Part of the journal format. */
-    static String text(FitParameter p) {
-        String name =
-                switch (p.parameter().key()) {
-                    case "tendon_stiffness_ratio" -> "TENDON_RATIO";
-                    case "action_line_radius_mm" -> "ACTION_RADIUS";
-                    default ->
-                        p.parameter()
-                                .key()
-                                .replaceFirst("_(n_per_m|kg_per_m2|ns_per_m|per_s|per_min|kpa|mm|mn|kg)$", "")
-                                .toUpperCase(Locale.ROOT);
-                };
-        return "FitParameter[parameter=" + name + ", minimum=" + p.minimum() + ", maximum=" + p.maximum() + ", start="
-                + p.start() + "] " + p.relativeSigma();
+        parameters.forEach(p -> text.append("\n" + p.parameter().key() + ' ' + p.minimum() + ' ' + p.maximum() + ' '
+                + p.start() + ' ' + p.relativeSigma()));
+        text.append("\n" + options.half + ' ' + options.search.seed() + ' ' + populationSize() + ' '
+                + options.search.sigma() + ' ' + InspiratoryHold.searchedAtS(base));
+        targets.forEach(target -> text.append('\n').append(target.content()));
+        return Hashes.sha256(text.toString().getBytes(StandardCharsets.UTF_8)).substring(0, FINGERPRINT_DIGITS);
     }
 }

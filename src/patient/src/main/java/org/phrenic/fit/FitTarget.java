@@ -8,6 +8,7 @@ import org.phrenic.anatomy.ThoraxFolder;
 import org.phrenic.document.CsvTable;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FileNames;
+import org.phrenic.file.Hashes;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshRepair;
 import org.phrenic.mesh.io.MeshFiles;
@@ -89,6 +90,14 @@ public record FitTarget(String name, FitPart part, TriangleMesh surface, double[
     /** Whether the target consists of point pairs. */
     public boolean isPointPairs() {
         return surface == null;
+    }
+
+    /** A text that two targets share only if a search finds no difference between them. */
+    String content() {
+        String place = isPointPairs()
+                ? Hashes.sha256(from, to)
+                : Hashes.sha256(surface.positions()) + ' ' + Hashes.sha256(surface.triangles());
+        return name + ' ' + part + ' ' + weight + ' ' + place;
     }
 
     /**

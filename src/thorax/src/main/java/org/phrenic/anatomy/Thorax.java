@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.phrenic.file.Hashes;
 
 /**
  * A thorax at end-expiration: its named surfaces, in LPS and mm.
@@ -78,6 +79,20 @@ public record Thorax(
                     default -> label + "s";
                 };
         return count == all.size() ? plural : count + " of " + all.size() + " " + plural;
+    }
+
+    /** A text that two bodies share only if a simulation finds no difference between their structures. */
+    public String content() {
+        StringBuilder text = new StringBuilder();
+        for (Structure s : structures) {
+            text.append(s.name()).append(' ').append(s.kind()).append(' ').append(s.level());
+            text.append(' ')
+                    .append(s.side())
+                    .append(' ')
+                    .append(Hashes.sha256(s.mesh().positions()));
+            text.append(' ').append(Hashes.sha256(s.mesh().triangles())).append('\n');
+        }
+        return text.append(notInScan.stream().sorted().toList()).toString();
     }
 
     /** Whether a structure of a scanned body is in its scan; every structure of another body is. */

@@ -2,7 +2,6 @@ package org.phrenic.simulation;
 
 import java.util.List;
 import java.util.Map;
-import org.phrenic.anatomy.Structure;
 import org.phrenic.anatomy.Thorax;
 import org.phrenic.file.ComputedArrays;
 import org.phrenic.file.Hashes;
@@ -51,20 +50,6 @@ final class SceneKey {
         if (scenario.isVirtual() && thorax == SimulationRun.loadThorax(scenario)) {
             return scenario.anatomy() + " " + OrganSettings.budget(scenario).vertices();
         }
-        StringBuilder text = new StringBuilder();
-        for (Structure s : thorax.structures()) {
-            text.append(s.name())
-                    .append(' ')
-                    .append(s.kind())
-                    .append(' ')
-                    .append(s.level())
-                    .append(' ');
-            text.append(s.side())
-                    .append(' ')
-                    .append(Hashes.sha256(s.mesh().positions()))
-                    .append(' ');
-            text.append(Hashes.sha256(s.mesh().triangles())).append('\n');
-        }
-        return text.append(thorax.notInScan().stream().sorted().toList()).toString();
+        return thorax.content();
     }
 }

@@ -1,32 +1,39 @@
 package org.phrenic.fit.search;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.phrenic.document.CsvTable;
 import org.phrenic.file.AtomicFile;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FileNames;
+import org.phrenic.file.Hashes;
 import org.phrenic.file.OutputException;
 
 /**
  * Log of the evaluations of a fit, one per line. Each line is written as soon as its evaluation is done, so an
  * interrupted fit can resume. The parameter values are the requested ones, also if the breath succeeded only with less
- * drive. A line contains the fingerprint of its fit. An incomplete last line is ignored. Shapes are stored in a
- * {@link ShapeFile} next to the journal.
+ * drive. A line contains the fingerprint of its fit and the build of the program. An incomplete last line is ignored.
+ * Shapes are stored in a {@link ShapeFile} next to the journal.
  */
 public final class FitJournal {
-    private static final int FIXED_COLUMNS = 5;
+    private static final int FIXED_COLUMNS = 6;
+
+    private static final String PROGRAM = "program";
 
     private final Path file;
     private final String fingerprint;
+    private final String program;
     private final List<String> columns =
-            new ArrayList<>(List.of("evaluation", "fit", "distance_mm", "drive", "failure"));
+            new ArrayList<>(List.of("evaluation", "fit", PROGRAM, "distance_mm", "drive", "failure"));
     private final Map<Integer, Evaluation> known = new TreeMap<>();
     private final ShapeFile shapes;
     private boolean written;
@@ -35,18 +42,26 @@ public final class FitJournal {
      * Reads an existing journal without modifying it.
      *
      * @param fingerprint identifies the inputs of the fit
+     * @param program identifies the build of the program that computes
      * @param parameters parameters whose values are stored in the columns
-     * @throws BadInputException if the file belongs to another fit
+     * @throws BadInputException if the file belongs to another fit, or was written by another build: a search goes on
+     *     from each of its evaluations
      */
-    public FitJournal(Path file, String fingerprint, List<FitParameter> parameters) {
+    public FitJournal(Path file, String fingerprint, String program, List<FitParameter> parameters) {
         this.file = file;
         this.fingerprint = fingerprint;
+        this.program = program;
         parameters.forEach(p -> columns.add(p.parameter().key()));
         if (Files.exists(file)) {
             read();
         }
         String name = FileNames.withoutExtension(file);
-        shapes = new ShapeFile(file.resolveSibling(name + ".shapes"), fingerprint);
+        shapes = new ShapeFile(file.resolveSibling(name + ".shapes"), mark());
+    }
+
+    /** What identifies the shapes of this fit and build. */
+    private String mark() {
+        return Hashes.sha256((fingerprint + program).getBytes(StandardCharsets.UTF_8));
     }
 
     private void read() {
@@ -61,6 +76,7 @@ public final class FitJournal {
             return;
         }
         CsvTable table = CsvTable.parse(file.toString(), whole);
+        requireProgram(table);
         if (!table.columnNames().equals(columns) || !table.texts("fit").stream().allMatch(fingerprint::equals)) {
             throw new BadInputException(
                     file + ": found the evaluations of another fit, expected those of this one or another folder");
@@ -79,6 +95,17 @@ public final class FitJournal {
             known.put(
                     (int) numbers[row],
                     new Evaluation(point, values[row], new float[0], drives[row], failures.get(row)));
+        }
+    }
+
+    private void requireProgram(CsvTable table) {
+        Set<String> programs = table.columnNames().contains(PROGRAM)
+                ? new TreeSet<>(table.texts(PROGRAM))
+                : Set.of("an earlier version");
+        if (!Set.of(program).containsAll(programs)) {
+            throw new BadInputException(
+                    file + ": found evaluations of another build of the program (" + String.join("; ", programs)
+                            + "), expected those of this one (" + program + "); another folder begins anew");
         }
     }
 
@@ -118,8 +145,13 @@ public final class FitJournal {
     private String line(int number) {
         StringBuilder text = new StringBuilder();
         Evaluation e = known.get(number);
-        text.append(number).append(',').append(fingerprint).append(',').append(e.value());
-        text.append(',').append(e.drive()).append(',').append(e.failure());
+        text.append(number).append(',').append(fingerprint).append(',').append(program);
+        text.append(',')
+                .append(e.value())
+                .append(',')
+                .append(e.drive())
+                .append(',')
+                .append(e.failure());
         for (double value : e.point()) {
             text.append(',').append(value);
         }

@@ -13,21 +13,21 @@ import java.util.TreeMap;
 import org.phrenic.file.OutputException;
 
 /**
- * File of shapes stored next to a journal. It contains the fingerprint of the fit, followed by one entry per shape:
- * number of the evaluation, length and coordinates (big-endian, 4 bytes each). An incomplete last entry is ignored and
+ * File of shapes stored next to a journal. It contains the mark of the fit, followed by one entry per shape: number of
+ * the evaluation, length and coordinates (big-endian, 4 bytes each). An incomplete last entry is ignored and
  * overwritten, as is a file of another fit.
  */
 final class ShapeFile {
     private static final int HEADER_BYTES = 2 * Integer.BYTES;
 
     private final Path file;
-    private final byte[] fingerprint;
+    private final byte[] mark;
     private final Map<Integer, Long> offsets = new TreeMap<>();
     private long end;
 
-    ShapeFile(Path file, String fingerprint) {
+    ShapeFile(Path file, String mark) {
         this.file = file;
-        this.fingerprint = fingerprint.getBytes(StandardCharsets.US_ASCII);
+        this.mark = mark.getBytes(StandardCharsets.US_ASCII);
         if (Files.exists(file)) {
             index();
         }
@@ -35,8 +35,8 @@ final class ShapeFile {
 
     private void index() {
         try (RandomAccessFile in = new RandomAccessFile(file.toFile(), "r")) {
-            byte[] start = new byte[fingerprint.length];
-            if (in.read(start) < start.length || !Arrays.equals(start, fingerprint)) {
+            byte[] start = new byte[mark.length];
+            if (in.read(start) < start.length || !Arrays.equals(start, mark)) {
                 return;
             }
             end = start.length;
@@ -74,28 +74,35 @@ final class ShapeFile {
         }
     }
 
-    /** Appends a shape unless it is already in the file. */
+    /** Writes a shape, in the place of one with the same number and length. */
     synchronized void add(int number, float[] shape) {
-        if (offsets.containsKey(number)) {
-            return;
-        }
         try {
             Files.createDirectories(file.toAbsolutePath().getParent());
             try (RandomAccessFile out = new RandomAccessFile(file.toFile(), "rw")) {
                 if (end == 0) {
-                    out.write(fingerprint);
-                    end = fingerprint.length;
+                    out.write(mark);
+                    end = mark.length;
                 }
                 ByteBuffer bytes = ByteBuffer.allocate(HEADER_BYTES + Float.BYTES * shape.length);
                 bytes.putInt(number).putInt(shape.length).asFloatBuffer().put(shape);
-                out.seek(end);
+                long at = isStored(out, number, shape.length) ? offsets.get(number) - Integer.BYTES : end;
+                out.seek(at);
                 out.write(bytes.array());
-                out.setLength(out.getFilePointer());
-                offsets.put(number, end + Integer.BYTES);
-                end = out.getFilePointer();
+                offsets.put(number, at + Integer.BYTES);
+                end = Math.max(end, out.getFilePointer());
+                out.setLength(end);
             }
         } catch (IOException e) {
             throw new OutputException(file + ": found no way to write, expected room for the shapes", e);
         }
+    }
+
+    private boolean isStored(RandomAccessFile in, int number, int length) throws IOException {
+        Long offset = offsets.get(number);
+        if (offset == null) {
+            return false;
+        }
+        in.seek(offset);
+        return in.readInt() == length;
     }
 }

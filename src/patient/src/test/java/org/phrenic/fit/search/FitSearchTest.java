@@ -50,7 +50,7 @@ class FitSearchTest {
             String file, int threads, int most, Function<double[], Evaluation> work, FitSearch.Listener listener) {
         return new FitSearch(
                         PARAMETERS,
-                        new FitJournal(folder.resolve(file), "mark", PARAMETERS),
+                        new FitJournal(folder.resolve(file), "mark", "build 1", PARAMETERS),
                         new FitSearch.Settings(3, 7, most, Double.POSITIVE_INFINITY),
                         threads,
                         work,
@@ -171,10 +171,11 @@ class FitSearchTest {
     @Test
     void refusesTheJournalOfAnotherFit() {
         search("other.csv", 1, 10, FitSearchTest::worth);
-        assertThatThrownBy(() -> new FitJournal(folder.resolve("other.csv"), "else", PARAMETERS))
+        assertThatThrownBy(() -> new FitJournal(folder.resolve("other.csv"), "else", "build 1", PARAMETERS))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("other.csv: found the evaluations of another fit, expected");
-        assertThatThrownBy(() -> new FitJournal(folder.resolve("other.csv"), "mark", PARAMETERS.subList(0, 2)))
+        assertThatThrownBy(
+                        () -> new FitJournal(folder.resolve("other.csv"), "mark", "build 1", PARAMETERS.subList(0, 2)))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("another fit");
     }

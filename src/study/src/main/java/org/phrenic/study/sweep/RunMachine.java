@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.phrenic.access.MovingAnatomy;
@@ -20,6 +21,9 @@ public final class RunMachine {
     private static final String JAVA = ", Java ";
     /** What is said where the system does not tell the processor, as on macOS: the system itself. */
     private static final String UNKNOWN = "unknown processor, " + System.getProperty("os.name");
+
+    /** Packages that compute no result of a run. */
+    private static final Set<String> OTHERS = Set.of("cli", "cluster", "fit", "scene", "ui");
 
     private static final String TEXT = describe();
 
@@ -45,18 +49,15 @@ public final class RunMachine {
     }
 
     private static String describe() {
-        String version = RunMachine.class.getPackage().getImplementationVersion();
-        String build = ProgramBuild.of(
-                        RunMachine.class,
-                        CageEnvelope.class,
-                        MovingAnatomy.class,
-                        Scenario.class,
-                        Hashes.class,
-                        ParticleSystem.class)
-                .map(digits -> " build " + digits)
-                .orElse("");
-        return "phrenic " + (version == null ? "(not packaged)" : version) + build + JAVA + Runtime.version() + ", "
-                + System.getProperty("os.arch") + ", " + processor();
+        String program = ProgramBuild.program(
+                OTHERS,
+                RunMachine.class,
+                CageEnvelope.class,
+                MovingAnatomy.class,
+                Scenario.class,
+                Hashes.class,
+                ParticleSystem.class);
+        return program + JAVA + Runtime.version() + ", " + System.getProperty("os.arch") + ", " + processor();
     }
 
     private static String processor() {
