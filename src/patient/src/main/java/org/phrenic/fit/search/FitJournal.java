@@ -1,10 +1,10 @@
 package org.phrenic.fit.search;
 
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -36,7 +36,8 @@ public final class FitJournal {
             new ArrayList<>(List.of("evaluation", "fit", PROGRAM, "distance_mm", "drive", "failure"));
     private final Map<Integer, Evaluation> known = new TreeMap<>();
     private final ShapeFile shapes;
-    private boolean written;
+    /** Length of the complete lines; 0 until the first is written. */
+    private long end;
 
     /**
      * Reads an existing journal without modifying it.
@@ -127,19 +128,29 @@ public final class FitJournal {
         synchronized (this) {
             known.put(number, evaluation.withoutShape());
             try {
-                if (written) {
-                    Files.writeString(file, line(number), StandardOpenOption.APPEND);
+                if (end > 0) {
+                    append(line(number).getBytes(StandardCharsets.UTF_8));
                 } else {
                     // The file is rewritten once to remove an incomplete last line.
                     StringBuilder text = new StringBuilder(String.join(",", columns)).append('\n');
                     known.keySet().forEach(k -> text.append(line(k)));
                     AtomicFile.write(file, text.toString());
-                    written = true;
+                    end = Files.size(file);
                 }
             } catch (IOException e) {
                 throw new OutputException(file + ": found no way to write, expected room for the journal", e);
             }
         }
+    }
+
+    /** Appends to the complete lines, in place of the part of a line that a failed attempt may have left. */
+    private void append(byte[] line) throws IOException {
+        try (RandomAccessFile out = new RandomAccessFile(file.toFile(), "rw")) {
+            out.setLength(end);
+            out.seek(end);
+            out.write(line);
+        }
+        end += line.length;
     }
 
     private String line(int number) {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -49,6 +50,19 @@ class FitJournalTest {
         assertThatThrownBy(() -> journal("phrenic 1 build b"))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("another build of the program (an earlier version), expected");
+    }
+
+    /** Where the disk is full for a moment, half of a line is written, and other breaths go on. */
+    @Test
+    void aLineThatIsWrittenInPartLeavesTheOthersReadable() throws IOException {
+        FitJournal journal = journal("a");
+        journal.add(0, evaluation(12), false);
+        Files.writeString(file, "1,mark,a,11.3", StandardOpenOption.APPEND);
+        journal.add(2, evaluation(10), false);
+        FitJournal read = journal("a");
+        assertThat(read.known(0).value()).isEqualTo(12);
+        assertThat(read.known(1)).isNull();
+        assertThat(read.known(2).value()).isEqualTo(10);
     }
 
     /** The journal alone was deleted. */
