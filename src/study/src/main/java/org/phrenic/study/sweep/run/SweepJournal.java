@@ -2,6 +2,7 @@ package org.phrenic.study.sweep.run;
 
 import java.io.IOException;
 import java.io.RandomAccessFile;
+import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
@@ -28,7 +29,8 @@ import org.phrenic.study.sweep.SweepStudy;
 
 /**
  * The completed runs of a study in a CSV file to which each run appends a line, in the order of completion. A last line
- * without its line feed, which a killed process leaves, is dropped. One process at a time writes a journal.
+ * without its line feed, which a killed process leaves, is dropped. One process at a time writes a journal, where the
+ * file system has locks.
  *
  * <p>Each line states the fingerprint of the plan that it belongs to. A journal without that column is taken as one of
  * the plan, and goes on without it.
@@ -38,6 +40,12 @@ final class SweepJournal implements AutoCloseable {
 
     /** Beyond all content: Windows lets nobody read bytes that are locked, and other shards read the journal. */
     private static final long LOCKED_BYTE = Long.MAX_VALUE - 1;
+
+    /** Locks a file against other processes. */
+    interface Locking {
+        /** The lock; null if another process has it. */
+        FileLock tryLock(FileChannel channel) throws IOException;
+    }
 
     private final RandomAccessFile file;
     private final Path path;
@@ -52,16 +60,15 @@ final class SweepJournal implements AutoCloseable {
      * @param plan fingerprint of the plan of the runs
      */
     SweepJournal(Path path, SweepModel model, String plan) {
-        this(path, opened(path), model, plan);
+        this(path, opened(path), channel -> channel.tryLock(LOCKED_BYTE, 1, false), model, plan);
     }
 
     /** @param file to read and write {@code path} */
-    SweepJournal(Path path, RandomAccessFile file, SweepModel model, String plan) {
+    SweepJournal(Path path, RandomAccessFile file, Locking locking, SweepModel model, String plan) {
         this.path = path;
         this.file = file;
         try {
-            FileLock lock = lock();
-            if (lock == null) {
+            if (isWrittenElsewhere(locking, file.getChannel())) {
                 throw new BadInputException(path + ": found a journal that another process writes, expected none"
                         + " (the study runs already)");
             }
@@ -87,11 +94,14 @@ final class SweepJournal implements AutoCloseable {
         }
     }
 
-    private FileLock lock() throws IOException {
+    /** A file system without locks, as some shared ones are, tells of no other process. */
+    private static boolean isWrittenElsewhere(Locking locking, FileChannel channel) {
         try {
-            return file.getChannel().tryLock(LOCKED_BYTE, 1, false);
+            return locking.tryLock(channel) == null;
         } catch (OverlappingFileLockException mine) {
-            return null;
+            return true;
+        } catch (IOException noLocks) {
+            return false;
         }
     }
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.io.RandomAccessFile;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -170,7 +171,8 @@ class SweepJournalTest {
         SweepPlan plan = plan(KNOWN);
         Path path = folder.resolve("journal.csv");
         try (FullOnce file = new FullOnce(path);
-                SweepJournal journal = new SweepJournal(path, file, plan.model(), plan.fingerprint())) {
+                SweepJournal journal =
+                        new SweepJournal(path, file, FileChannel::tryLock, plan.model(), plan.fingerprint())) {
             journal.add(row(0, 1));
             file.isFull = true;
             assertThatThrownBy(() -> journal.add(row(1, 2)))
@@ -181,6 +183,26 @@ class SweepJournalTest {
         assertThat(SweepJournal.read(path, plan.model(), plan.fingerprint()))
                 .extracting(RunRow::index)
                 .containsExactly(0, 2);
+    }
+
+    /** Shared file systems may have no locks: Lustre without the option flock, NFS without its daemon. */
+    @Test
+    void aFileSystemWithoutLocksTakesTheRuns() throws IOException {
+        SweepPlan plan = plan(KNOWN);
+        Path path = folder.resolve("journal.csv");
+        SweepJournal.Locking none = channel -> {
+            throw new IOException("Function not implemented");
+        };
+        try (RandomAccessFile file = new RandomAccessFile(path.toFile(), "rw");
+                SweepJournal journal = new SweepJournal(path, file, none, plan.model(), plan.fingerprint())) {
+            journal.add(row(0, 1));
+        }
+        assertThat(SweepJournal.read(path, plan.model(), plan.fingerprint())).hasSize(1);
+        try (RandomAccessFile file = new RandomAccessFile(path.toFile(), "rw")) {
+            assertThatThrownBy(() -> new SweepJournal(path, file, channel -> null, plan.model(), plan.fingerprint()))
+                    .isInstanceOf(BadInputException.class)
+                    .hasMessageContaining("another process writes");
+        }
     }
 
     /** A killed process may leave the half of a line that ends within a letter, as of a processor's name. */
