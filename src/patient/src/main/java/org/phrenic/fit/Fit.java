@@ -56,8 +56,9 @@ public final class Fit {
      * Runs a fit.
      *
      * @param journal file that stores every evaluation; an interrupted fit resumes from it
-     * @throws org.phrenic.file.BadInputException if the body lacks the part of a target, its lungs cannot carry
-     *     landmarks, or the journal belongs to another fit or build of the program
+     * @throws BadInputException if the body lacks the part of a target, or its lungs cannot carry landmarks
+     * @throws org.phrenic.fit.search.ForeignJournalException if the journal belongs to another fit or build of the
+     *     program
      */
     public static FitResult run(FitSetup setup, Path journal, FitProgress progress) {
         return new Fit(setup, progress)

@@ -12,10 +12,11 @@ import org.phrenic.engine.integrator.DivergenceException;
 import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
+import org.phrenic.fit.search.ForeignJournalException;
 
 /**
  * Cases of a study. A case that cannot be computed is kept with its reason, and the others go on. What concerns the
- * study as a whole, such as a full disk, is thrown.
+ * study as a whole, such as a full disk or journals of another study, is thrown.
  *
  * @param <T> result of a case
  */
@@ -61,6 +62,8 @@ public final class Attempts<T> {
             T result = work.get();
             results.add(result);
             named.put(name, result);
+        } catch (ForeignJournalException ofAll) {
+            throw ofAll;
         } catch (BadInputException | DivergenceException | IllegalArgumentException | UncheckedIOException failure) {
             failures.add(name + ": " + failure.getMessage());
             first = first == null ? failure : first;

@@ -45,8 +45,8 @@ public final class FitJournal {
      * @param fingerprint identifies the inputs of the fit
      * @param program identifies the build of the program that computes
      * @param parameters parameters whose values are stored in the columns
-     * @throws BadInputException if the file belongs to another fit, or was written by another build: a search goes on
-     *     from each of its evaluations
+     * @throws ForeignJournalException if the file belongs to another fit, or was written by another build: a search
+     *     goes on from each of its evaluations
      */
     public FitJournal(Path file, String fingerprint, String program, List<FitParameter> parameters) {
         this.file = file;
@@ -79,7 +79,7 @@ public final class FitJournal {
         CsvTable table = CsvTable.parse(file.toString(), whole);
         requireProgram(table);
         if (!table.columnNames().equals(columns) || !table.texts("fit").stream().allMatch(fingerprint::equals)) {
-            throw new BadInputException(
+            throw new ForeignJournalException(
                     file + ": found the evaluations of another fit, expected those of this one or another folder");
         }
         double[] numbers = table.numbers("evaluation");
@@ -104,7 +104,7 @@ public final class FitJournal {
                 ? new TreeSet<>(table.texts(PROGRAM))
                 : Set.of("an earlier version");
         if (!Set.of(program).containsAll(programs)) {
-            throw new BadInputException(
+            throw new ForeignJournalException(
                     file + ": found evaluations of another build of the program (" + String.join("; ", programs)
                             + "), expected those of this one (" + program + "); another folder begins anew");
         }

@@ -11,7 +11,6 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.phrenic.file.BadInputException;
 import org.phrenic.model.material.Muscle;
 
 /** Evaluations that a fit goes on from are those of the same fit and of the same build of the program. */
@@ -42,13 +41,13 @@ class FitJournalTest {
         journal("phrenic 1 build a").add(0, evaluation(12), false);
         assertThat(journal("phrenic 1 build a").known(0).value()).isEqualTo(12);
         assertThatThrownBy(() -> journal("phrenic 1 build b"))
-                .isInstanceOf(BadInputException.class)
+                .isInstanceOf(ForeignJournalException.class)
                 .hasMessage(file + ": found evaluations of another build of the program (phrenic 1 build a),"
                         + " expected those of this one (phrenic 1 build b); another folder begins anew");
 
         Files.writeString(file, "evaluation,fit,distance_mm,drive,failure,muscle_activation\n0,mark,12.0,1.0,,0.6\n");
         assertThatThrownBy(() -> journal("phrenic 1 build b"))
-                .isInstanceOf(BadInputException.class)
+                .isInstanceOf(ForeignJournalException.class)
                 .hasMessageContaining("another build of the program (an earlier version), expected");
     }
 

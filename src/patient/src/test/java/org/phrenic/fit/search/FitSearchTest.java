@@ -16,7 +16,6 @@ import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.phrenic.file.BadInputException;
 import org.phrenic.model.material.Muscle;
 import org.phrenic.model.material.RibRotation;
 import org.phrenic.model.material.SheetSprings;
@@ -172,11 +171,11 @@ class FitSearchTest {
     void refusesTheJournalOfAnotherFit() {
         search("other.csv", 1, 10, FitSearchTest::worth);
         assertThatThrownBy(() -> new FitJournal(folder.resolve("other.csv"), "else", "build 1", PARAMETERS))
-                .isInstanceOf(BadInputException.class)
+                .isInstanceOf(ForeignJournalException.class)
                 .hasMessageContaining("other.csv: found the evaluations of another fit, expected");
         assertThatThrownBy(
                         () -> new FitJournal(folder.resolve("other.csv"), "mark", "build 1", PARAMETERS.subList(0, 2)))
-                .isInstanceOf(BadInputException.class)
+                .isInstanceOf(ForeignJournalException.class)
                 .hasMessageContaining("another fit");
     }
 }

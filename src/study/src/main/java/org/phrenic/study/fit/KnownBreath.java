@@ -1,5 +1,6 @@
 package org.phrenic.study.fit;
 
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,6 +19,7 @@ import org.phrenic.fit.FitTarget;
 import org.phrenic.fit.GroundTruth;
 import org.phrenic.fit.search.FitParameter;
 import org.phrenic.fit.search.FitSearch;
+import org.phrenic.fit.search.ForeignJournalException;
 import org.phrenic.scenario.Scenario;
 import org.phrenic.study.body.BodyCase;
 
@@ -40,6 +42,7 @@ public record KnownBreath(String body, List<String> hidden, Optional<FitResult> 
      *
      * @param base scenario with the resolution
      * @param seed of the settings and of the noise
+     * @throws ForeignJournalException if the folder has the journal of another study
      */
     public static KnownBreath of(
             BodyCase body,
@@ -73,7 +76,9 @@ public record KnownBreath(String body, List<String> hidden, Optional<FitResult> 
                     new FitSetup.Options(search, threads, false));
             FitResult result = Fit.run(setup, folder.resolve(body.name() + ".csv"), progress);
             return new KnownBreath(body.name(), hidden, Optional.of(result), "");
-        } catch (BadInputException e) {
+        } catch (ForeignJournalException ofAll) {
+            throw ofAll;
+        } catch (BadInputException | DivergenceException | IllegalArgumentException | UncheckedIOException e) {
             return new KnownBreath(body.name(), hidden, Optional.empty(), e.getMessage());
         }
     }
