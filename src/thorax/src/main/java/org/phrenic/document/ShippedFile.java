@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.NoSuchFileException;
 import java.util.Optional;
 
 /** Data files distributed with the program, named by their path below {@code data/}. */
@@ -21,7 +22,9 @@ public final class ShippedFile {
 
     /** The content of a file that must be there. */
     public static String text(String path) {
-        return find(path).orElseThrow(() -> new IllegalStateException("data/" + path + " is missing from the program"));
+        return find(path)
+                .orElseThrow(() -> new UncheckedIOException(
+                        "data/" + path + " is missing from the program", new NoSuchFileException(path)));
     }
 
     /** A YAML file that must be there; error messages name it without its folder. */

@@ -1,10 +1,12 @@
 package org.phrenic.scenario;
 
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.document.YamlMap;
+import org.phrenic.file.BadInputException;
 import org.phrenic.file.FileNames;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.model.assembly.Breathing;
@@ -88,7 +90,9 @@ public final class RunSettings {
         if (!Files.isDirectory(path)) {
             String expected = String.join(", ", VIRTUAL_BODIES) + " or a folder of meshes";
             LabelVolumeFiles.refuse(path, expected);
-            throw yaml.bad(key, "found no folder '" + found + "', expected " + expected);
+            BadInputException missing = yaml.bad(key, "found no folder '" + found + "', expected " + expected);
+            missing.initCause(new NoSuchFileException(found));
+            throw missing;
         }
         return path.toString();
     }

@@ -1,7 +1,10 @@
 package org.phrenic.study.sweep;
 
+import java.io.IOException;
 import java.io.Serializable;
 import java.util.Arrays;
+import java.util.Objects;
+import java.util.stream.Stream;
 
 /**
  * A completed run.
@@ -16,7 +19,9 @@ public record RunRow(int index, SweepOutcome outcome, String failure, double wal
         implements Serializable {
     /**
      * Evaluates a point. A run that fails is a row with its reason; one that fails on an interrupted thread tells only
-     * that its study ends, and is none.
+     * that its study ends, and is none, and one that cannot read a file tells of the machine and not of the point.
+     *
+     * @throws RuntimeException the failure of a run that is no row
      */
     public static RunRow of(SweepModel model, SweepPoint point) {
         long begun = System.nanoTime();
@@ -25,13 +30,18 @@ public record RunRow(int index, SweepOutcome outcome, String failure, double wal
         try {
             outcome = model.evaluate(point);
         } catch (RuntimeException reason) {
-            if (Thread.currentThread().isInterrupted()) {
+            if (Thread.currentThread().isInterrupted() || isReading(reason)) {
                 throw reason;
             }
             outcome = failed(model);
             failure = sentence(reason);
         }
         return new RunRow(point.index(), outcome, failure, (System.nanoTime() - begun) * 1e-9, RunMachine.text());
+    }
+
+    private static boolean isReading(RuntimeException reason) {
+        return Stream.<Throwable>iterate(reason, Objects::nonNull, Throwable::getCause)
+                .anyMatch(IOException.class::isInstance);
     }
 
     private static SweepOutcome failed(SweepModel model) {

@@ -1,6 +1,7 @@
 package org.phrenic.model.assembly;
 
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -140,7 +141,10 @@ public final class Breathing extends ScenePart {
         }
         Path path = ParsedSetting.path(yaml, key, folder);
         if (!Files.isRegularFile(path)) {
-            throw yaml.bad(key, "found no file '" + found + "', expected a CSV file of recorded breathing");
+            BadInputException missing =
+                    yaml.bad(key, "found no file '" + found + "', expected a CSV file of recorded breathing");
+            missing.initCause(new NoSuchFileException(found));
+            throw missing;
         }
         recorded(path, QUIET.parameters());
         return Optional.of(path);
