@@ -165,6 +165,9 @@ final class SweepCommand extends ReportingCommand {
             rows.addAll(report.sensitivity());
             return withDisclaimer((part.count() == 1 ? TextTable.ofNumbers(rows) + "\n" : "") + state);
         });
+        if (part.count() == 1) {
+            report.builds().ifPresent(err()::println);
+        }
         boolean missing = part.count() == 1 && !results.isComplete();
         if (missing) {
             err().println("phrenic: " + (results.plan().size() - results.done()) + " runs are missing");

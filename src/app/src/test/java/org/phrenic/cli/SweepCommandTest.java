@@ -90,6 +90,20 @@ class SweepCommandTest {
         assertThat(Files.readAllLines(out.resolve("runs.csv"))).hasSize(11);
     }
 
+    /** Shards that begin together find no runs of each other. */
+    @Test
+    void aMergeOfTwoBuildsSaysSo() throws IOException {
+        Path out = folder.resolve("out");
+        for (String shard : List.of("0/2", "1/2")) {
+            CommandLineRun.of("sweep", study().toString(), "--out", out.toString(), "--shard", shard);
+        }
+        Path journal = out.resolve("journal-1-of-2.csv");
+        Files.writeString(journal, Files.readString(journal).replace("phrenic ", "phrenic 0.0.1 "));
+        CommandLineRun merge = CommandLineRun.of("sweep", "--merge", out.toString());
+        assertThat(merge.exitCode()).isZero();
+        assertThat(merge.err()).contains("different builds of the program", "phrenic 0.0.1 ");
+    }
+
     /** A study of fewer runs than shards, as in an array of jobs of fixed size. */
     @Test
     void aShardWithoutRunsSucceeds() throws IOException {

@@ -8,6 +8,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
 import org.phrenic.document.report.Disclaimer;
@@ -154,18 +155,27 @@ public final class SweepReport {
         analyses.forEach(a -> response(page, a));
         new WayMap(results).addTo(page);
         new SeriesBands(results).addTo(page);
-        page.section("Machines");
-        Set<String> programs = results.programs();
-        if (programs.size() > 1) {
-            page.paragraph("The runs are of different builds of the program, whose results may differ: "
-                    + String.join("; ", programs) + ".");
-        }
-        results.machines().forEach((machine, count) -> page.paragraph(machine + ": " + count + " runs."));
+        machines(page);
         return HtmlPage.format(page);
     }
 
+    private void machines(ReportDocument page) {
+        page.section("Machines");
+        builds().ifPresent(page::paragraph);
+        results.machines().forEach((machine, count) -> page.paragraph(machine + ": " + count + " runs."));
+    }
+
+    /** A sentence on the builds of the program that computed the runs; empty if it is one. */
+    public Optional<String> builds() {
+        Set<String> programs = results.programs();
+        return programs.size() < 2
+                ? Optional.empty()
+                : Optional.of("The runs are of different builds of the program, whose results may differ: "
+                        + String.join("; ", programs) + ".");
+    }
+
     /**
-     * What the study found, without curves: factors, responses, measures of sensitivity.
+     * What the study found, without curves: factors, responses, measures of sensitivity, machines.
      *
      * @param provenance lines on how it was made
      */
@@ -178,6 +188,7 @@ public final class SweepReport {
             page.section(a.name());
             measures(page, a);
         }
+        machines(page);
         return page;
     }
 

@@ -15,6 +15,8 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.document.report.MarkdownPage;
+import org.phrenic.document.report.ReportDocument;
 import org.phrenic.engine.parallel.ProgressListener;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.OutputException;
@@ -23,6 +25,7 @@ import org.phrenic.study.sweep.RunRow;
 import org.phrenic.study.sweep.SweepOutcome;
 import org.phrenic.study.sweep.SweepPlan;
 import org.phrenic.study.sweep.SweepStudy;
+import org.phrenic.study.sweep.report.SweepReport;
 
 /** What a journal keeps of a study, and of which study. */
 class SweepJournalTest {
@@ -256,10 +259,12 @@ class SweepJournalTest {
             Notes notes = new Notes();
             SweepFolder study = SweepFolder.of(out, plan);
             SweepRunner.run(study, Shard.WHOLE, new ThreadExecutor(1), notes);
+            ReportDocument page = new SweepReport(study.results(), 0, 1).summary(List.of("Commit of the page"));
             String report = Files.readString(out.resolve("report.html"));
             if (other.equals(own)) {
                 assertThat(notes.sentences).containsExactly("2 of 4 runs are in the journal");
                 assertThat(report).doesNotContain("different builds");
+                assertThat(MarkdownPage.format(page)).contains(own).doesNotContain("different builds");
             } else {
                 assertThat(notes.sentences)
                         .hasSize(2)
@@ -267,6 +272,8 @@ class SweepJournalTest {
                         .asString()
                         .contains("another build of the program in the journal (phrenic 0.1.0)", "(" + own + ")");
                 assertThat(report).contains("different builds of the program");
+                assertThat(MarkdownPage.format(page))
+                        .contains("different builds of the program", own + "; phrenic 0.1.0.");
             }
         }
     }
