@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -113,6 +114,22 @@ public final class FitJournal {
     /** The evaluation with this number, without its shape; null if it is not in the journal. */
     synchronized Evaluation known(int number) {
         return known.get(number);
+    }
+
+    /**
+     * As {@link #known(int)}.
+     *
+     * @param point values that the search asks for
+     * @throws ForeignJournalException if the evaluation has other values
+     */
+    Evaluation known(int number, double[] point) {
+        Evaluation found = known(number);
+        if (found != null && !Arrays.equals(found.point(), point)) {
+            throw new ForeignJournalException(
+                    file + ": found evaluation " + number + " at other values of the parameters than the search asks"
+                            + " for, expected the evaluations of this fit; another folder begins anew");
+        }
+        return found;
     }
 
     /** Shape of an evaluation, or null if it is not stored. */

@@ -6,7 +6,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.function.Function;
 import org.phrenic.engine.parallel.BatchRunner;
-import org.phrenic.file.BadInputException;
 
 /**
  * Searches parameters within bounds. {@link GaussNewtonSearch} runs from the start, then {@link CmaEsSearch} around the
@@ -255,11 +254,7 @@ public final class FitSearch {
 
     private Evaluation evaluate(int number, double[] point, boolean shapes) {
         double[] values = space.values(point);
-        Evaluation known = journal.known(number);
-        if (known != null && !Arrays.equals(known.point(), values)) {
-            throw new BadInputException("journal.csv: found other points in line " + (number + 2)
-                    + " than the search asks for, expected those of this fit; --out with another folder begins anew");
-        }
+        Evaluation known = journal.known(number, values);
         float[] shape = known == null ? null : shapes ? journal.shape(number) : new float[0];
         if (shape != null) {
             double[] at = space.withDrive(point, known.drive() == 0 ? 1 : known.drive());

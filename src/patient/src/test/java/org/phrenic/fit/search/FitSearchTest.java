@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -177,5 +178,20 @@ class FitSearchTest {
                         () -> new FitJournal(folder.resolve("other.csv"), "mark", "build 1", PARAMETERS.subList(0, 2)))
                 .isInstanceOf(ForeignJournalException.class)
                 .hasMessageContaining("another fit");
+    }
+
+    /** On several threads a journal is in the order of completion. */
+    @Test
+    void anEvaluationOfOtherValuesIsNamedWithItsFile() throws IOException {
+        search("other.csv", 1, 10, FitSearchTest::worth);
+        Path file = folder.resolve("other.csv");
+        List<String> lines = new ArrayList<>(Files.readAllLines(file));
+        String third = lines.remove(4);
+        assertThat(third).startsWith("3,");
+        lines.add(third.replaceFirst(",[^,]*$", ",0.25"));
+        Files.writeString(file, String.join("\n", lines) + "\n");
+        assertThatThrownBy(() -> search("other.csv", 1, 10, FitSearchTest::worth))
+                .isInstanceOf(ForeignJournalException.class)
+                .hasMessageStartingWith(file + ": found evaluation 3 at other values of the parameters");
     }
 }
