@@ -62,6 +62,7 @@ import picocli.CommandLine.Parameters;
             "DIR gets report.html, report.md, fit.json, fit.csv, scenario.yaml (what it takes to do the fitted "
                     + "breath again) and",
             "journal.csv, which keeps every evaluation: the same command goes on from it.",
+            "Exit code 3 if scenario.yaml does not give the fitted state again.",
             Disclaimer.TEXT
         })
 final class FitCommand extends ReportingCommand {
@@ -195,8 +196,13 @@ final class FitCommand extends ReportingCommand {
             FitResult result = Fit.run(setup, mine.folder().resolve("journal.csv"), printer);
             printer.end();
             report(result);
+            return exitCode(result);
         }
-        return ExitCode.SUCCESS;
+    }
+
+    /** The fitted breath is of use only if its scenario does it again. */
+    static int exitCode(FitResult result) {
+        return result.reproduced() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
     /** Refuses landmarks and targets that the report would be written over. */
