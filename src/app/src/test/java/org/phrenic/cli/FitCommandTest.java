@@ -133,6 +133,13 @@ class FitCommandTest {
         assertBad("expected 0 to 1.5", body, "--target", mesh, "--tune", "rib_rotation=0:5");
         assertBad("found no number", body, "--target", mesh, "--tune", "rib_rotation=0:x");
         assertBad("that the breath which is held does not use", body, "--target", mesh, "--tune", "rate_per_min");
+        assertBad(
+                "phrenic: fit: found a scenario whose breath does not use muscle_activation",
+                body,
+                "--target",
+                mesh,
+                "--set",
+                "material=paper");
         assertBad("found it a second time", body, "--target", mesh, "--tune", "depth,depth");
         assertBad("--hold-out liver: found no such target", body, "--target", mesh, "--hold-out", "liver");
         assertBad("found every target held out", body, "--target", mesh, "--hold-out", "lung_R");

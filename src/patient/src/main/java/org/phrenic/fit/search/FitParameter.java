@@ -42,7 +42,7 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
      */
     public static FitParameter of(Parameter parameter, Scenario scenario) {
         double start = scenario.get(parameter);
-        if (Double.isNaN(start) || parameter == Breathing.RATE || parameter == Breathing.INSPIRATORY_FRACTION) {
+        if (!isUsed(parameter, scenario)) {
             throw new BadInputException("--tune " + parameter.key()
                     + ": found a parameter that the breath which is held does not use, expected another");
         }
@@ -79,7 +79,17 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
         }
     }
 
-    /** Default parameters: drives of muscle, pressure and ribs, their distribution, and stiffness. */
+    private static boolean isUsed(Parameter parameter, Scenario scenario) {
+        return !Double.isNaN(scenario.get(parameter))
+                && parameter != Breathing.RATE
+                && parameter != Breathing.INSPIRATORY_FRACTION;
+    }
+
+    /**
+     * Default parameters: drives of muscle, pressure and ribs, their distribution, and stiffness.
+     *
+     * @throws BadInputException if the held breath does not use one of them
+     */
     public static List<FitParameter> defaults(Scenario scenario) {
         return Stream.of(
                         Muscle.MUSCLE_ACTIVATION,
@@ -97,8 +107,16 @@ public record FitParameter(Parameter parameter, double minimum, double maximum, 
                         Lungs.LUNG_STIFFNESS,
                         Mediastinum.MEDIASTINUM_RIGHT,
                         Mediastinum.MEDIASTINUM_LEFT)
-                .map(p -> of(p, scenario))
+                .map(p -> usual(p, scenario))
                 .toList();
+    }
+
+    private static FitParameter usual(Parameter parameter, Scenario scenario) {
+        if (!isUsed(parameter, scenario)) {
+            throw new BadInputException("fit: found a scenario whose breath does not use " + parameter.key()
+                    + ", one of the parameters that a fit tunes by itself, expected --tune KEY,... with others");
+        }
+        return of(parameter, scenario);
     }
 
     /**
