@@ -82,9 +82,14 @@ public record SweepStudy(
         return of(YamlDocument.parse(name, text), Path.of("").toAbsolutePath(), name, true);
     }
 
-    /** As {@link #parse}, for a study that is not evaluated: its bodies and recordings may be on another machine. */
-    public static SweepStudy parseWithoutBodies(String name, String text) {
-        return of(YamlDocument.parse(name, text), Path.of("").toAbsolutePath(), name, false);
+    /**
+     * As {@link #read}, for a study that is not evaluated: its bodies and recordings may be on another machine.
+     *
+     * @param text what the file states
+     */
+    public static SweepStudy parseWithoutBodies(Path file, String text) {
+        Path folder = file.toAbsolutePath().getParent();
+        return of(YamlDocument.parse(file.toString(), text), folder, FileNames.withoutExtension(file), false);
     }
 
     /** @param evaluated whether bodies and recordings are needed */

@@ -68,7 +68,7 @@ class StudyCheckTest {
             assertThat(SweepStudy.parse("study.yaml", DEPTHS + GRID + responses).responses())
                     .hasSize(1);
         }
-        assertThat(SweepStudy.parseWithoutBodies("a study that is merged", DEPTHS + GRID + both)
+        assertThat(SweepStudy.parseWithoutBodies(Path.of("merged", "study.yaml"), DEPTHS + GRID + both)
                         .responses())
                 .hasSize(2);
     }

@@ -95,7 +95,7 @@ public final class SweepFolder {
     }
 
     private static SweepStudy stated(Path file, String text) {
-        return SweepStudy.parseWithoutBodies(file.toString(), text);
+        return SweepStudy.parseWithoutBodies(file, text);
     }
 
     /** A study that cannot be read again cannot be resumed, sharded or merged, which is told before its first run. */

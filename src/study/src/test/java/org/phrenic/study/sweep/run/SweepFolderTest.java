@@ -65,6 +65,21 @@ class SweepFolderTest {
         assertThat(out).doesNotExist();
     }
 
+    /** Its title is the name of its file, and its paths begin at its folder, as when it is read the first time. */
+    @Test
+    void aStudyFileMayLieInTheFolderOfItsStudy() throws IOException {
+        Path out = Files.createDirectory(folder.resolve("out"));
+        Files.writeString(out.resolve("points.csv"), "depth\n0.5\n1\n");
+        Files.writeString(out.resolve("calm.yaml"), "resolution: low\n");
+        Path file = Files.writeString(
+                out.resolve("study.yaml"),
+                "scenario: calm.yaml\ndesign: {kind: list, file: points.csv}\n"
+                        + "responses: [{observable: dome_right_mm, reduction: size}]\n");
+        SweepPlan plan = SweepPlan.of(SweepStudy.read(file));
+        assertThat(SweepFolder.of(out, plan).plan()).isSameAs(plan);
+        assertThat(SweepFolder.existing(out).plan().study().title()).isEqualTo("study");
+    }
+
     /** The journal of a shard that begins between two looks at the folder is none of an unknown study. */
     @Test
     void shardsThatBeginTogetherTakeTheSameFolder() throws IOException {
