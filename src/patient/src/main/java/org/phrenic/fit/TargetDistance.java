@@ -6,7 +6,9 @@ import java.util.List;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.fit.search.DistanceGradient;
+import org.phrenic.mesh.BoundingBoxes;
 import org.phrenic.mesh.MeshMeasure;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.MeshMerge;
@@ -23,6 +25,11 @@ import org.phrenic.simulation.observe.Surface;
  * <p>Not thread-safe.
  */
 final class TargetDistance {
+    /** Greatest ratio between the sizes of a target and of its part: a lung in centimetres is a tenth. */
+    private static final double SIZE_RATIO = 5;
+    /** Greatest distance of a target from its part as a share of the size of the part. */
+    private static final double GAP_SHARE = 0.1;
+
     private final FitTarget target;
     private final List<Integer> surfaces = new ArrayList<>();
     private final TriangleMesh rest;
@@ -35,7 +42,7 @@ final class TargetDistance {
 
     /**
      * @param scene scene of the body
-     * @throws BadInputException if the body lacks the part
+     * @throws BadInputException if the body lacks the part, or if the target is of another size or beside it
      */
     TargetDistance(FitTarget target, SceneSurfaces scene) {
         this.target = target;
@@ -50,6 +57,7 @@ final class TargetDistance {
                     + target.part().label() + " that moves in the body, expected a part that it has");
         }
         rest = joined(i -> all.get(i).rest());
+        requirePlace(target, rest.bounds());
         if (target.isPointPairs()) {
             anchors = new Anchors(rest, target.from());
             fromModel = null;
@@ -65,6 +73,41 @@ final class TargetDistance {
             targetBase = target.part().isBase() ? base(target.surface(), "its surface") : null;
             targetAreas = MeshMeasure.vertexAreas(target.surface());
         }
+    }
+
+    /** Refuses a target in another unit or other axes than the body. */
+    private static void requirePlace(FitTarget target, double[] part) {
+        double[] box = new double[6];
+        double[] points =
+                target.isPointPairs() ? target.from() : target.surface().positions();
+        BoundingBoxes.around(points, 0, points.length, box, 0);
+        double size = diagonal(box);
+        double wanted = diagonal(part);
+        boolean isOfSize = target.isPointPairs() || (size * SIZE_RATIO > wanted && size < wanted * SIZE_RATIO);
+        double gap = gap(box, part);
+        if (!isOfSize || gap > wanted * GAP_SHARE) {
+            throw new BadInputException(Numbers.format(
+                    "target %s: found it %.1f mm wide and %.1f mm away from %s of the body, which is %.1f mm wide,"
+                            + " expected mm in the axes of the body",
+                    target.name(), size, gap, target.part().label(), wanted));
+        }
+    }
+
+    private static double diagonal(double[] box) {
+        double x = box[3] - box[0];
+        double y = box[4] - box[1];
+        double z = box[5] - box[2];
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+
+    /** Distance between two boxes; 0 where they meet. */
+    private static double gap(double[] a, double[] b) {
+        double squared = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double apart = Math.max(0, Math.max(a[axis] - b[3 + axis], b[axis] - a[3 + axis]));
+            squared += apart * apart;
+        }
+        return Math.sqrt(squared);
     }
 
     private boolean[] base(TriangleMesh lung, String whose) {

@@ -142,6 +142,31 @@ class FitTest {
         }
     }
 
+    /** A surface in centimetres or in the axes of another program would be fitted to for an hour. */
+    @Test
+    void refusesATargetInAnotherUnitOrOtherAxes() {
+        TriangleMesh surface = truth.targets().get(0).surface();
+        double[] centimetres =
+                Arrays.stream(surface.positions()).map(x -> 0.1 * x).toArray();
+        double[] aside = surface.positions().clone();
+        for (int i = 0; i < aside.length; i += 3) {
+            aside[i] += 500;
+        }
+        double[] from = Arrays.copyOf(aside, 30);
+        try (InspiratoryHold breath =
+                new InspiratoryHold(base, body, setup(1, 1).parameters())) {
+            for (FitTarget wrong : List.of(
+                    FitTarget.of(FitPart.DIAPHRAGM, surface.withPositions(centimetres)),
+                    FitTarget.of(FitPart.DIAPHRAGM, surface.withPositions(aside)),
+                    FitTarget.ofPointPairs(FitPart.DIAPHRAGM, from, from))) {
+                assertThatThrownBy(() -> new TargetDistance(wrong, breath.surfaces()))
+                        .isInstanceOf(BadInputException.class)
+                        .hasMessageStartingWith("target " + wrong.name() + ": found it ")
+                        .hasMessageContaining("expected mm in the axes of the body");
+            }
+        }
+    }
+
     private static double weight(TargetDistance distance, FitHalf half) {
         FitDistances d = distance.atRest(half);
         return Arrays.stream(d.modelWeights()).sum()
