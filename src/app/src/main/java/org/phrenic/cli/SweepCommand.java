@@ -147,10 +147,7 @@ final class SweepCommand extends ReportingCommand {
     }
 
     private int merge() {
-        SweepFolder folder = SweepFolder.existing(merge);
-        SweepResults results = folder.results();
-        folder.write(results, 0, 0, 1);
-        return report(results, Shard.WHOLE);
+        return report(SweepFolder.existing(merge).merge(), Shard.WHOLE);
     }
 
     private int report(SweepResults results, Shard part) {

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import org.phrenic.document.CsvWriter;
 import org.phrenic.document.JsonWriter;
 import org.phrenic.document.TextFile;
@@ -158,6 +159,26 @@ public final class SweepFolder {
                         + " again)");
             }
         }
+    }
+
+    /**
+     * Writes the results of all journals. A study that ends meanwhile in another process has written its own, which are
+     * not left behind older ones.
+     */
+    public SweepResults merge() {
+        return merge(this::results);
+    }
+
+    /** @param reads the journals */
+    SweepResults merge(Supplier<SweepResults> reads) {
+        SweepResults results = reads.get();
+        write(results, 0, 0, 1);
+        SweepResults after = results.isComplete() ? results : reads.get();
+        if (after.done() == results.done() || !after.isComplete()) {
+            return results;
+        }
+        write(after, 0, 0, 1);
+        return after;
     }
 
     /**

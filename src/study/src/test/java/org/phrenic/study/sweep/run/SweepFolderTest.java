@@ -14,6 +14,7 @@ import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 import org.phrenic.study.sweep.RunRow;
 import org.phrenic.study.sweep.SweepPlan;
+import org.phrenic.study.sweep.SweepResults;
 import org.phrenic.study.sweep.SweepStudy;
 import org.phrenic.study.sweep.report.StudyCost;
 
@@ -78,6 +79,26 @@ class SweepFolderTest {
         SweepPlan plan = SweepPlan.of(SweepStudy.read(file));
         assertThat(SweepFolder.of(out, plan).plan()).isSameAs(plan);
         assertThat(SweepFolder.existing(out).plan().study().title()).isEqualTo("study");
+    }
+
+    @Test
+    void aStudyThatEndsDuringAMergeIsMergedWhole() throws IOException {
+        SweepPlan plan = list("0,1,2", 4);
+        Path out = folder.resolve("out");
+        SweepFolder study = SweepFolder.of(out, plan);
+        new ThreadExecutor(1).run(plan, List.of(0, 1, 2), row -> {
+            try (SweepJournal journal = study.journal(Shard.WHOLE)) {
+                journal.add(row);
+            }
+        });
+        SweepResults merged = study.merge(() -> {
+            SweepResults before = study.results();
+            SweepRunner.run(study, Shard.WHOLE, new ThreadExecutor(1), (n, of, what) -> {});
+            return before;
+        });
+        assertThat(merged.isComplete()).isTrue();
+        assertThat(Files.readAllLines(out.resolve("runs.csv"))).hasSize(5);
+        assertThat(Files.readString(out.resolve("study.json"))).contains("\"complete\": true");
     }
 
     /** The journal of a shard that begins between two looks at the folder is none of an unknown study. */
