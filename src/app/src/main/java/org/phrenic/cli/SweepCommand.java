@@ -163,7 +163,7 @@ final class SweepCommand extends ReportingCommand {
             return withDisclaimer((part.count() == 1 ? TextTable.ofNumbers(rows) + "\n" : "") + state);
         });
         if (part.count() == 1) {
-            report.builds().ifPresent(err()::println);
+            results.builds().ifPresent(err()::println);
         }
         boolean missing = part.count() == 1 && !results.isComplete();
         if (missing) {

@@ -3,7 +3,6 @@ package org.phrenic.file;
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
@@ -41,8 +40,7 @@ public final class InputBytes {
             throw new BadInputException(file + ": found a folder, expected a file");
         }
         if (!Files.exists(file)) {
-            throw new BadInputException(
-                    file + ": found no such file, expected one to read", new NoSuchFileException(file.toString()));
+            throw BadInputException.missing(file + ": found no such file, expected one to read");
         }
         if (!Files.isRegularFile(file)) {
             throw new BadInputException(file + ": found a pipe or a device, expected a file");

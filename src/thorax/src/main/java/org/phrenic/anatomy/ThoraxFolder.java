@@ -3,7 +3,6 @@ package org.phrenic.anatomy;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumSet;
@@ -98,9 +97,7 @@ public final class ThoraxFolder {
     private static Thorax load(Path folder, Extent extent, Function<String, Optional<String>> naming) {
         LabelVolumeFiles.refuse(folder, "a folder of meshes");
         if (!Files.isDirectory(folder)) {
-            throw new BadInputException(
-                    folder + ": no such folder, expected a folder of meshes",
-                    new NoSuchFileException(folder.toString()));
+            throw BadInputException.missing(folder + ": no such folder, expected a folder of meshes");
         }
         Path index = folder.resolve(INDEX_FILE);
         YamlMap yaml = Files.exists(index) ? YamlDocument.read(index) : YamlDocument.parse(INDEX_FILE, "{}");

@@ -1,7 +1,6 @@
 package org.phrenic.scenario;
 
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -90,9 +89,8 @@ public final class RunSettings {
         if (!Files.isDirectory(path)) {
             String expected = String.join(", ", VIRTUAL_BODIES) + " or a folder of meshes";
             LabelVolumeFiles.refuse(path, expected);
-            BadInputException missing = yaml.bad(key, "found no folder '" + found + "', expected " + expected);
-            missing.initCause(new NoSuchFileException(found));
-            throw missing;
+            String sentence = "found no folder '" + found + "', expected " + expected;
+            throw BadInputException.missing(yaml.bad(key, sentence).getMessage());
         }
         return path.toString();
     }

@@ -5,6 +5,8 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -78,6 +80,15 @@ public final class SweepResults {
     /** The builds of the program that computed the runs, in alphabetical order. */
     public SortedSet<String> programs() {
         return stream().map(row -> RunMachine.program(row.machine())).collect(Collectors.toCollection(TreeSet::new));
+    }
+
+    /** A sentence on the builds of the program that computed the runs; empty if it is one. */
+    public Optional<String> builds() {
+        Set<String> all = programs();
+        return all.size() < 2
+                ? Optional.empty()
+                : Optional.of("The runs are of different builds of the program, whose results may differ: "
+                        + String.join("; ", all) + ".");
     }
 
     /** Machines that computed the runs, with their numbers of runs. */

@@ -1,7 +1,6 @@
 package org.phrenic.model.assembly;
 
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -141,10 +140,8 @@ public final class Breathing extends ScenePart {
         }
         Path path = ParsedSetting.path(yaml, key, folder);
         if (!Files.isRegularFile(path)) {
-            BadInputException missing =
-                    yaml.bad(key, "found no file '" + found + "', expected a CSV file of recorded breathing");
-            missing.initCause(new NoSuchFileException(found));
-            throw missing;
+            String sentence = "found no file '" + found + "', expected a CSV file of recorded breathing";
+            throw BadInputException.missing(yaml.bad(key, sentence).getMessage());
         }
         recorded(path, QUIET.parameters());
         return Optional.of(path);

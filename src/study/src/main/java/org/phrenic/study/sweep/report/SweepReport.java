@@ -8,8 +8,6 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.Set;
 import java.util.stream.IntStream;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.HtmlPage;
@@ -161,17 +159,8 @@ public final class SweepReport {
 
     private void machines(ReportDocument page) {
         page.section("Machines");
-        builds().ifPresent(page::paragraph);
+        results.builds().ifPresent(page::paragraph);
         results.machines().forEach((machine, count) -> page.paragraph(machine + ": " + count + " runs."));
-    }
-
-    /** A sentence on the builds of the program that computed the runs; empty if it is one. */
-    public Optional<String> builds() {
-        Set<String> programs = results.programs();
-        return programs.size() < 2
-                ? Optional.empty()
-                : Optional.of("The runs are of different builds of the program, whose results may differ: "
-                        + String.join("; ", programs) + ".");
     }
 
     /**
