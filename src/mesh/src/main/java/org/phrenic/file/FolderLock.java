@@ -1,15 +1,11 @@
 package org.phrenic.file;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.OverlappingFileLockException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.Arrays;
-import java.util.UUID;
 import java.util.stream.Stream;
 
 /**
@@ -19,8 +15,6 @@ import java.util.stream.Stream;
  */
 public final class FolderLock implements AutoCloseable {
     static final String NAME = ".phrenic-lock";
-    /** Beyond all content: Windows lets nobody read bytes that are locked. */
-    private static final long LOCKED_BYTE = Long.MAX_VALUE - 1;
 
     private final Path folder;
     private final FileChannel channel;
@@ -47,43 +41,17 @@ public final class FolderLock implements AutoCloseable {
         }
         Path file = folder.resolve(NAME);
         try {
-            return new FolderLock(folder, locked(file), absent);
+            FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+            if (isHeldElsewhere(channel)) {
+                channel.close();
+                throw new BadInputException(
+                        folder + ": found another run that writes into this folder, expected a folder"
+                                + " of its own for each run");
+            }
+            return new FolderLock(folder, channel, absent);
         } catch (IOException e) {
             return new FolderLock(folder, null, absent);
         }
-    }
-
-    private static FileChannel locked(Path file) throws IOException {
-        while (true) {
-            FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
-            boolean mine = false;
-            try {
-                if (isHeldElsewhere(channel)) {
-                    throw new BadInputException(file.getParent() + ": found another run that writes into this folder,"
-                            + " expected a folder of its own for each run");
-                }
-                mine = isOpen(file, channel);
-            } finally {
-                if (!mine) {
-                    channel.close();
-                }
-            }
-            if (mine) {
-                return channel;
-            }
-        }
-    }
-
-    /**
-     * Whether a channel is that of the file which has the path. The run that held the lock may have deleted the file
-     * between the opening and the locking, and a third run may have made another.
-     *
-     * @param locked a channel that holds the lock
-     */
-    static boolean isOpen(Path file, FileChannel locked) throws IOException {
-        byte[] mark = UUID.randomUUID().toString().getBytes(StandardCharsets.US_ASCII);
-        locked.write(ByteBuffer.wrap(mark), 0);
-        return Files.exists(file) && Arrays.equals(Files.readAllBytes(file), mark);
     }
 
     public Path folder() {
@@ -92,7 +60,7 @@ public final class FolderLock implements AutoCloseable {
 
     private static boolean isHeldElsewhere(FileChannel channel) throws IOException {
         try {
-            return channel.tryLock(LOCKED_BYTE, 1, false) == null;
+            return channel.tryLock() == null;
         } catch (OverlappingFileLockException sameProcess) {
             return true;
         }
@@ -103,11 +71,8 @@ public final class FolderLock implements AutoCloseable {
     public void close() {
         try {
             if (channel != null) {
-                try {
-                    Files.deleteIfExists(folder.resolve(NAME));
-                } finally {
-                    channel.close();
-                }
+                Files.deleteIfExists(folder.resolve(NAME));
+                channel.close();
             }
             if (made && isEmpty()) {
                 Files.deleteIfExists(folder);
