@@ -162,7 +162,18 @@ public final class FitJournal {
 
     /** Appends to the complete lines, in place of the part of a line that a failed attempt may have left. */
     private void append(byte[] line) throws IOException {
+        // Fails where the file is gone, which the next line would make.
+        long size = Files.size(file);
         try (RandomAccessFile out = new RandomAccessFile(file.toFile(), "rw")) {
+            byte[] rest = new byte[(int) Math.max(0, size - (end - 1))];
+            out.seek(end - 1);
+            out.readFully(rest);
+            if (new String(rest, StandardCharsets.UTF_8).lastIndexOf('\n') != 0) {
+                throw new OutputException(
+                        file + ": found other lines than this fit has written, expected a journal that no other"
+                                + " program changes",
+                        null);
+            }
             out.setLength(end);
             out.seek(end);
             out.write(line);

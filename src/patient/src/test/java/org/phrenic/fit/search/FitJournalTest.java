@@ -11,6 +11,7 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.file.OutputException;
 import org.phrenic.model.material.Muscle;
 
 /** Evaluations that a fit goes on from are those of the same fit and of the same build of the program. */
@@ -62,6 +63,36 @@ class FitJournalTest {
         assertThat(read.known(0).value()).isEqualTo(12);
         assertThat(read.known(1)).isNull();
         assertThat(read.known(2).value()).isEqualTo(10);
+    }
+
+    /** Two fits may write into one folder where the file system has no locks. */
+    @Test
+    void linesOfAnotherProgramAreKept() throws IOException {
+        FitJournal journal = journal("a");
+        journal.add(0, evaluation(12), false);
+        String lines = Files.readString(file);
+        List<String> others = List.of(
+                lines + lines.lines().skip(1).findFirst().orElseThrow().replace("0,mark", "1,mark") + "\n",
+                lines.replace("12.0", "12.25") + "1,ma",
+                lines.substring(0, lines.indexOf('\n') + 1));
+        for (String other : others) {
+            Files.writeString(file, other);
+            assertThatThrownBy(() -> journal.add(2, evaluation(10), false))
+                    .isInstanceOf(OutputException.class)
+                    .hasMessageStartingWith(file + ": found other lines than this fit has written");
+            assertThat(file).hasContent(other);
+        }
+    }
+
+    @Test
+    void aJournalThatIsDeletedIsNotMadeAnewWithinAFit() throws IOException {
+        FitJournal journal = journal("a");
+        journal.add(0, evaluation(12), false);
+        Files.delete(file);
+        assertThatThrownBy(() -> journal.add(1, evaluation(11), false))
+                .isInstanceOf(OutputException.class)
+                .hasMessageStartingWith(file.toString());
+        assertThat(file).doesNotExist();
     }
 
     /** The journal alone was deleted. */
