@@ -1,7 +1,5 @@
 package org.phrenic.file;
 
-import java.nio.file.NoSuchFileException;
-
 /**
  * Invalid user input. The message is one sentence that can be shown to the user. It names the file, the location in it
  * (line, byte or key), what was found and what was expected.
@@ -13,11 +11,6 @@ public class BadInputException extends RuntimeException {
 
     public BadInputException(String sentence, Throwable cause) {
         super(sentence, cause);
-    }
-
-    /** Creates an exception for a file or folder that is missing; its cause says so. */
-    public static BadInputException missing(String sentence) {
-        return new BadInputException(sentence, new NoSuchFileException(sentence));
     }
 
     /**

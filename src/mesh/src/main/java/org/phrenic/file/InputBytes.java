@@ -3,6 +3,7 @@ package org.phrenic.file;
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
@@ -40,7 +41,7 @@ public final class InputBytes {
             throw new BadInputException(file + ": found a folder, expected a file");
         }
         if (!Files.exists(file)) {
-            throw BadInputException.missing(file + ": found no such file, expected one to read");
+            throw missing(file, file.toAbsolutePath().getParent(), file + ": found no such file, expected one to read");
         }
         if (!Files.isRegularFile(file)) {
             throw new BadInputException(file + ": found a pipe or a device, expected a file");
@@ -69,10 +70,18 @@ public final class InputBytes {
         }
     }
 
+    /** A file that is missing. In a folder that is there, it is wrong to name it. */
+    public static BadInputException missing(Path file, Path folder, String sentence) {
+        return Files.isDirectory(folder)
+                ? new BadInputException(sentence)
+                : new UnreadableException(sentence, new NoSuchFileException(file.toString()));
+    }
+
     /** Describes a read failure in one sentence. */
-    public static BadInputException readFailure(Path file, IOException failure) {
+    public static UnreadableException readFailure(Path file, IOException failure) {
         return failure instanceof AccessDeniedException
-                ? new BadInputException(file + ": found a file that may not be read, expected read permission", failure)
-                : new BadInputException(file + ": reading failed: " + failure.getMessage(), failure);
+                ? new UnreadableException(
+                        file + ": found a file that may not be read, expected read permission", failure)
+                : new UnreadableException(file + ": reading failed: " + failure.getMessage(), failure);
     }
 }

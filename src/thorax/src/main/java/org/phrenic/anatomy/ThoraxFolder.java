@@ -20,6 +20,7 @@ import org.phrenic.document.YamlDocument;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FileNames;
+import org.phrenic.file.InputBytes;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.edit.ConnectedComponents;
 import org.phrenic.mesh.edit.MeshRepair;
@@ -97,7 +98,7 @@ public final class ThoraxFolder {
     private static Thorax load(Path folder, Extent extent, Function<String, Optional<String>> naming) {
         LabelVolumeFiles.refuse(folder, "a folder of meshes");
         if (!Files.isDirectory(folder)) {
-            throw BadInputException.missing(folder + ": no such folder, expected a folder of meshes");
+            throw InputBytes.missing(folder, folder, folder + ": no such folder, expected a folder of meshes");
         }
         Path index = folder.resolve(INDEX_FILE);
         YamlMap yaml = Files.exists(index) ? YamlDocument.read(index) : YamlDocument.parse(INDEX_FILE, "{}");
@@ -274,7 +275,10 @@ public final class ThoraxFolder {
         for (String name : structures.keys()) {
             Path file = folder.resolve(structures.text(name));
             if (!Files.isRegularFile(file)) {
-                throw structures.bad(name, "found no file " + file + ", expected a mesh");
+                String sentence = structures
+                        .bad(name, "found no file " + file + ", expected a mesh")
+                        .getMessage();
+                throw InputBytes.missing(file, folder, sentence);
             }
             files.put(name, file);
         }
@@ -333,16 +337,12 @@ public final class ThoraxFolder {
 
     private static Map<String, Path> filesByName(Path folder) {
         Map<String, Path> files = new TreeMap<>();
-        try (Stream<Path> list = Files.list(folder)) {
-            for (Path file : FileNames.sorted(list.filter(ThoraxFolder::isPart))) {
-                String name = FileNames.withoutExtension(file);
-                Path twin = files.putIfAbsent(name, file);
-                if (twin != null) {
-                    throw duplicateStructure(folder, twin, file);
-                }
+        for (Path file : InputBytes.list(folder)) {
+            String name = FileNames.withoutExtension(file);
+            Path twin = isPart(file) ? files.putIfAbsent(name, file) : null;
+            if (twin != null) {
+                throw duplicateStructure(folder, twin, file);
             }
-        } catch (IOException e) {
-            throw new BadInputException(folder + ": cannot be listed: " + e.getMessage(), e);
         }
         return files;
     }

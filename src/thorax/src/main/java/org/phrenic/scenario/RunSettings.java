@@ -1,12 +1,14 @@
 package org.phrenic.scenario;
 
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.FileNames;
+import org.phrenic.file.UnreadableException;
 import org.phrenic.mesh.io.volume.LabelVolumeFiles;
 import org.phrenic.model.assembly.Breathing;
 import org.phrenic.parameter.Effect;
@@ -89,8 +91,8 @@ public final class RunSettings {
         if (!Files.isDirectory(path)) {
             String expected = String.join(", ", VIRTUAL_BODIES) + " or a folder of meshes";
             LabelVolumeFiles.refuse(path, expected);
-            String sentence = "found no folder '" + found + "', expected " + expected;
-            throw BadInputException.missing(yaml.bad(key, sentence).getMessage());
+            BadInputException missing = yaml.bad(key, "found no folder '" + found + "', expected " + expected);
+            throw new UnreadableException(missing.getMessage(), new NoSuchFileException(found));
         }
         return path.toString();
     }

@@ -1,10 +1,11 @@
 package org.phrenic.study.sweep;
 
-import java.io.IOException;
 import java.io.Serializable;
+import java.io.UncheckedIOException;
 import java.util.Arrays;
 import java.util.Objects;
 import java.util.stream.Stream;
+import org.phrenic.file.UnreadableException;
 
 /**
  * A completed run.
@@ -19,7 +20,7 @@ public record RunRow(int index, SweepOutcome outcome, String failure, double wal
         implements Serializable {
     /**
      * Evaluates a point. A run that fails is a row with its reason; one that fails on an interrupted thread tells only
-     * that its study ends, and is none, and one that cannot read a file tells of the machine and not of the point.
+     * that its study ends, and is none, and one that cannot reach a file tells of the machine and not of the point.
      *
      * @throws RuntimeException the failure of a run that is no row
      */
@@ -41,7 +42,7 @@ public record RunRow(int index, SweepOutcome outcome, String failure, double wal
 
     private static boolean isReading(RuntimeException reason) {
         return Stream.<Throwable>iterate(reason, Objects::nonNull, Throwable::getCause)
-                .anyMatch(IOException.class::isInstance);
+                .anyMatch(e -> e instanceof UnreadableException || e instanceof UncheckedIOException);
     }
 
     private static SweepOutcome failed(SweepModel model) {

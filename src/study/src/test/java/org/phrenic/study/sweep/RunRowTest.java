@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -12,6 +13,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.InputBytes;
+import org.phrenic.file.UnreadableException;
 
 /** What is a failed run for good, and what ends the study, which goes on from there later. */
 class RunRowTest {
@@ -23,6 +26,17 @@ class RunRowTest {
             design: {kind: grid}
             responses: [{observable: dome_right_mm, reduction: size}]
             """;
+
+    /** Its one block of LZ4 refers back before its begin. */
+    private static final String VTP =
+            """
+            <?xml version="1.0"?>
+            <VTKFile type="PolyData" byte_order="LittleEndian" compressor="vtkLZ4DataCompressor">
+            <PolyData><Piece NumberOfPoints="1" NumberOfPolys="0"><Points>
+            <DataArray type="Float64" Name="Points" NumberOfComponents="3" format="binary">DATA</DataArray>
+            </Points></Piece></PolyData></VTKFile>
+            """
+                    .replace("DATA", "AQAAABgAAAAAAAAABAAAAA==" + "APAA8A==");
 
     @TempDir
     private Path folder;
@@ -56,6 +70,39 @@ class RunRowTest {
         assertThatThrownBy(() -> first(plan))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("found no folder '" + body + "'");
+    }
+
+    /** Wrong content is wrong at every start, and the other bodies are computed. */
+    @Test
+    void aBodyOfBrokenFilesIsAFailedRun() throws IOException {
+        SweepPlan plan = plan("anatomy", "patient, virtual/adult-male");
+        Path index = body.resolve("thorax.yaml");
+        Files.writeString(index, "structures: [");
+        assertThat(first(plan).failure()).contains("found YAML that cannot be read");
+        Files.writeString(index, "name: M\u00fcller", StandardCharsets.ISO_8859_1);
+        assertThat(first(plan).failure()).contains("found bytes that are not UTF-8");
+        Files.writeString(index, "structures: {diaphragm: dome.vtp}");
+        assertThat(first(plan).failure()).contains("found no file " + body.resolve("dome.vtp"));
+        Files.delete(index);
+
+        Path mesh = body.resolve("diaphragm.vtp");
+        Files.writeString(mesh, VTP.substring(0, VTP.length() / 2));
+        assertThat(first(plan).failure()).contains(mesh.toString());
+        Files.writeString(mesh, VTP);
+        assertThat(first(plan).failure()).contains("found compressed data that is damaged, expected LZ4");
+        Files.delete(mesh);
+        Files.createSymbolicLink(mesh, folder.resolve("moved.vtp"));
+        assertThat(first(plan).failure()).contains("found no such file");
+    }
+
+    /** The share went away between the index of a body and its meshes. */
+    @Test
+    void aMissingFileIsWrongOnlyInAFolderThatIsThere() throws IOException {
+        Path file = body.resolve("dome.vtp");
+        assertThat(InputBytes.missing(file, body, "gone")).isNotInstanceOf(UnreadableException.class);
+        Files.delete(body);
+        assertThat(InputBytes.missing(file, body, "gone")).isInstanceOf(UnreadableException.class);
+        assertThatThrownBy(() -> InputBytes.read(file)).isInstanceOf(UnreadableException.class);
     }
 
     @Test

@@ -1,6 +1,7 @@
 package org.phrenic.model.assembly;
 
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -12,6 +13,7 @@ import org.phrenic.breathing.pattern.BreathingPreset;
 import org.phrenic.breathing.pattern.TracePattern;
 import org.phrenic.document.YamlMap;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.UnreadableException;
 import org.phrenic.parameter.Effect;
 import org.phrenic.parameter.Group;
 import org.phrenic.parameter.Parameter;
@@ -140,8 +142,9 @@ public final class Breathing extends ScenePart {
         }
         Path path = ParsedSetting.path(yaml, key, folder);
         if (!Files.isRegularFile(path)) {
-            String sentence = "found no file '" + found + "', expected a CSV file of recorded breathing";
-            throw BadInputException.missing(yaml.bad(key, sentence).getMessage());
+            BadInputException missing =
+                    yaml.bad(key, "found no file '" + found + "', expected a CSV file of recorded breathing");
+            throw new UnreadableException(missing.getMessage(), new NoSuchFileException(found));
         }
         recorded(path, QUIET.parameters());
         return Optional.of(path);
