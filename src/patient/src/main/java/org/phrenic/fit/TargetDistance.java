@@ -27,7 +27,10 @@ import org.phrenic.simulation.observe.Surface;
 final class TargetDistance {
     /** Greatest ratio between the sizes of a target and of its part: a lung in centimetres is a tenth. */
     private static final double SIZE_RATIO = 5;
-    /** Greatest distance of a target from its part as a share of the size of the part. */
+    /**
+     * Greatest distance as a share of the size of the part: of points from the part, and of the centre of a surface
+     * from the box of the part or of the part's centre from the surface's box. A mirrored lung meets its part's box.
+     */
     private static final double GAP_SHARE = 0.1;
 
     private final FitTarget target;
@@ -76,7 +79,7 @@ final class TargetDistance {
     }
 
     /** Refuses a target in another unit or other axes than the body. */
-    private static void requirePlace(FitTarget target, double[] part) {
+    static void requirePlace(FitTarget target, double[] part) {
         double[] box = new double[6];
         double[] points =
                 target.isPointPairs() ? target.from() : target.surface().positions();
@@ -84,7 +87,7 @@ final class TargetDistance {
         double size = diagonal(box);
         double wanted = diagonal(part);
         boolean isOfSize = target.isPointPairs() || (size * SIZE_RATIO > wanted && size < wanted * SIZE_RATIO);
-        double gap = gap(box, part);
+        double gap = target.isPointPairs() ? gap(box, part) : Math.min(centreGap(box, part), centreGap(part, box));
         if (!isOfSize || gap > wanted * GAP_SHARE) {
             throw new BadInputException(Numbers.format(
                     "target %s: found it %.1f mm wide and %.1f mm away from %s of the body, which is %.1f mm wide,"
@@ -108,6 +111,12 @@ final class TargetDistance {
             squared += apart * apart;
         }
         return Math.sqrt(squared);
+    }
+
+    /** Distance of the centre of a box from another box; 0 within. */
+    private static double centreGap(double[] of, double[] to) {
+        return Math.sqrt(
+                BoundingBoxes.squaredDistance(to, 0, (of[0] + of[3]) / 2, (of[1] + of[4]) / 2, (of[2] + of[5]) / 2));
     }
 
     private boolean[] base(TriangleMesh lung, String whose) {
