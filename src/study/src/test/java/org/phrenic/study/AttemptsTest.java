@@ -7,6 +7,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
+import org.phrenic.document.ShippedFile;
+import org.phrenic.document.ShippedFileException;
 import org.phrenic.document.report.MarkdownPage;
 import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
@@ -44,6 +46,15 @@ class AttemptsTest {
         List<BatchRunner.Job<Integer>> jobs =
                 List.of(new BatchRunner.Job<>("a", failing("first")), new BatchRunner.Job<>("b", failing("second")));
         assertThatThrownBy(() -> Attempts.of(jobs, 2, SILENT)).hasMessage("first");
+    }
+
+    /** A broken installation fails every case. */
+    @Test
+    void aMissingFileOfTheProgramEndsTheStudy() {
+        List<BatchRunner.Job<String>> jobs = List.of(
+                new BatchRunner.Job<>("a", () -> "done"),
+                new BatchRunner.Job<>("b", () -> ShippedFile.text("labels/none.csv")));
+        assertThatThrownBy(() -> Attempts.of(jobs, 1, SILENT)).isInstanceOf(ShippedFileException.class);
     }
 
     /** The effect of a parameter whose breath failed is not known, and the page says why. */

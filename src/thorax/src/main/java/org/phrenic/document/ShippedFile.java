@@ -2,9 +2,7 @@ package org.phrenic.document;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.NoSuchFileException;
 import java.util.Optional;
 
 /** Data files distributed with the program, named by their path below {@code data/}. */
@@ -16,15 +14,14 @@ public final class ShippedFile {
         try (InputStream in = ShippedFile.class.getResourceAsStream("/org/phrenic/data/" + path)) {
             return in == null ? Optional.empty() : Optional.of(new String(in.readAllBytes(), StandardCharsets.UTF_8));
         } catch (IOException e) {
-            throw new UncheckedIOException(e);
+            throw new ShippedFileException("data/" + path + " of the program cannot be read: " + e.getMessage(), e);
         }
     }
 
     /** The content of a file that must be there. */
     public static String text(String path) {
         return find(path)
-                .orElseThrow(() -> new UncheckedIOException(
-                        "data/" + path + " is missing from the program", new NoSuchFileException(path)));
+                .orElseThrow(() -> new ShippedFileException("data/" + path + " is missing from the program", null));
     }
 
     /** A YAML file that must be there; error messages name it without its folder. */

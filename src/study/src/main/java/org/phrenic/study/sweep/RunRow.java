@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.util.Arrays;
 import java.util.Objects;
 import java.util.stream.Stream;
+import org.phrenic.document.ShippedFileException;
 import org.phrenic.file.UnreadableException;
 
 /**
@@ -42,7 +43,9 @@ public record RunRow(int index, SweepOutcome outcome, String failure, double wal
 
     private static boolean isReading(RuntimeException reason) {
         return Stream.<Throwable>iterate(reason, Objects::nonNull, Throwable::getCause)
-                .anyMatch(e -> e instanceof UnreadableException || e instanceof UncheckedIOException);
+                .anyMatch(e -> e instanceof UnreadableException
+                        || e instanceof UncheckedIOException
+                        || e instanceof ShippedFileException);
     }
 
     private static SweepOutcome failed(SweepModel model) {

@@ -16,6 +16,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.phrenic.anatomy.Thorax;
+import org.phrenic.document.ShippedFile;
+import org.phrenic.document.ShippedFileException;
 import org.phrenic.engine.ParticleSystem;
 import org.phrenic.engine.integrator.IntegratorKind;
 import org.phrenic.engine.integrator.StepPolicy;
@@ -71,6 +73,15 @@ class KnownBreathTest {
         return () -> {
             throw failure;
         };
+    }
+
+    @Test
+    void aMissingFileOfTheProgramEndsTheStudy() {
+        assertThrows(
+                ShippedFileException.class,
+                () -> fitted(() -> {
+                    throw new IllegalStateException(ShippedFile.text("thorax/none.yaml"));
+                }));
     }
 
     private static Thorax diverging() {

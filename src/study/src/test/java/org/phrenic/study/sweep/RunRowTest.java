@@ -2,6 +2,7 @@ package org.phrenic.study.sweep;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -12,6 +13,8 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.phrenic.document.ShippedFile;
+import org.phrenic.document.ShippedFileException;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 import org.phrenic.file.UnreadableException;
@@ -121,6 +124,10 @@ class RunRowTest {
                         failing(new UncheckedIOException(new IOException("stale file handle"))),
                         new SweepPoint(0, List.of(), List.of())))
                 .isInstanceOf(UncheckedIOException.class);
+        SweepModel torn =
+                failing(catchThrowableOfType(ShippedFileException.class, () -> ShippedFile.text("thorax/none.yaml")));
+        assertThatThrownBy(() -> RunRow.of(torn, new SweepPoint(0, List.of(), List.of())))
+                .hasMessage("data/thorax/none.yaml is missing from the program");
         assertThat(RunRow.of(failing(new IllegalStateException("torn")), new SweepPoint(0, List.of(), List.of()))
                         .failure())
                 .isEqualTo("torn");

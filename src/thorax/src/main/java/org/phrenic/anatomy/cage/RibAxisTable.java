@@ -55,10 +55,11 @@ public final class RibAxisTable {
      * @throws BadInputException if there is no table of this name
      */
     public static RibAxisTable preset(String name) {
-        String text = ShippedFile.find("ribs/" + name + ".csv")
-                .orElseThrow(() -> new BadInputException(
-                        "rib axes: no table '" + name + "', expected '" + WILSON_CT + "' or '" + NECK + "'"));
-        return parse(name + ".csv", text);
+        if (!name.equals(WILSON_CT) && !name.equals(NECK)) {
+            throw new BadInputException(
+                    "rib axes: no table '" + name + "', expected '" + WILSON_CT + "' or '" + NECK + "'");
+        }
+        return parse(name + ".csv", ShippedFile.text("ribs/" + name + ".csv"));
     }
 
     /**

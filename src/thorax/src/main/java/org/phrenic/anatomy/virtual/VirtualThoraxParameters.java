@@ -1,11 +1,11 @@
 package org.phrenic.anatomy.virtual;
 
 import java.util.List;
+import java.util.Set;
 import org.phrenic.anatomy.virtual.organ.OrganParameters;
 import org.phrenic.anatomy.virtual.shape.ImmutableDoubleArray;
 import org.phrenic.document.Key;
 import org.phrenic.document.ShippedFile;
-import org.phrenic.document.YamlDocument;
 
 /**
  * Measures from which a parametric thorax is generated, at end-expiration. Lengths are in mm, angles in degrees,
@@ -27,6 +27,8 @@ public record VirtualThoraxParameters(
         Skin skin,
         Organs organs) {
 
+    private static final Set<String> PRESETS = Set.of("adult-male", "adult-female", "high-colon-male");
+
     /** Number of vertebrae, T1 to L3. */
     public static final int VERTEBRAE = 15;
 
@@ -37,11 +39,11 @@ public record VirtualThoraxParameters(
      * @throws IllegalArgumentException if there is no preset of this name
      */
     public static VirtualThoraxParameters preset(String preset) {
-        String file = preset + ".yaml";
-        String text = ShippedFile.find("thorax/" + file)
-                .orElseThrow(() -> new IllegalArgumentException("virtual thorax '" + preset
-                        + "' is not known, expected adult-male, adult-female or high-colon-male"));
-        return YamlDocument.parse(file, text).bind(VirtualThoraxParameters.class);
+        if (!PRESETS.contains(preset)) {
+            throw new IllegalArgumentException("virtual thorax '" + preset
+                    + "' is not known, expected adult-male, adult-female or high-colon-male");
+        }
+        return ShippedFile.yaml("thorax/" + preset + ".yaml").bind(VirtualThoraxParameters.class);
     }
 
     /**
