@@ -196,13 +196,13 @@ final class FitCommand extends ReportingCommand {
             FitResult result = Fit.run(setup, mine.folder().resolve("journal.csv"), printer);
             printer.end();
             report(result);
-            return exitCode(result);
+            return exitCode(result.reproduced());
         }
     }
 
-    /** The fitted breath is of use only if its scenario does it again. */
-    static int exitCode(FitResult result) {
-        return result.reproduced() ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
+    /** A fitted breath is of use only if its scenario does it again. */
+    static int exitCode(boolean reproduced) {
+        return reproduced ? ExitCode.SUCCESS : ExitCode.CHECK_FAILED;
     }
 
     /** Refuses landmarks and targets that the report would be written over. */
@@ -264,10 +264,11 @@ final class FitCommand extends ReportingCommand {
             print(
                     study.values(),
                     () -> withDisclaimer(new TextTable(SyntheticStudy.COLUMNS)
-                            .rows(study.cells())
-                            .text()));
+                                    .rows(study.cells())
+                                    .text()
+                            + study.failure().map(s -> s + "\n").orElse("")));
+            return exitCode(study.failure().isEmpty());
         }
-        return ExitCode.SUCCESS;
     }
 
     private FitHalf half() {

@@ -5,18 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.phrenic.cli.report.ExitCode;
 import org.phrenic.file.FolderLock;
-import org.phrenic.fit.FitResult;
 import org.phrenic.mesh.TriangleMesh;
 import org.phrenic.mesh.io.MeshFiles;
-import org.phrenic.scenario.Scenario;
 
 /** {@code phrenic fit}: what it refuses, in one sentence and before anything is written. */
 class FitCommandTest {
@@ -67,26 +62,10 @@ class FitCommandTest {
         assertThat(busy).doesNotExist();
     }
 
-    private static FitResult result(boolean reproduced) {
-        return new FitResult(
-                null,
-                new double[0],
-                1,
-                2,
-                2,
-                List.of(),
-                Optional.empty(),
-                List.of(),
-                Map.of(),
-                Scenario.defaults(),
-                reproduced,
-                null);
-    }
-
     @Test
     void aScenarioThatDoesNotGiveTheFittedStateIsAFailedCheck() {
-        assertThat(FitCommand.exitCode(result(false))).isEqualTo(ExitCode.CHECK_FAILED);
-        assertThat(FitCommand.exitCode(result(true))).isEqualTo(ExitCode.SUCCESS);
+        assertThat(FitCommand.exitCode(false)).isEqualTo(ExitCode.CHECK_FAILED);
+        assertThat(FitCommand.exitCode(true)).isEqualTo(ExitCode.SUCCESS);
     }
 
     /** A fit writes its landmarks into its folder, in the axes of the body. */

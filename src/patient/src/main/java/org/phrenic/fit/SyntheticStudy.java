@@ -5,7 +5,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
 import org.phrenic.anatomy.Resolution;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
@@ -102,6 +104,17 @@ public record SyntheticStudy(List<Case> cases) {
         return new SyntheticStudy(cases);
     }
 
+    /** The patients whose fitted breath their scenario does not give again, as a sentence; empty if there are none. */
+    public Optional<String> failure() {
+        String names = cases.stream()
+                .filter(c -> !c.result.reproduced())
+                .map(c -> c.patient.name())
+                .collect(Collectors.joining(", "));
+        return names.isEmpty()
+                ? Optional.empty()
+                : Optional.of("Scenarios that were run and do NOT give the fitted state: " + names + ".");
+    }
+
     /** Table cells, mm, one row per patient. */
     public List<List<String>> cells() {
         return cases.stream().map(SyntheticStudy::row).toList();
@@ -130,6 +143,7 @@ public record SyntheticStudy(List<Case> cases) {
                 "Virtual patients breathe in with hidden settings; what a scan would show of their lungs, with noise of"
                         + " 1 mm, is fitted by another mesh with another tendon and sternum.");
         page.points(provenance.toArray(String[]::new));
+        failure().ifPresent(page::paragraph);
         page.table("Mean distance of both lungs, both ways by area, and height of the domes, mm.", COLUMNS, cells());
         for (Case c : cases) {
             page.section(c.patient.name());

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.phrenic.document.OrderedValues;
 import org.phrenic.document.report.Disclaimer;
 import org.phrenic.document.report.ReportDocument;
@@ -32,17 +33,27 @@ public record FitStudyReport(List<PatientFit> patients, List<KnownBreath> known,
         failures = List.copyOf(failures);
     }
 
-    /** Whether every patient was fitted and every fit has a result. */
+    /** Whether every patient was fitted and every fit has a result, which its scenario gives again. */
     public boolean passes() {
-        return failures.isEmpty() && known.stream().allMatch(k -> k.result().isPresent());
+        return failures.isEmpty() && known.stream().allMatch(k -> k.result().isPresent()) && notReproduced() == 0;
+    }
+
+    private long notReproduced() {
+        return Stream.concat(
+                        patients.stream().flatMap(p -> Stream.of(p.whole(), p.even(), p.odd())),
+                        known.stream().flatMap(k -> k.result().stream()))
+                .filter(fit -> !fit.reproduced())
+                .count();
     }
 
     /** One-line summary. */
     public String summary() {
         long without = known.stream().filter(k -> k.result().isEmpty()).count();
+        long other = notReproduced();
         return patients.size() + " patients fitted, " + (failures.isEmpty() ? "" : failures.size() + " not fitted, ")
                 + known.size() + " known breaths, " + without
-                + " of them without a result";
+                + " of them without a result"
+                + (other == 0 ? "" : ", " + other + " fits whose scenario gives another state");
     }
 
     /** @param provenance how the report was made, one point a line */
