@@ -81,7 +81,7 @@ public final class FitJournal {
         requireProgram(table);
         if (!table.columnNames().equals(columns) || !table.texts("fit").stream().allMatch(fingerprint::equals)) {
             throw new ForeignJournalException(
-                    file + ": found the evaluations of another fit, expected those of this one or another folder");
+                    file + ": found the evaluations of another fit, expected those of this one" + anew());
         }
         double[] numbers = table.numbers("evaluation");
         double[] values = table.numbers("distance_mm");
@@ -105,10 +105,13 @@ public final class FitJournal {
                 ? new TreeSet<>(table.texts(PROGRAM))
                 : Set.of("an earlier version");
         if (!Set.of(program).containsAll(programs)) {
-            throw new ForeignJournalException(
-                    file + ": found evaluations of another build of the program (" + String.join("; ", programs)
-                            + "), expected those of this one (" + program + "); another folder begins anew");
+            throw new ForeignJournalException(file + ": found evaluations of another build of the program ("
+                    + String.join("; ", programs) + "), expected those of this one (" + program + ")" + anew());
         }
+    }
+
+    private static String anew() {
+        return "; another folder begins anew, or this one without the file and its .shapes";
     }
 
     /** The evaluation with this number, without its shape; null if it is not in the journal. */
@@ -127,7 +130,7 @@ public final class FitJournal {
         if (found != null && !Arrays.equals(found.point(), point)) {
             throw new ForeignJournalException(
                     file + ": found evaluation " + number + " at other values of the parameters than the search asks"
-                            + " for, expected the evaluations of this fit; another folder begins anew");
+                            + " for, expected the evaluations of this fit" + anew());
         }
         return found;
     }

@@ -43,8 +43,9 @@ class FitJournalTest {
         assertThat(journal("phrenic 1 build a").known(0).value()).isEqualTo(12);
         assertThatThrownBy(() -> journal("phrenic 1 build b"))
                 .isInstanceOf(ForeignJournalException.class)
-                .hasMessage(file + ": found evaluations of another build of the program (phrenic 1 build a),"
-                        + " expected those of this one (phrenic 1 build b); another folder begins anew");
+                .hasMessage(
+                        file + ": found evaluations of another build of the program (phrenic 1 build a),"
+                                + " expected those of this one (phrenic 1 build b); another folder begins anew, or this one without the file and its .shapes");
 
         Files.writeString(file, "evaluation,fit,distance_mm,drive,failure,muscle_activation\n0,mark,12.0,1.0,,0.6\n");
         assertThatThrownBy(() -> journal("phrenic 1 build b"))
