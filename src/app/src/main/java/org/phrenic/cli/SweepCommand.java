@@ -147,7 +147,9 @@ final class SweepCommand extends ReportingCommand {
     }
 
     private int merge() {
-        return report(SweepFolder.existing(merge).merge(), Shard.WHOLE);
+        SweepResults results = SweepFolder.existing(merge).merge();
+        results.builds().ifPresent(builds -> err().println("phrenic: " + builds));
+        return report(results, Shard.WHOLE);
     }
 
     private int report(SweepResults results, Shard part) {
@@ -162,9 +164,6 @@ final class SweepCommand extends ReportingCommand {
             rows.addAll(report.sensitivity());
             return withDisclaimer((part.count() == 1 ? TextTable.ofNumbers(rows) + "\n" : "") + state);
         });
-        if (part.count() == 1) {
-            results.builds().ifPresent(err()::println);
-        }
         boolean missing = part.count() == 1 && !results.isComplete();
         if (missing) {
             err().println("phrenic: " + (results.plan().size() - results.done()) + " runs are missing");

@@ -101,7 +101,22 @@ class SweepCommandTest {
         Files.writeString(journal, Files.readString(journal).replace("phrenic ", "phrenic 0.0.1 "));
         CommandLineRun merge = CommandLineRun.of("sweep", "--merge", out.toString());
         assertThat(merge.exitCode()).isZero();
-        assertThat(merge.err()).contains("different builds of the program", "phrenic 0.0.1 ");
+        assertThat(merge.err()).contains("phrenic: The runs are of different builds of the program", "phrenic 0.0.1 ");
+    }
+
+    @Test
+    void aResumedStudyOfTwoBuildsSaysSoOnce() throws IOException {
+        Path out = folder.resolve("out");
+        String file = study().toString();
+        CommandLineRun.of("sweep", file, "--out", out.toString());
+        Path journal = out.resolve("journal.csv");
+        List<String> lines = Files.readAllLines(journal);
+        Files.writeString(
+                journal,
+                String.join("\n", lines.subList(0, lines.size() - 1)).replace("phrenic ", "phrenic 0.0.1 ") + "\n");
+        CommandLineRun again = CommandLineRun.of("sweep", file, "--out", out.toString());
+        assertThat(again.exitCode()).isZero();
+        assertThat(again.err()).containsOnlyOnce("phrenic 0.0.1 ").contains("another build of the program");
     }
 
     /** A study of fewer runs than shards, as in an array of jobs of fixed size. */
