@@ -18,6 +18,7 @@ import org.phrenic.document.ShippedFileException;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.InputBytes;
 import org.phrenic.file.UnreadableException;
+import org.phrenic.study.sweep.run.ThreadExecutor;
 
 /** What is a failed run for good, and what ends the study, which goes on from there later. */
 class RunRowTest {
@@ -73,6 +74,10 @@ class RunRowTest {
         assertThatThrownBy(() -> first(plan))
                 .isInstanceOf(BadInputException.class)
                 .hasMessageContaining("found no folder '" + body + "'");
+        assertThatThrownBy(() -> new ThreadExecutor(1).run(plan, List.of(0), row -> {}))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("found no folder '" + body + "'")
+                .hasMessageEndingWith("; the runs that are done are kept, and the same command resumes the study");
     }
 
     /** Wrong content is wrong at every start, and the other bodies are computed. */

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.phrenic.engine.parallel.BatchRunner;
 import org.phrenic.engine.parallel.ProgressListener;
+import org.phrenic.file.BadInputException;
 import org.phrenic.study.sweep.RunRow;
 import org.phrenic.study.sweep.SweepPlan;
 import org.phrenic.study.sweep.SweepPoint;
@@ -30,6 +31,12 @@ public record ThreadExecutor(int width) implements SweepExecutor {
                     return index;
                 }))
                 .toList();
-        BatchRunner.run(jobs, width, SILENT);
+        try {
+            BatchRunner.run(jobs, width, SILENT);
+        } catch (BadInputException unread) {
+            throw new BadInputException(
+                    unread.getMessage() + "; the runs that are done are kept, and the same command resumes the study",
+                    unread);
+        }
     }
 }
