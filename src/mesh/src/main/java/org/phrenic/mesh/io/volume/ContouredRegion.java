@@ -1,9 +1,10 @@
 package org.phrenic.mesh.io.volume;
 
 import java.util.ArrayList;
-import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
@@ -13,16 +14,14 @@ import org.phrenic.mesh.Vectors;
 /**
  * The voxels of a region that is drawn in some slices. Slices between these get the shape between their neighbours'
  * ({@link ShapeInterpolation}), where the gap is no wider than {@value #MAX_GAP_MM} mm nor than twice the usual one of
- * the region, and the neighbours overlap. Where all corners of contours are centres of voxels, contours are outlines of
- * a mask, as OpenCV finds them: they run through its outermost pixels, which are in the region.
+ * the region, and the neighbours overlap. Where contours step from centre to centre of voxels ({@link MaskOutline}),
+ * they are outlines of a mask, as OpenCV finds them: they run through its outermost pixels, which are in the region.
  */
 final class ContouredRegion implements LabelPainter.Voxels {
     /** Widest gap between drawn slices of one structure, mm. */
     private static final double MAX_GAP_MM = 15;
     /** Numbers of the corners of a contour that has an area, at least. */
     private static final int AREA = 6;
-    /** The most columns or rows of an image of DICOM. */
-    private static final int MAX_CORNER = 0xFFFF;
 
     private final SliceGrid grid;
     private final TreeMap<Integer, Supplier<IntList>> sections;
@@ -57,12 +56,11 @@ final class ContouredRegion implements LabelPainter.Voxels {
         return new ContouredRegion(grid, sections);
     }
 
-    /** Whether contours run through the outermost voxels of the region. */
+    /** Whether contours run through the outermost voxels of the region, from one to another of the eight about it. */
     static boolean isMask(Map<Integer, List<double[]>> bySlice) {
-        return bySlice.values().stream()
-                .flatMap(List::stream)
-                .flatMapToDouble(Arrays::stream)
-                .allMatch(corner -> corner == Math.rint(corner) && Math.abs(corner) <= MAX_CORNER);
+        Set<MaskOutline> kinds = EnumSet.noneOf(MaskOutline.class);
+        bySlice.values().forEach(contours -> contours.forEach(corners -> kinds.add(MaskOutline.of(corners))));
+        return kinds.contains(MaskOutline.THROUGH_CENTRES) && !kinds.contains(MaskOutline.DRAWN);
     }
 
     private static IntList filled(ContourFill fill, List<double[]> contours, boolean isMask) {

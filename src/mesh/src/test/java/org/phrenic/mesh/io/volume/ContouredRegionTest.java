@@ -94,15 +94,34 @@ class ContouredRegionTest {
         });
     }
 
+    private static boolean isMask(double... corners) {
+        return ContouredRegion.isMask(Map.of(0, List.of(corners)));
+    }
+
     /** A damaged corner, as far away as numbers reach, is whole as well. */
     @Test
     void cornersOfAMaskLieAmongThePixelsOfAnImage() {
-        assertThat(ContouredRegion.isMask(Map.of(0, List.of(new double[] {3, 4, 9, 4, 9, 9}))))
+        assertThat(isMask(3, 4, 9, 4, 9, 10)).isTrue();
+        assertThat(isMask(3, 4, 9, 4, 1e300, 10)).isFalse();
+        assertThat(isMask(3, 4, 9, 4.5, 9, 10)).isFalse();
+    }
+
+    /** Pixels of 1 mm and contours in whole millimetres: drawn ones, and those along edges of pixels, stay as drawn. */
+    @Test
+    void outlinesOfAMaskStepFromPixelToPixel() {
+        assertThat(isMask(0, 0, 10, 0, 10, 10, 0, 10)).as("a square").isFalse();
+        assertThat(isMask(0, 0, 10, 0, 10, 5)).as("a slope of 27 degrees").isFalse();
+        assertThat(isMask(0, 0, 9, 0, 9, 3, 3, 3, 3, 6, 6, 6, 6, 3, 9, 3, 9, 9, 0, 9))
+                .as("a square with a cut to its hole, which goes on along the edges of both")
+                .isFalse();
+        double[] keyhole = {0, 0, 2, 3, 4, 3, 4, 6, 2, 6, 2, 3, 0, 0, 0, 9, 9, 9, 9, 0};
+        assertThat(isMask(keyhole)).as("an oblique cut to a hole").isFalse();
+        assertThat(isMask(3, 4, 7, 4)).as("a line").isTrue();
+        assertThat(isMask(0, 1, 1, 0, 2, 0, 3, 1, 3, 2, 2, 3, 1, 3, 0, 2))
+                .as("a disc")
                 .isTrue();
-        assertThat(ContouredRegion.isMask(Map.of(0, List.of(new double[] {3, 4, 9, 4, 1e300, 9}))))
-                .isFalse();
-        assertThat(ContouredRegion.isMask(Map.of(0, List.of(new double[] {3, 4, 9, 4.5, 9, 9}))))
-                .isFalse();
+        Map<Integer, List<double[]>> square = Map.of(0, List.of(new double[] {0, 0, 10, 0, 10, 10, 0, 10}));
+        assertThat(slices(region(square)).get(0)[0]).isEqualTo(100);
     }
 
     /** Slices of 2 mm: a gap of 16 mm, one of four times the usual gap, and pieces beside each other stay apart. */
