@@ -4,15 +4,17 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.dicom.FramePlane;
 
 /**
- * A grid through the planes of contours, for contours whose series is not at hand: the pixels of the masks of which all
- * contours are outlines, along edges of pixels or through their centres, else voxels of 1 mm.
+ * A grid through the planes of contours, for contours whose series is not at hand: the pixels of the masks of which
+ * nearly all contours are outlines, along edges of pixels or through their centres, else voxels of 1 mm.
  */
 final class ContourGrid {
     /** Widest box of contours, mm. */
@@ -30,14 +32,6 @@ final class ContourGrid {
 
     /** Numbers of the points of a contour that has an area, at least. */
     private static final int AREA = 9;
-    /** Pixels of masks, mm, and the least number of lines of them in each direction on which corners lie. */
-    private static final double MIN_PIXEL = 0.3;
-
-    private static final double MAX_PIXEL = 3;
-    private static final int MIN_LINES = 6;
-    private static final int MAX_LINES = 1024;
-    /** Coordinates that differ by less are one, mm. */
-    private static final double ROUNDING = 0.02;
 
     private static final double VOXEL = 1;
     private static final int MAX_VOXELS = 500;
@@ -47,7 +41,8 @@ final class ContourGrid {
     private final double[] normal;
     private final double[] along;
     private final double[] down;
-    private double[] spacing = {VOXEL, VOXEL};
+    private final double[] spacing = {VOXEL, VOXEL};
+    private boolean isThroughCentres;
 
     ContourGrid(String file, Collection<List<double[]>> contours) {
         this.file = file;
@@ -129,14 +124,20 @@ final class ContourGrid {
     SliceGrid grid() {
         double[] u = range(along);
         double[] v = range(down);
-        double[] pixel = {lines(along), lines(down)};
-        Optional<Boolean> throughCentres = pixel[0] > 0 && pixel[1] > 0 ? throughCentres(pixel) : Optional.empty();
-        double widest = Math.max(VOXEL, Math.max(u[1] - u[0], v[1] - v[0]) / MAX_VOXELS);
-        spacing = throughCentres.isPresent() ? pixel : new double[] {widest, widest};
+        Optional<EvenLines> columns = lines(along);
+        Optional<EvenLines> rows = lines(down);
+        Optional<Boolean> throughCentres = columns.flatMap(x -> rows.flatMap(y -> throughCentres(x, y)));
+        if (throughCentres.isPresent()) {
+            spacing[0] = columns.get().distance();
+            spacing[1] = rows.get().distance();
+        } else {
+            Arrays.fill(spacing, Math.max(VOXEL, Math.max(u[1] - u[0], v[1] - v[0]) / MAX_VOXELS));
+        }
+        isThroughCentres = throughCentres.orElse(false);
         // Contours along edges of pixels, or at whole millimetres, run between the centres of voxels.
-        double before = throughCentres.orElse(false) ? 1 : 0.5;
-        double left = first(u[0], 0, throughCentres.isPresent()) - before * spacing[0];
-        double top = first(v[0], 1, throughCentres.isPresent()) - before * spacing[1];
+        double before = isThroughCentres ? 1 : 0.5;
+        double left = first(u[0], 0, throughCentres.flatMap(any -> columns)) - before * spacing[0];
+        double top = first(v[0], 1, throughCentres.flatMap(any -> rows)) - before * spacing[1];
         double between = commonStep();
         List<FramePlane> planes = new ArrayList<>();
         for (double[] points : contours) {
@@ -148,64 +149,44 @@ final class ContourGrid {
             planes.add(new FramePlane(corner, along, down, spacing[0], spacing[1], between, Double.NaN));
         }
         PlaneStack stack = new PlaneStack(file, planes, true);
-        int columns = (int) Math.ceil((u[1] - left) / spacing[0]) + 2;
-        int rows = (int) Math.ceil((v[1] - top) / spacing[1]) + 2;
-        return new SliceGrid(columns, rows, stack.slices(), stack.axes());
+        int width = (int) Math.ceil((u[1] - left) / spacing[0]) + 2;
+        int height = (int) Math.ceil((v[1] - top) / spacing[1]) + 2;
+        return new SliceGrid(width, height, stack.slices(), stack.axes());
     }
 
-    /** The least coordinate, or the whole number of voxels below it. */
-    private double first(double least, int direction, boolean isOfPixels) {
-        return isOfPixels ? least : spacing[direction] * Math.floor(least / spacing[direction]);
+    /** The last line that is not above the least coordinate, or the whole number of voxels below it. */
+    private double first(double least, int direction, Optional<EvenLines> lines) {
+        double from = lines.map(EvenLines::low).orElse(0.0);
+        double voxels = (least - from) / spacing[direction];
+        return from + spacing[direction] * Math.floor(voxels + EvenLines.ROUNDING);
     }
 
-    /** The distance of even lines on which all corners lie, mm; 0 if there are none. */
-    private double lines(double[] direction) {
-        double[] sorted = contours.stream()
-                .flatMapToDouble(
-                        points -> IntStream.range(0, points.length / 3).mapToDouble(p -> dot(direction, points, 3 * p)))
-                .sorted()
-                .toArray();
-        double[] gaps = IntStream.range(1, sorted.length)
-                .mapToDouble(i -> sorted[i] - sorted[i - 1])
-                .filter(gap -> gap > ROUNDING)
-                .sorted()
-                .toArray();
-        if (gaps.length + 1 < MIN_LINES || gaps[0] < MIN_PIXEL || gaps[0] > MAX_PIXEL) {
-            return 0;
-        }
-        double distance = gaps[0];
-        double along = 0;
-        double steps = 0;
-        for (double gap : gaps) {
-            along += gap;
-            steps += Math.rint(gap / distance);
-            distance = along / steps;
-        }
-        double exact = (sorted[sorted.length - 1] - sorted[0]) / steps;
-        boolean fits = Arrays.stream(sorted)
-                .map(at -> at - sorted[0])
-                .allMatch(at -> Math.abs(at - exact * Math.rint(at / exact)) <= ROUNDING);
-        return fits && steps < MAX_LINES ? exact : 0;
+    /** The even lines on which the corners of nearly all contours lie. */
+    private Optional<EvenLines> lines(double[] direction) {
+        return EvenLines.ofMost(contours.stream()
+                .map(points -> IntStream.range(0, points.length / 3)
+                        .mapToDouble(p -> dot(direction, points, 3 * p))
+                        .sorted()
+                        .toArray())
+                .toList());
     }
 
     /**
-     * Whether contours run through the centres of pixels, from one to one of the eight about it, rather than along
-     * their edges; empty if they have other directions, as what is drawn by hand.
+     * Whether contours run through the centres of pixels rather than along their edges; empty if more than a few are no
+     * outlines of masks, as what is drawn by hand.
      */
-    private Optional<Boolean> throughCentres(double[] pixel) {
-        boolean anyDiagonal = false;
-        for (double[] points : contours) {
-            for (int at = 0; at < points.length; at += 3) {
-                int next = (at + 3) % points.length;
-                long columns = Math.abs(Math.round((dot(along, points, next) - dot(along, points, at)) / pixel[0]));
-                long rows = Math.abs(Math.round((dot(down, points, next) - dot(down, points, at)) / pixel[1]));
-                if (columns != rows && columns > 0 && rows > 0) {
-                    return Optional.empty();
-                }
-                anyDiagonal |= columns > 0 && rows > 0;
-            }
-        }
-        return Optional.of(anyDiagonal);
+    private Optional<Boolean> throughCentres(EvenLines columns, EvenLines rows) {
+        Map<MaskOutline, Long> kinds = contours.stream()
+                .map(points -> IntStream.range(0, points.length / 3 * 2)
+                        .mapToDouble(i -> i % 2 == 0
+                                ? columns.index(dot(along, points, i / 2 * 3))
+                                : rows.index(dot(down, points, i / 2 * 3)))
+                        .toArray())
+                .collect(Collectors.groupingBy(MaskOutline::of, Collectors.counting()));
+        double few = EvenLines.MAX_DRAWN * contours.size();
+        return kinds.getOrDefault(MaskOutline.DRAWN, 0L) > few
+                ? Optional.empty()
+                : Optional.of(kinds.getOrDefault(MaskOutline.THROUGH_CENTRES, 0L) > few);
     }
 
     /**
@@ -230,6 +211,11 @@ final class ContourGrid {
             }
         }
         return Double.NaN;
+    }
+
+    /** Whether the grid is that of masks, of which contours run through the centres of pixels. */
+    boolean isThroughCentres() {
+        return isThroughCentres;
     }
 
     private double[] range(double[] direction) {

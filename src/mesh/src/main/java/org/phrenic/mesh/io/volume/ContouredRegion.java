@@ -1,13 +1,14 @@
 package org.phrenic.mesh.io.volume;
 
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.phrenic.mesh.IntList;
 import org.phrenic.mesh.Vectors;
 
@@ -45,8 +46,7 @@ final class ContouredRegion implements LabelPainter.Voxels {
     }
 
     /** @param bySlice corners of the contours in columns and rows, by slice */
-    static ContouredRegion of(SliceGrid grid, ContourFill fill, Map<Integer, List<double[]>> bySlice) {
-        boolean isMask = isMask(bySlice);
+    static ContouredRegion of(SliceGrid grid, ContourFill fill, Map<Integer, List<double[]>> bySlice, boolean isMask) {
         Map<Integer, Supplier<IntList>> sections = new TreeMap<>();
         bySlice.forEach((slice, contours) -> {
             if (isMask || contours.stream().anyMatch(corners -> corners.length >= AREA)) {
@@ -56,11 +56,14 @@ final class ContouredRegion implements LabelPainter.Voxels {
         return new ContouredRegion(grid, sections);
     }
 
-    /** Whether contours run through the outermost voxels of the region, from one to another of the eight about it. */
-    static boolean isMask(Map<Integer, List<double[]>> bySlice) {
-        Set<MaskOutline> kinds = EnumSet.noneOf(MaskOutline.class);
-        bySlice.values().forEach(contours -> contours.forEach(corners -> kinds.add(MaskOutline.of(corners))));
-        return kinds.contains(MaskOutline.THROUGH_CENTRES) && !kinds.contains(MaskOutline.DRAWN);
+    /**
+     * Whether contours run through the outermost voxels of the region, from one to another of the eight about it.
+     *
+     * @param isOfMasks whether other contours do
+     */
+    static boolean isMask(Stream<double[]> contours, boolean isOfMasks) {
+        Set<MaskOutline> kinds = contours.map(MaskOutline::of).collect(Collectors.toSet());
+        return !kinds.contains(MaskOutline.DRAWN) && (isOfMasks || kinds.contains(MaskOutline.THROUGH_CENTRES));
     }
 
     private static IntList filled(ContourFill fill, List<double[]> contours, boolean isMask) {

@@ -30,6 +30,7 @@ final class StructureSet {
     private final Map<Integer, List<double[]>> contours = new TreeMap<>();
     private final List<String> notes = new ArrayList<>();
     private final List<String> problems = new ArrayList<>();
+    private boolean isOfMasks;
 
     private StructureSet(DicomDataSet set) {
         this.set = set;
@@ -57,7 +58,9 @@ final class StructureSet {
         contours.forEach((number, closed) -> {
             Map<Integer, List<double[]>> bySlice = bySlice(grid, number, closed);
             if (!bySlice.isEmpty()) {
-                ContouredRegion region = ContouredRegion.of(grid, fill, bySlice);
+                boolean isMask =
+                        ContouredRegion.isMask(bySlice.values().stream().flatMap(List::stream), isOfMasks);
+                ContouredRegion region = ContouredRegion.of(grid, fill, bySlice, isMask);
                 if (painter.add(number, region) == 0) {
                     small.add(name(number));
                 } else {
@@ -66,7 +69,7 @@ final class StructureSet {
                 if (region.slicesBetween() > 0) {
                     between.add(name(number));
                 }
-                if (ContouredRegion.isMask(bySlice)) {
+                if (isMask) {
                     masks.add(name(number));
                 }
             }
@@ -210,6 +213,7 @@ final class StructureSet {
     private SliceGrid ownGrid() {
         ContourGrid own = new ContourGrid(set.file(), contours.values());
         SliceGrid grid = own.grid();
+        isOfMasks = own.isThroughCentres();
         notes.add(own.note(problems.stream().findFirst()));
         return grid;
     }

@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.phrenic.mesh.io.raster.VolumeAxes;
 
@@ -38,7 +39,7 @@ class ContouredRegionTest {
     }
 
     private static ContouredRegion region(Map<Integer, List<double[]>> bySlice) {
-        return ContouredRegion.of(GRID, new ContourFill(SIZE, SIZE), bySlice);
+        return ContouredRegion.of(GRID, new ContourFill(SIZE, SIZE), bySlice, false);
     }
 
     /** Radii of the contours kept of a slice, of circles at heights above it. */
@@ -95,7 +96,7 @@ class ContouredRegionTest {
     }
 
     private static boolean isMask(double... corners) {
-        return ContouredRegion.isMask(Map.of(0, List.of(corners)));
+        return ContouredRegion.isMask(Stream.of(corners), false);
     }
 
     /** A damaged corner, as far away as numbers reach, is whole as well. */
