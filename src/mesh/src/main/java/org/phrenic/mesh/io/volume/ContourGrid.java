@@ -31,7 +31,7 @@ final class ContourGrid {
     private static final double OFF_STEP = 0.1;
 
     /** Numbers of the points of a contour that has an area, at least. */
-    private static final int AREA = 9;
+    static final int AREA = 9;
 
     private static final double VOXEL = 1;
     private static final int MAX_VOXELS = 500;
@@ -74,8 +74,8 @@ final class ContourGrid {
     }
 
     /** The normal of most contours, as far as a sample of them tells. */
-    private double[] commonNormal(List<double[]> all) {
-        double[] best = {};
+    private static double[] commonNormal(List<double[]> all) {
+        double[] best = {Double.NaN, Double.NaN, Double.NaN};
         long most = 0;
         int step = Math.max(1, all.size() / CANDIDATES);
         for (int c = 0; c < all.size() && most <= all.size() / 2; c += step) {
@@ -86,9 +86,6 @@ final class ContourGrid {
                 most = planar;
                 best = candidate;
             }
-        }
-        if (most == 0) {
-            throw new BadInputException(file + ": found contours without area, expected closed planar ones");
         }
         return best;
     }
@@ -121,7 +118,15 @@ final class ContourGrid {
         return new double[] {sign * n[0], sign * n[1], sign * n[2]};
     }
 
+    /** The number of contours of an area that lie in planes of one normal. */
+    long contours() {
+        return contours.stream().filter(points -> points.length >= AREA).count();
+    }
+
     SliceGrid grid() {
+        if (contours.isEmpty()) {
+            throw new BadInputException(file + ": found contours without area, expected closed planar ones");
+        }
         double[] u = range(along);
         double[] v = range(down);
         Optional<EvenLines> columns = lines(along);

@@ -79,74 +79,84 @@ final class DicomSeries {
     }
 
     /**
-     * The grids of the series with these identifiers in a folder, or in those in it.
+     * A series that was looked for.
+     *
+     * @param damaged why a file beside its slices, which may be one of them, cannot be read
+     */
+    record Candidate(SliceGrid grid, Optional<String> damaged) {}
+
+    /**
+     * The series with these identifiers in a folder, or in those in it.
      *
      * @param problems why other slices of such series, or those in the folder, are of no use
      */
-    record Found(List<SliceGrid> grids, List<String> problems) {
+    record Found(List<Candidate> series, List<String> problems) {
         private Found() {
             this(new ArrayList<>(), new ArrayList<>());
         }
 
-        private int count() {
-            return grids.size() + problems.size();
+        /** The number of series of several slices. */
+        private long count() {
+            return series.stream()
+                    .filter(candidate -> candidate.grid().slices() > 1)
+                    .count();
         }
 
-        private void add(Path folder, Set<String> wanted) {
+        /** Returns why the first of the files that cannot be read cannot. */
+        private Optional<String> add(Path folder, Set<String> wanted) {
             Map<String, List<Slice>> bySeries = new TreeMap<>();
-            List<String> damaged = new ArrayList<>();
+            List<String> messages = new ArrayList<>();
             for (Path path : list(folder)) {
                 try {
                     slice(path, wanted)
                             .ifPresent(slice -> bySeries.computeIfAbsent(slice.series(), none -> new ArrayList<>())
                                     .add(slice));
                 } catch (BadInputException unreadable) {
-                    damaged.add(unreadable.getMessage());
+                    messages.add(unreadable.getMessage());
                 }
             }
-            if (!damaged.isEmpty() && !bySeries.isEmpty()) {
-                problems.add(damaged.get(0));
-                return;
-            }
+            Optional<String> damaged = messages.stream().findFirst();
             for (List<Slice> slices : bySeries.values()) {
                 try {
                     SliceGrid grid = grid(folder.toString(), slices);
                     grid.axes().affine(folder.toString());
-                    grids.add(grid);
+                    series.add(new Candidate(grid, damaged));
                 } catch (BadInputException noGrid) {
-                    problems.add(noGrid.getMessage());
+                    problems.add(damaged.orElse(noGrid.getMessage()));
                 }
             }
+            return damaged;
         }
     }
 
-    /**
-     * Looks for series, whatever else lies beside them: it may be damaged or not readable, unless it lies among slices
-     * of these series, of which it may be one.
-     */
+    /** Looks for series, whatever else lies beside them: it may be damaged or not readable. */
     static Found find(Path folder, Set<String> series) {
         Found found = new Found();
+        Optional<String> damaged = Optional.empty();
         try {
-            found.add(folder, series);
+            damaged = found.add(folder, series);
             if (found.count() > 0) {
                 return found;
             }
             for (Path inner : list(folder)) {
                 if (found.count() < series.size() && Files.isDirectory(inner)) {
-                    addInner(found, inner, series);
+                    Optional<String> within = addInner(found, inner, series);
+                    damaged = damaged.or(() -> within);
                 }
             }
         } catch (BadInputException unreadable) {
             found.problems().add(unreadable.getMessage());
         }
+        damaged.ifPresent(found.problems()::add);
         return found;
     }
 
-    private static void addInner(Found found, Path inner, Set<String> series) {
+    private static Optional<String> addInner(Found found, Path inner, Set<String> series) {
         try {
-            found.add(inner, series);
+            return found.add(inner, series);
         } catch (BadInputException unreadable) {
             // A folder that is not the series'.
+            return Optional.empty();
         }
     }
 

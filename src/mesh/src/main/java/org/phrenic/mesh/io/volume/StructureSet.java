@@ -2,6 +2,7 @@ package org.phrenic.mesh.io.volume;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -9,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import org.phrenic.file.BadInputException;
+import org.phrenic.file.Numbers;
 import org.phrenic.mesh.io.dicom.DicomDataSet;
 import org.phrenic.mesh.io.dicom.DicomTag;
 import org.phrenic.mesh.voxel.LabelGrid;
@@ -22,6 +24,8 @@ import org.phrenic.mesh.voxel.LabelGrid;
 final class StructureSet {
     /** Greatest distance of a contour's points from their slice, in slices. */
     private static final double OFF = 0.25;
+    /** Least share of the contours in planes that slices of a series have to hold. */
+    private static final double HELD = 0.9;
     /** Corners nearer to the centre of a voxel are on it, in voxels: files round to a hundredth of a millimetre. */
     private static final double ROUNDING = 0.02;
 
@@ -173,7 +177,7 @@ final class StructureSet {
 
     /**
      * The grid of the series to which the contours refer, of several that of which slices hold most contours; empty if
-     * none that can be used lies beside them.
+     * none lies beside them that can be used and holds nearly all.
      */
     private Optional<SliceGrid> series(Path path) {
         Set<String> series = new HashSet<>();
@@ -190,19 +194,28 @@ final class StructureSet {
         }
         DicomSeries.Found found = DicomSeries.find(path.toAbsolutePath().getParent(), series);
         problems.addAll(found.problems());
-        SliceGrid best = null;
-        long most = -1;
-        for (SliceGrid grid : found.grids()) {
-            long held = contours.values().stream()
-                    .flatMap(List::stream)
-                    .filter(points -> isHeld(grid, points))
-                    .count();
-            if (held > most) {
-                most = held;
-                best = grid;
-            }
+        double planar = new ContourGrid(set.file(), contours.values()).contours();
+        Optional<DicomSeries.Candidate> best = found.series().stream()
+                .max(Comparator.comparingLong((DicomSeries.Candidate candidate) -> held(candidate.grid())));
+        if (best.isEmpty()) {
+            return Optional.empty();
         }
-        return Optional.ofNullable(best);
+        Optional<String> damaged = best.get().damaged();
+        long held = held(best.get().grid());
+        if (held < (damaged.isPresent() ? planar : HELD * planar)) {
+            problems.add(damaged.orElse(Numbers.format("its slices hold %d of %.0f contours", held, planar)));
+            return Optional.empty();
+        }
+        damaged.ifPresent(why -> notes.add("a file beside the series of the contours was left out: " + why));
+        return best.map(DicomSeries.Candidate::grid);
+    }
+
+    /** The number of contours of an area that lie in slices of a grid. */
+    private long held(SliceGrid grid) {
+        return contours.values().stream()
+                .flatMap(List::stream)
+                .filter(points -> points.length >= ContourGrid.AREA && isHeld(grid, points))
+                .count();
     }
 
     private static boolean isHeld(SliceGrid grid, double[] points) {

@@ -165,6 +165,36 @@ class DicomVolumeTest {
                 LabelVolumeFiles.read(contours), images.resolve("IM0.dcm").toString());
     }
 
+    /** A stray slice beside the contours, a half copied series and a damaged file of another one hide none. */
+    @Test
+    void readableSlicesThatHoldAllContoursAreUsed() throws IOException {
+        Path contours = Files.copy(resource("ct/contours_sparse.dcm"), folder.resolve("contours.dcm"));
+        Path images = Files.createDirectory(folder.resolve("images"));
+        for (int slice = 0; slice < 6; slice++) {
+            Files.copy(resource("ct/IM" + slice + ".dcm"), images.resolve("IM" + slice + ".dcm"));
+        }
+        Path stray = Files.copy(resource("ct/IM1.dcm"), folder.resolve("localizer.dcm"));
+        Files.write(images.resolve("foreign.dcm"), half("ct/IM0.dcm"));
+        Path backup = Files.createDirectory(folder.resolve("backup"));
+        for (String slice : List.of("IM0.dcm", "IM1.dcm", "IM4.dcm")) {
+            Files.copy(resource("ct/" + slice), backup.resolve(slice));
+        }
+        Files.write(backup.resolve("IM5.dcm"), half("ct/IM0.dcm"));
+        LabelVolume volume = LabelVolumeFiles.read(contours);
+        assertThat(volume.grid().counts()[1]).isEqualTo(6 * 5 * 5);
+        assertThat(volume.notes())
+                .anyMatch(note -> note.startsWith("a file beside the series of the contours was left out: ")
+                        && note.contains("foreign.dcm"));
+        Files.delete(stray);
+        for (int slice = 0; slice < 6; slice++) {
+            Files.write(images.resolve("IM" + slice + ".dcm"), half("ct/IM0.dcm"));
+            Files.deleteIfExists(backup.resolve("IM" + slice + ".dcm"));
+        }
+        assertThat(LabelVolumeFiles.read(contours).notes())
+                .as("no slice can be read")
+                .anyMatch(note -> note.contains("is of no use") && note.contains("IM0.dcm"));
+    }
+
     private static void assertHasOwnGrid(LabelVolume volume, String reason) {
         assertThat(volume.grid().spacing(0)).isCloseTo(1, within(1e-12));
         assertThat(volume.names().values()).contains("liver", "Milz ä");
@@ -184,6 +214,16 @@ class DicomVolumeTest {
         Files.delete(twice);
         Files.delete(second);
         assertHasOwnGrid(LabelVolumeFiles.read(contours), "unevenly apart or missing");
+    }
+
+    /** A scan of a part of the body, to which the contours refer as well, has the lower three of their slices. */
+    @Test
+    void besideASeriesThatHoldsFewContoursTheyHaveTheirOwnGrid() throws IOException {
+        Path contours = Files.copy(resource("ct/contours.dcm"), folder.resolve("contours.dcm"));
+        for (String slice : List.of("IM2.dcm", "IM1.dcm", "IM0.dcm")) {
+            Files.copy(resource("ct/" + slice), folder.resolve(slice));
+        }
+        assertHasOwnGrid(LabelVolumeFiles.read(contours), "its slices hold ");
     }
 
     /** The other series has two slices of the same place, and comes first by its identifier. */
