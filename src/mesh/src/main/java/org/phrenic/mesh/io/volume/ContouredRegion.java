@@ -21,8 +21,6 @@ import org.phrenic.mesh.Vectors;
 final class ContouredRegion implements LabelPainter.Voxels {
     /** Widest gap between drawn slices of one structure, mm. */
     private static final double MAX_GAP_MM = 15;
-    /** Numbers of the corners of a contour that has an area, at least. */
-    private static final int AREA = 6;
 
     private final SliceGrid grid;
     private final TreeMap<Integer, Supplier<IntList>> sections;
@@ -48,11 +46,7 @@ final class ContouredRegion implements LabelPainter.Voxels {
     /** @param bySlice corners of the contours in columns and rows, by slice */
     static ContouredRegion of(SliceGrid grid, ContourFill fill, Map<Integer, List<double[]>> bySlice, boolean isMask) {
         Map<Integer, Supplier<IntList>> sections = new TreeMap<>();
-        bySlice.forEach((slice, contours) -> {
-            if (isMask || contours.stream().anyMatch(corners -> corners.length >= AREA)) {
-                sections.put(slice, () -> filled(fill, contours, isMask));
-            }
-        });
+        bySlice.forEach((slice, contours) -> sections.put(slice, () -> filled(fill, contours, isMask)));
         return new ContouredRegion(grid, sections);
     }
 

@@ -60,10 +60,17 @@ final class StructureSet {
         List<String> masks = new ArrayList<>();
         List<String> small = new ArrayList<>();
         contours.forEach((number, closed) -> {
-            Map<Integer, List<double[]>> bySlice = bySlice(grid, number, closed);
-            if (!bySlice.isEmpty()) {
-                boolean isMask =
-                        ContouredRegion.isMask(bySlice.values().stream().flatMap(List::stream), isOfMasks);
+            boolean isMask = ContouredRegion.isMask(
+                    closed.stream().filter(points -> isInSlice(grid, points)).map(points -> corners(grid, points)),
+                    isOfMasks);
+            // Of a mask, a point is a pixel; elsewhere, it would stand for the outline of its slice.
+            List<double[]> filling = closed.stream()
+                    .filter(points -> isMask || points.length >= ContourGrid.AREA)
+                    .toList();
+            Map<Integer, List<double[]>> bySlice = bySlice(grid, number, filling);
+            if (filling.isEmpty()) {
+                small.add(name(number));
+            } else if (!bySlice.isEmpty()) {
                 ContouredRegion region = ContouredRegion.of(grid, fill, bySlice, isMask);
                 if (painter.add(number, region) == 0) {
                     small.add(name(number));
@@ -219,8 +226,8 @@ final class StructureSet {
     }
 
     private static boolean isHeld(SliceGrid grid, double[] points) {
-        double slice = Math.rint(grid.index(2, points[0], points[1], points[2]));
-        return slice >= 0 && slice < grid.slices() && isInSlice(grid, slice, points);
+        double slice = slice(grid, points);
+        return slice >= 0 && slice < grid.slices() && isInSlice(grid, points);
     }
 
     private SliceGrid ownGrid() {
@@ -240,18 +247,16 @@ final class StructureSet {
         int beyond = 0;
         int across = 0;
         for (double[] points : closed) {
-            double slice = Math.rint(grid.index(2, points[0], points[1], points[2]));
-            if (!isInSlice(grid, slice, points)) {
+            if (!isInSlice(grid, points)) {
                 across++;
                 continue;
             }
-            double[] corners = new double[points.length / 3 * 2];
+            double slice = slice(grid, points);
+            double[] corners = corners(grid, points);
             boolean within = slice >= 0 && slice < grid.slices();
             boolean whole = within;
-            for (int c = 0; c < corners.length / 2; c++) {
-                corners[2 * c] = snapped(grid.index(0, points[3 * c], points[3 * c + 1], points[3 * c + 2]));
-                corners[2 * c + 1] = snapped(grid.index(1, points[3 * c], points[3 * c + 1], points[3 * c + 2]));
-                whole &= isOn(corners[2 * c], grid.columns()) && isOn(corners[2 * c + 1], grid.rows());
+            for (int c = 0; c < corners.length; c += 2) {
+                whole &= isOn(corners[c], grid.columns()) && isOn(corners[c + 1], grid.rows());
             }
             if (within) {
                 bySlice.computeIfAbsent((int) slice, none -> new SlicePlane())
@@ -290,7 +295,23 @@ final class StructureSet {
         return 3 * sum / points.length;
     }
 
-    private static boolean isInSlice(SliceGrid grid, double slice, double[] points) {
+    /** The slice of the first point of a contour. */
+    private static double slice(SliceGrid grid, double[] points) {
+        return Math.rint(grid.index(2, points[0], points[1], points[2]));
+    }
+
+    /** The corners of a contour in columns and rows. */
+    private static double[] corners(SliceGrid grid, double[] points) {
+        double[] corners = new double[points.length / 3 * 2];
+        for (int c = 0; c < corners.length; c++) {
+            int p = c / 2 * 3;
+            corners[c] = snapped(grid.index(c % 2, points[p], points[p + 1], points[p + 2]));
+        }
+        return corners;
+    }
+
+    private static boolean isInSlice(SliceGrid grid, double[] points) {
+        double slice = slice(grid, points);
         for (int p = 0; p < points.length; p += 3) {
             if (!(Math.abs(grid.index(2, points[p], points[p + 1], points[p + 2]) - slice) <= OFF)) {
                 return false;

@@ -14,7 +14,10 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
@@ -297,6 +300,31 @@ class DicomVolumeTest {
         assertThat(alone.spacing(2)).isCloseTo(6, within(1e-4));
         double drawn = 6 * 2 * 5 * 1.5 * 3 * 6;
         assertThat(alone.counts()[1] * alone.voxelVolume()).isCloseTo(drawn, within(0.05 * drawn));
+    }
+
+    /** The outline of slice 2 drawn 0.12 slices above it, and a closed contour of one point in the slice within it. */
+    @Test
+    void aStrayPointIsNoOutlineOfItsSlice() throws IOException {
+        copyOfSeries();
+        String file = Files.readString(resource("ct/contours_sparse.dcm"), StandardCharsets.ISO_8859_1);
+        List<String> contours = Pattern.compile("(-?\\d+\\.\\d{4}\\\\){11,}-?\\d+\\.\\d{4}")
+                .matcher(file)
+                .results()
+                .map(MatchResult::group)
+                .toList();
+        assertThat(contours).hasSize(4);
+        String across = contours.get(0);
+        file = file.replace(across, String.format("%-" + across.length() + "s", "-25.8776\\17.2694\\446.9602"));
+        double[] shift = {0.0319, -0.0876, 0.3477};
+        String[] numbers = contours.get(2).split("\\\\");
+        Arrays.setAll(numbers, n -> String.format(Locale.ROOT, "%.4f", Double.parseDouble(numbers[n]) + shift[n % 3]));
+        String shifted = String.join("\\", numbers);
+        assertThat(shifted).hasSameSizeAs(contours.get(2));
+        Path drawn = folder.resolve("contours.dcm");
+        Files.writeString(drawn, file.replace(contours.get(2), shifted), StandardCharsets.ISO_8859_1);
+        LabelVolume volume = LabelVolumeFiles.read(drawn);
+        assertThat(volume.grid().counts()[1]).isEqualTo(6 * 5 * 5);
+        assertThat(volume.notes()).noneMatch(note -> note.contains("nearer together"));
     }
 
     /**
