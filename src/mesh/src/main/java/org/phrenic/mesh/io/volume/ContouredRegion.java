@@ -27,8 +27,11 @@ final class ContouredRegion implements LabelPainter.Voxels {
     private final double widest;
     private int slicesBetween;
 
-    /** @param sections pixels of the region, column + columns row, by slice */
-    ContouredRegion(SliceGrid grid, Map<Integer, Supplier<IntList>> sections) {
+    /**
+     * @param sections pixels of the region, column + columns row, by slice
+     * @param isMask whether they are all of a mask, whose gaps between slices that follow each other are its own
+     */
+    ContouredRegion(SliceGrid grid, Map<Integer, Supplier<IntList>> sections, boolean isMask) {
         this.grid = grid;
         this.sections = new TreeMap<>(sections);
         List<Integer> gaps = new ArrayList<>();
@@ -40,14 +43,16 @@ final class ContouredRegion implements LabelPainter.Voxels {
         }
         gaps.sort(null);
         double usual = gaps.isEmpty() ? 0 : gaps.get(gaps.size() / 2);
-        widest = Math.min(2 * usual, MAX_GAP_MM / Vectors.length(grid.axes().steps()[2]));
+        widest = isMask && usual == 1
+                ? 1
+                : Math.min(2 * usual, MAX_GAP_MM / Vectors.length(grid.axes().steps()[2]));
     }
 
     /** @param bySlice corners of the contours in columns and rows, by slice */
     static ContouredRegion of(SliceGrid grid, ContourFill fill, Map<Integer, List<double[]>> bySlice, boolean isMask) {
         Map<Integer, Supplier<IntList>> sections = new TreeMap<>();
         bySlice.forEach((slice, contours) -> sections.put(slice, () -> filled(fill, contours, isMask)));
-        return new ContouredRegion(grid, sections);
+        return new ContouredRegion(grid, sections, isMask);
     }
 
     /**

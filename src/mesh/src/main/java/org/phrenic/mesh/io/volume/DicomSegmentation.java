@@ -35,6 +35,8 @@ final class DicomSegmentation {
 
     /** Share of the gaps between slices of a segment that are of two where it is drawn in every second slice. */
     private static final double EVERY_SECOND = 0.8;
+    /** Such gaps of a segment that is drawn in every second slice, at least. */
+    private static final int MIN_SECONDS = 3;
 
     private final DicomDataSet image;
     private final DicomPixels pixels;
@@ -202,7 +204,7 @@ final class DicomSegmentation {
             return inside;
         }));
         SliceGrid grid = new SliceGrid(pixels.columns(), pixels.rows(), stack.slices(), stack.axes());
-        ContouredRegion region = new ContouredRegion(grid, sections);
+        ContouredRegion region = new ContouredRegion(grid, sections, true);
         painter.add(number, region);
         if (region.slicesBetween() > 0) {
             between.add(name.isBlank() ? "segment " + number : name);
@@ -216,7 +218,7 @@ final class DicomSegmentation {
             seconds += slice - before == 2 ? 1 : 0;
             before = slice;
         }
-        return seconds > 0 && seconds >= EVERY_SECOND * (slices.size() - 1);
+        return seconds >= MIN_SECONDS && seconds >= EVERY_SECOND * (slices.size() - 1);
     }
 
     private void read(int f) {

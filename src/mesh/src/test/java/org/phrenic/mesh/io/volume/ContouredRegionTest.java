@@ -125,6 +125,26 @@ class ContouredRegionTest {
         assertThat(slices(region(square)).get(0)[0]).isEqualTo(100);
     }
 
+    /** Of an outline in each slice, an empty slice lies between two pieces. */
+    @Test
+    void piecesOfAMaskStayApart() {
+        Map<Integer, List<double[]>> pieces = new HashMap<>();
+        List<double[]> outline = List.of(new double[] {11, 10, 19, 10, 20, 11, 20, 20, 10, 20, 10, 11});
+        for (int slice : new int[] {0, 1, 2, 4, 5, 6}) {
+            pieces.put(slice, outline);
+        }
+        ContourFill fill = new ContourFill(SIZE, SIZE);
+        assertThat(slices(ContouredRegion.of(GRID, fill, pieces, true)).keySet())
+                .containsExactly(0, 1, 2, 4, 5, 6);
+        assertThat(slices(ContouredRegion.of(GRID, fill, pieces, false)).keySet())
+                .as("drawn in most slices")
+                .containsExactly(0, 1, 2, 3, 4, 5, 6);
+        Map<Integer, List<double[]>> second = Map.of(0, outline, 2, outline, 4, outline);
+        assertThat(slices(ContouredRegion.of(GRID, fill, second, true)).keySet())
+                .as("in every second slice")
+                .containsExactly(0, 1, 2, 3, 4);
+    }
+
     /** Slices of 2 mm: a gap of 16 mm, one of four times the usual gap, and pieces beside each other stay apart. */
     @Test
     void piecesOfARegionStayApart() {

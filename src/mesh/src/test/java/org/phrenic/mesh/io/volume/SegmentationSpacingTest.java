@@ -89,6 +89,16 @@ class SegmentationSpacingTest {
         assertThat(fewer.notes()).isEmpty();
     }
 
+    /** A nodule in two or three slices with others between. */
+    @Test
+    void aSegmentOfAFewSlicesStaysAsItIsDrawn() {
+        for (int[] slices : new int[][] {{3, 5}, {3, 5, 7}}) {
+            LabelVolume few = read(between("2.5"), planes(2.5, slices));
+            assertFilled(few, 2.5, slices.length);
+            assertThat(few.notes()).isEmpty();
+        }
+    }
+
     /** Segmented in a few slices far apart: a plane is as thick as a slice of the scan. */
     @Test
     void planesOfSlicesBetweenWhichThereAreOthersStayThin() {
