@@ -40,13 +40,22 @@ final class MitkLabels {
 
     private MitkLabels() {}
 
-    /** The labels of all groups; each keeps its value as label, but for those whose value an earlier one has. */
-    static List<Segment> of(String pair) {
+    static MitkLabels of(String pair) {
         // A pair states a backslash by two and a line break by "\n".
         String text = pair.replace("\\\\", "\0").replace("\\n", "\n").replace('\0', '\\');
         MitkLabels labels = new MitkLabels();
         labels.scan(text);
-        return labels.segments;
+        return labels;
+    }
+
+    /** The labels of all groups; each keeps its value as label, but for those whose value an earlier one has. */
+    List<Segment> segments() {
+        return segments;
+    }
+
+    /** The number of groups, with those without labels. */
+    int groups() {
+        return group + 1;
     }
 
     private void scan(String text) {

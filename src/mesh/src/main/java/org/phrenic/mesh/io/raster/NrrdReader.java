@@ -190,9 +190,12 @@ final class NrrdReader {
     /** The segments of a segmentation with several layers, if no layer is named by its number. */
     private Optional<LayeredSegments> layers() {
         List<Segment> segments = segments();
-        boolean stated = header.has(MitkLabels.KEY)
-                || segments.stream().anyMatch(s -> header.has("segment" + (s.label() - 1) + LAYER));
-        boolean isLayerEach = segments.size() == frames.count()
+        Optional<MitkLabels> mitk = mitk();
+        boolean stated = mitk.isPresent()
+                ? mitk.get().groups() == frames.count()
+                : segments.stream().anyMatch(s -> header.has("segment" + (s.label() - 1) + LAYER));
+        boolean isLayerEach = mitk.isEmpty()
+                && segments.size() == frames.count()
                 && segments.stream().noneMatch(s -> header.has("segment" + (s.label() - 1) + VALUE));
         if (frames.count() < 2 || segments.isEmpty() || source.phase().isPresent() || !(stated || isLayerEach)) {
             return Optional.empty();
@@ -208,10 +211,16 @@ final class NrrdReader {
         return Optional.of(new LayeredSegments(frames, segments));
     }
 
+    /** What MITK lists: groups, which are layers, or are in each of several volumes over time. */
+    private Optional<MitkLabels> mitk() {
+        return header.has(MitkLabels.KEY) ? Optional.of(MitkLabels.of(header.text(MitkLabels.KEY))) : Optional.empty();
+    }
+
     /** All segments that the header lists, by number. */
     private List<Segment> segments() {
-        if (header.has(MitkLabels.KEY)) {
-            return MitkLabels.of(header.text(MitkLabels.KEY)).stream()
+        Optional<MitkLabels> mitk = mitk();
+        if (mitk.isPresent()) {
+            return mitk.get().segments().stream()
                     .filter(segment -> segment.layer() < frames.count() && segment.label() <= LabelGrid.MAX_LABEL)
                     .toList();
         }
@@ -248,9 +257,11 @@ final class NrrdReader {
     /** Names by stored value, of the layer that is read. */
     private Map<Integer, String> names() {
         Map<Integer, String> names = new TreeMap<>();
+        boolean isOneGroup = mitk().stream().anyMatch(mitk -> mitk.groups() == 1);
         for (Segment segment : segments()) {
-            boolean isRead =
-                    frames.count() == 1 || segment.layer() == source.phase().orElse(0);
+            boolean isRead = frames.count() == 1
+                    || isOneGroup
+                    || segment.layer() == source.phase().orElse(0);
             if (isRead && !segment.name().isEmpty()) {
                 names.put(segment.value(), segment.name());
             }

@@ -194,6 +194,18 @@ class NrrdHeaderTest {
         assertThat(LabelVolumeFiles.read(folder.resolve("mitk.nrrd#1")).names()).isEqualTo(Map.of(1, "liver"));
     }
 
+    /** One group over the phases of a breath, with as many labels as there are phases. */
+    @Test
+    void volumesOverTimeOfOneGroupOfMitkAreNoLayers() {
+        String group =
+                mitk("[{\"labels\":[" + label("body", 1) + "," + label("liver", 2) + "," + label("cyst", 3) + "]}]");
+        assertThatThrownBy(() -> read("mitk.nrrd", layered(3, group), layers(3)))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("3 volumes, expected the number of one");
+        assertThat(LabelVolumeFiles.read(folder.resolve("mitk.nrrd#2")).names())
+                .isEqualTo(Map.of(1, "body", 2, "liver", 3, "cyst"));
+    }
+
     /** Two volumes with one segment are no layers of it, but such as phases of which one has to be named. */
     @Test
     void volumesOfAnotherNumberThanSegmentsAreNoLayers() {
