@@ -115,6 +115,14 @@ class MotionCommandTest {
         CommandLineRun far = motion("--warp", image.toString(), "--at", "0");
         assertThat(far.exitCode()).isEqualTo(2);
         assertThat(far.err()).contains("found no voxel inside the body");
+        Path bare = folder.resolve("bare.nrrd");
+        Files.writeString(
+                bare, "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: ascii\n\n0 1 0 1 0 1 0 1\n");
+        for (String labels : new String[] {"", "--labels "}) {
+            CommandLineRun unplaced = motion((labels + "--at 0 --warp " + bare).split(" ", -1));
+            assertThat(unplaced.exitCode()).isEqualTo(2);
+            assertThat(unplaced.err()).contains("bare.nrrd: found no spacing of its voxels");
+        }
         Path points = folder.resolve("points.csv");
         Files.writeString(points, "x_mm,y_mm,z_mm,structure\n0,0,0,lung_X\n");
         CommandLineRun unknown = motion("--points", points.toString(), "--at", "0");

@@ -7,6 +7,7 @@ import java.util.function.IntFunction;
 import org.phrenic.file.BadInputException;
 import org.phrenic.file.ScalarType;
 import org.phrenic.mesh.io.image.VoxelSeries;
+import org.phrenic.mesh.io.raster.MissingSpacing;
 import org.phrenic.mesh.io.volume.ImageVolume;
 import org.phrenic.mesh.io.volume.ImageVolumeFiles;
 import org.phrenic.mesh.io.volume.LabelVolume;
@@ -51,6 +52,10 @@ final class MovingImage {
             type = whole ? ScalarType.INT16 : ScalarType.FLOAT32;
             notes = volume.notes();
             beyond = least;
+        }
+        if (MissingSpacing.isIn(notes)) {
+            throw new BadInputException(
+                    "--warp " + file + ": found no spacing of its voxels, expected it in the file, in mm");
         }
         sampler = new MotionSampler(motion, box);
         if (sampler.voxelsInBody() == 0) {

@@ -155,9 +155,7 @@ final class NiftiReader {
     }
 
     private void noteSpacing() {
-        if (header.pixel(1) == 0 || header.pixel(2) == 0 || header.pixel(3) == 0) {
-            notes.add("no spacing: voxels were taken to be 1 mm wide");
-        }
+        MissingSpacing.note(notes, header.pixel(1) == 0, header.pixel(2) == 0, header.pixel(3) == 0);
     }
 
     /** The spacing along a dimension, 1 mm where none is stated. */

@@ -23,6 +23,9 @@ record NrrdPlace(VolumeHeader header) {
     private static final double ROUNDING = 1e-6;
 
     private static final String SPACINGS = "spacings";
+    /** What Teem writes for a spacing that it does not know. */
+    private static final String UNKNOWN = "nan";
+
     private static final Pattern VECTOR = Pattern.compile("none|\\(([^)]*)\\)");
     private static final Pattern UNIT = Pattern.compile("\"([^\"]*)\"|(\\S+)");
 
@@ -86,15 +89,18 @@ record NrrdPlace(VolumeHeader header) {
     private VolumeAxes spaced(int[] axes, List<String> notes) {
         notes.add("no space directions: columns were taken to run to the left, rows to the back, slices up");
         if (!header.has(SPACINGS)) {
-            notes.add("no spacings: voxels were taken to be 1 mm wide");
+            MissingSpacing.note(notes, true, true, true);
             return VolumeAxes.axisAligned(1, 1, 1);
         }
         String[] words = header.text(SPACINGS).split("\\s+", -1);
         double[] spacings = millimetres("units", axes, notes);
+        boolean[] missing = new boolean[3];
         for (int i = 0; i < 3; i++) {
             String word = axes[i] < words.length ? words[axes[i]] : "";
-            spacings[i] *= header.number(SPACINGS, word);
+            missing[i] = word.equalsIgnoreCase(UNKNOWN);
+            spacings[i] = missing[i] ? 1 : spacings[i] * header.number(SPACINGS, word);
         }
+        MissingSpacing.note(notes, missing);
         return VolumeAxes.axisAligned(spacings[0], spacings[1], spacings[2]);
     }
 

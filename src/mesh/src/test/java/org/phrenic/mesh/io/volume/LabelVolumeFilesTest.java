@@ -166,6 +166,8 @@ class LabelVolumeFilesTest {
         Map<String, byte[]> files = Map.of(
                 "spaceless.nrrd",
                 VolumeSamples.join(nrrd + "\n", VolumeSamples.voxels(2, LITTLE, 1)),
+                "unknown.nrrd",
+                VolumeSamples.join(nrrd + "spacings: nan NaN nan\n\n", VolumeSamples.voxels(2, LITTLE, 1)),
                 "no-form.nii",
                 VolumeSamples.nifti(2, LITTLE, h -> {
                     h.putShort(254, (short) 0);
@@ -180,11 +182,20 @@ class LabelVolumeFilesTest {
                 }));
         files.forEach((name, file) -> {
             LabelVolume volume = read(name, file);
-            assertThat(volume.notes()).as(name).anyMatch(note -> note.contains("taken to be 1 mm wide"));
+            assertThat(volume.notes())
+                    .as(name)
+                    .contains("no spacing along columns, rows, slices: voxels were taken to be 1 mm wide there");
             for (int direction = 0; direction < 3; direction++) {
                 assertThat(volume.grid().spacing(direction)).as(name).isCloseTo(1, within(SINGLE_MM));
             }
         });
+        byte[] flat = VolumeSamples.nifti(2, LITTLE, h -> {
+            h.putShort(254, (short) 0);
+            clear(h, 88, 92);
+        });
+        LabelVolume slices = read("slices.nii", flat);
+        assertThat(slices.notes()).contains("no spacing along slices: voxels were taken to be 1 mm wide there");
+        assertThat(slices.grid().spacing(1)).isCloseTo(3, within(SINGLE_MM));
         LabelVolume zero = read("zero-sform.nii", VolumeSamples.nifti(2, LITTLE, h -> clear(h, 280, 328)));
         assertThat(zero.notes()).singleElement().asString().contains("neither sform nor qform");
         assertThat(zero.grid().spacing(1)).as("pixdim").isCloseTo(3, within(SINGLE_MM));
